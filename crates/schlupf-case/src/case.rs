@@ -334,6 +334,12 @@ impl Case {
         self.any_solver(&Options { sensitivity: false, ..self.options.clone() })
     }
 
+    /// The same for forces and fields alone: solutions keep no state of the material.
+    pub fn solver_without_state(&self) -> Box<dyn Solver> {
+        let options = Options { sensitivity: false, keeps_state: false, ..self.options.clone() };
+        self.any_solver(&options)
+    }
+
     fn any_solver(&self, options: &Options) -> Box<dyn Solver> {
         read::any_solver(self.method, self.driver, options)
     }

@@ -233,7 +233,7 @@ impl Block<'_> {
     fn full(mut self, watch: Watch) -> Result<Vec<Repeated>, Failure> {
         let Self { case, conditions, start, .. } = self;
         let mut warnings = Vec::new();
-        let mut solver = LoadedSolver::new(case);
+        let mut solver = LoadedSolver::without_state(case);
         for k in start..start + self.converged.len() {
             let explain = |error| (Some(k), CaseErrors::from(case.explain(&error)));
             let kinematics = conditions.kinematics(k, &case.problem.kinematics);

@@ -99,7 +99,7 @@ impl Group<'_> {
         if self.kinematics(*first, &case.problem.kinematics) != case.problem.kinematics {
             return self.alone(start, watch, outcomes);
         }
-        let mut solver = LoadedSolver::new(&case);
+        let mut solver = LoadedSolver::without_state(&case);
         for member in self.members {
             let kinematics = self.kinematics(*member, &case.problem.kinematics);
             let solved = solver.solve(&case, kinematics, None, watch);
@@ -120,7 +120,8 @@ impl Group<'_> {
                 Err(reason) => Outcome::Failed(reason),
                 Ok(case) => {
                     let motion = case.problem.kinematics;
-                    let solved = LoadedSolver::new(&case).solve(&case, motion, None, watch);
+                    let solved =
+                        LoadedSolver::without_state(&case).solve(&case, motion, None, watch);
                     outcome(&case, solved)?
                 }
             };

@@ -34,7 +34,7 @@ impl Plan {
     pub fn find(self, watch: Watch) -> Result<BulkReport, TaskError> {
         let Self { case, cooling } = self;
         let explain = |error: Error| CaseErrors::from(case.explain(&error));
-        let mut solver = case.solver();
+        let mut solver = case.solver_without_state();
         let balance =
             bulk_temperature::bulk_temperature(&case.problem, &mut *solver, &cooling, watch);
         let balance = balance.map_err(explain)?;

@@ -293,7 +293,7 @@ impl Member {
     }
 
     fn trace(&self, sampling: &Sampling, watch: Watch) -> Result<CreepCurve, schlupf::Error> {
-        let mut solver = self.case.solver();
+        let mut solver = self.case.solver_without_state();
         creep_curve::trace(&mut *solver, &self.case.problem, &self.path, sampling, watch)
     }
 }

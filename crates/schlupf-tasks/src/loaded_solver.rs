@@ -33,7 +33,16 @@ pub struct LoadedSolver {
 impl LoadedSolver {
     /// A solver of a case of steady rolling.
     pub fn new(case: &Case) -> Self {
-        Self { solver: case.solver(), normal: Arc::clone(&case.problem.normal), load: None }
+        Self::with(case, case.solver())
+    }
+
+    /// One whose solutions keep no state of the material.
+    pub fn without_state(case: &Case) -> Self {
+        Self::with(case, case.solver_without_state())
+    }
+
+    fn with(case: &Case, solver: Box<dyn Solver>) -> Self {
+        Self { solver, normal: Arc::clone(&case.problem.normal), load: None }
     }
 
     /// Solves the case with another motion and another load (in N), as in a history; that of the

@@ -189,6 +189,10 @@ pub struct Options {
     /// Whether to extrapolate the forces from this grid and one half as fine, too; only for steady
     /// states found directly.
     pub extrapolate: bool,
+    /// Whether a solution keeps the state of the material, from which a march can go on and the
+    /// temperatures away from the cells follow; of steady states found directly. Without it, that
+    /// of a series of forces takes a tenth less time.
+    pub keeps_state: bool,
 }
 
 impl Default for Options {
@@ -204,6 +208,7 @@ impl Default for Options {
             sensitivity: false,
             fields_every: 0,
             extrapolate: false,
+            keeps_state: true,
         }
     }
 }

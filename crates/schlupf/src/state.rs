@@ -1,5 +1,8 @@
 //! The memory of the material in the contact: the state from which rolling continues.
 
+use std::ops::{Deref, DerefMut};
+use std::sync::Arc;
+
 use crate::grid::Grid;
 use crate::heat::HeatStep;
 use crate::patch::{Cell, Patch};
@@ -33,8 +36,8 @@ pub struct Element {
     pub stretch: [f64; 2],
     /// Earlier places of its path, the latest first; empty where bristles are followed from cell to
     /// cell.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
-    pub track: Vec<TrackPoint>,
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_empty"))]
+    pub track: Places,
     /// Temperature rise times effusivity in the cell, in W √s/m².
     #[cfg_attr(feature = "serde", serde(rename = "rise"))]
     pub scaled_rise: f64,
@@ -46,7 +49,57 @@ pub struct Element {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_zero"))]
     pub plastic_way: f64,
     /// Heat received from entry until it leaves the cell, the latest step first.
-    pub heat: Vec<HeatStep>,
+    pub heat: HeatRecord,
+}
+
+/// Heat received by an element, the latest step first: a list of steps. Elements that have passed
+/// the same places share them.
+#[derive(Debug, Clone, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(from = "Vec<HeatStep>", into = "Vec<HeatStep>"))]
+pub struct HeatRecord {
+    shared: Arc<[HeatStep]>,
+    /// Number of steps at the front that are not of this record.
+    later: usize,
+}
+
+impl HeatRecord {
+    /// The end of a list of steps, without so many at the front.
+    pub(crate) fn without(later: usize, shared: &Arc<[HeatStep]>) -> Self {
+        Self { shared: Arc::clone(shared), later: later.min(shared.len()) }
+    }
+}
+
+impl Deref for HeatRecord {
+    type Target = [HeatStep];
+
+    fn deref(&self) -> &[HeatStep] {
+        &self.shared[self.later..]
+    }
+}
+
+impl DerefMut for HeatRecord {
+    fn deref_mut(&mut self) -> &mut [HeatStep] {
+        &mut Arc::make_mut(&mut self.shared)[self.later..]
+    }
+}
+
+impl PartialEq for HeatRecord {
+    fn eq(&self, other: &Self) -> bool {
+        **self == **other
+    }
+}
+
+impl From<Vec<HeatStep>> for HeatRecord {
+    fn from(steps: Vec<HeatStep>) -> Self {
+        Self { shared: steps.into(), later: 0 }
+    }
+}
+
+impl From<HeatRecord> for Vec<HeatStep> {
+    fn from(record: HeatRecord) -> Self {
+        record.to_vec()
+    }
 }
 
 /// A place that an element has passed.
@@ -59,6 +112,67 @@ pub struct TrackPoint {
     pub sliding: [f64; 2],
     /// Traction on the rail over μ pₙ there, dimensionless.
     pub saturation: [f64; 2],
+}
+
+/// Largest number of places of a track.
+pub(crate) const MOST_PLACES: usize = 3;
+
+/// The last few places that an element has passed, the latest first.
+#[derive(Debug, Clone, Copy, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(from = "Vec<TrackPoint>", into = "Vec<TrackPoint>"))]
+pub struct Places {
+    places: [TrackPoint; MOST_PLACES],
+    count: usize,
+}
+
+impl Deref for Places {
+    type Target = [TrackPoint];
+
+    fn deref(&self) -> &[TrackPoint] {
+        &self.places[..self.count]
+    }
+}
+
+impl DerefMut for Places {
+    fn deref_mut(&mut self) -> &mut [TrackPoint] {
+        &mut self.places[..self.count]
+    }
+}
+
+impl PartialEq for Places {
+    fn eq(&self, other: &Self) -> bool {
+        **self == **other
+    }
+}
+
+impl FromIterator<TrackPoint> for Places {
+    /// The first places; older ones do not matter.
+    fn from_iter<I: IntoIterator<Item = TrackPoint>>(places: I) -> Self {
+        let mut track = Self::default();
+        for (own, place) in track.places.iter_mut().zip(places) {
+            *own = place;
+            track.count += 1;
+        }
+        track
+    }
+}
+
+impl From<Vec<TrackPoint>> for Places {
+    fn from(places: Vec<TrackPoint>) -> Self {
+        places.into_iter().collect()
+    }
+}
+
+impl From<Places> for Vec<TrackPoint> {
+    fn from(places: Places) -> Self {
+        places.to_vec()
+    }
+}
+
+#[cfg(feature = "serde")]
+fn is_empty(track: &Places) -> bool {
+    track.is_empty()
 }
 
 #[cfg(feature = "serde")]

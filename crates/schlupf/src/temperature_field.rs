@@ -97,12 +97,15 @@ impl TemperatureField {
     /// ```
     ///
     /// # Errors
-    /// A fast method, which keeps no record of the heat, and whatever
+    /// A fast method, which keeps no record of the heat, a solution without a state, and whatever
     /// [`crate::normal::PressureSource::normal_contact`] rejects.
     pub fn new(problem: &Problem, solution: &Solution) -> Result<Self, Error> {
         if solution.method != Method::Full {
             let method = solution.method.name();
             return Err(Error::OtherMethod { purpose: MethodPurpose::Field, method });
+        }
+        if solution.state.elements.is_empty() {
+            return Err(Error::NoState {});
         }
         let grid = solution.state.grid;
         let normal = problem.normal.normal_contact(Some(solution.normal.load))?;

@@ -41,6 +41,7 @@ const OPTIONS: Options = Options {
     sensitivity: false,
     fields_every: 0,
     extrapolate: false,
+    keeps_state: true,
 };
 
 /// Hertz's pressure with a = 6 mm, b = 5 mm, p0 = 1 GPa on a lattice whose origin is such that the

@@ -29,6 +29,7 @@ pub fn options(settings: &Settings) -> Result<Options, CaseError> {
         sensitivity: settings.flag("solver.sensitivity")?,
         fields_every: 0,
         extrapolate: settings.flag("solver.extrapolate")?,
+        keeps_state: true,
     })
 }
 

@@ -58,6 +58,11 @@ impl Case {
         problems::cells(self.cells)
     }
 
+    /// Those of a point of a creep curve, which keeps no state of the material.
+    pub fn curve_options(&self) -> Options {
+        Options { keeps_state: false, ..self.options() }
+    }
+
     /// The problem at rest: others are this one with another motion, so that they share its set-up.
     pub fn at_rest(&self) -> Problem {
         let mut problem = problems::problem(rolling(0.0, 0.0, 0.0));

@@ -55,7 +55,7 @@ fn measured(case: &Case, at_rest: &Problem) -> [[f64; 2]; 3] {
     };
     let curve = creep_curve(at_rest);
     let warm = best(|| {
-        let mut solver = SteadySolver::new(&case.options());
+        let mut solver = SteadySolver::new(&case.curve_options());
         curve.iter().map(|point| solve(&mut solver, point)).collect()
     });
     [cold(0.0), cold(0.2), warm]

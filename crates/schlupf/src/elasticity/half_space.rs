@@ -21,7 +21,7 @@ use rustfft::{Fft, FftPlanner};
 use super::ellipsoidal_traction::EllipsoidalTraction;
 use super::{Compliance, Elasticity};
 use crate::error::{Error, require_positive};
-use crate::fourier::{smooth_from, transpose, transpose_back};
+use crate::fourier::smooth_from;
 use crate::grid::{Grid, VectorField};
 use crate::material::Material;
 use crate::numerics::love;
@@ -198,7 +198,9 @@ impl Compliance for HalfSpaceCompliance {
 /// Convolution with the influence of a cell, on a padded grid.
 ///
 /// Both components share one complex field t_x + i t_y. For wave number k its transform F gives
-/// that of u_x + i u_y as ½ (A_xx + A_yy) F(k) + (½ (A_xx − A_yy) + i A_xy) F*(−k).
+/// that of u_x + i u_y as ½ (A_xx + A_yy) F(k) + (½ (A_xx − A_yy) + i A_xy) F*(−k). Columns i and
+/// −i are therefore transformed across, multiplied and transformed back together, a few at a time,
+/// so that they do not leave the cache.
 pub struct Convolution {
     columns: usize,
     rows: usize,
@@ -206,15 +208,43 @@ pub struct Convolution {
     size: [usize; 2],
     along: [Arc<dyn Fft<f64>>; 2],
     across: [Arc<dyn Fft<f64>>; 2],
-    /// ½ (A_xx + A_yy) and ½ (A_xx − A_yy) + i A_xy by wave number, divided by the number of cells.
-    mean: Vec<f64>,
-    difference: Vec<Complex<f64>>,
+    /// Of the wave numbers from zero to half way around in both directions, columns one after
+    /// another.
+    waves: Vec<Wave>,
     lines: Vec<Complex<f64>>,
-    plane: Vec<Complex<f64>>,
+    /// Columns that are worked on, and their mirror images.
+    pairs: [Vec<Complex<f64>>; 2],
     scratch: Vec<Complex<f64>>,
 }
 
+/// The influence at one wave number, divided by the number of cells; in m/Pa.
+#[derive(Debug, Clone, Copy)]
+struct Wave {
+    /// ½ (A_xx + A_yy).
+    mean: f64,
+    /// ½ (A_xx − A_yy) + i A_xy. The imaginary part is odd in both wave numbers.
+    difference: Complex<f64>,
+}
+
+impl Wave {
+    /// u_x + i u_y at k and at −k from t_x + i t_y there.
+    #[inline]
+    fn displaced(&self, [here, there]: [Complex<f64>; 2]) -> [Complex<f64>; 2] {
+        let Self { mean, difference } = *self;
+        [here * mean + difference * there.conj(), there * mean + difference * here.conj()]
+    }
+
+    /// That at the wave number with the opposite sign in one direction.
+    #[inline]
+    fn mirrored(&self) -> Self {
+        Self { difference: self.difference.conj(), ..*self }
+    }
+}
+
 const ZERO: Complex<f64> = Complex { re: 0.0, im: 0.0 };
+
+/// Number of columns that are worked on at once: those of a cache line.
+const COLUMNS_AT_ONCE: usize = 4;
 
 impl Convolution {
     /// The convolution with the influence [A_xx, A_yy, A_xy] (in m/Pa) at a distance in columns and
@@ -236,14 +266,12 @@ impl Convolution {
             size,
             along,
             across,
-            mean: Vec::new(),
-            difference: Vec::new(),
-            lines: vec![ZERO; size[0] * size[1]],
-            plane: vec![ZERO; size[0] * size[1]],
+            waves: Vec::new(),
+            lines: vec![ZERO; size[0] * grid.rows],
+            pairs: [0, 1].map(|_| vec![ZERO; COLUMNS_AT_ONCE * size[1]]),
             scratch: vec![ZERO; scratch.unwrap_or(0)],
         };
         convolution.set_influence(influence);
-        convolution.lines.truncate(size[0] * grid.rows);
         convolution
     }
 
@@ -253,7 +281,7 @@ impl Convolution {
     }
 
     /// Transforms the influence. A_xx and A_yy are even in x and in y, A_xy is odd in both, so all
-    /// three transforms are real, and two fit into one complex field.
+    /// three transforms are real, two fit into one complex field, and a quarter of them is enough.
     fn set_influence(&mut self, influence: &dyn Fn(isize, isize) -> [f64; 3]) {
         let [nx, ny] = self.size;
         let distance = |k: usize, count: usize| {
@@ -272,53 +300,85 @@ impl Convolution {
             }
         }
         let normalised = 1.0 / (nx * ny) as f64;
-        let axial = self.transform_all(axial);
-        let cross = self.transform_all(cross);
-        self.mean = axial.iter().map(|a| normalised * a.re).collect();
+        let [axial, cross] = [axial, cross].map(|field| self.quarter_of_transform(field));
         let pairs = axial.iter().zip(&cross);
-        self.difference = pairs.map(|(a, c)| Complex::new(a.im, c.re) * normalised).collect();
+        self.waves = pairs
+            .map(|(a, c)| Wave {
+                mean: normalised * a.re,
+                difference: Complex::new(a.im, c.re) * normalised,
+            })
+            .collect();
     }
 
-    /// Transform of a whole field, in transposed order: columns one after another.
-    fn transform_all(&mut self, field: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
-        self.lines = field;
-        self.along[0].process_with_scratch(&mut self.lines, &mut self.scratch);
-        self.lines_to_plane();
-        self.across[0].process_with_scratch(&mut self.plane, &mut self.scratch);
-        self.plane.clone()
-    }
-
-    fn lines_to_plane(&mut self) {
+    /// Transform of a whole field at the wave numbers up to half way around, in transposed order:
+    /// columns one after another.
+    fn quarter_of_transform(&mut self, mut field: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
         let [nx, ny] = self.size;
-        let rows = self.lines.len() / nx;
-        transpose(&self.lines, &mut self.plane, [nx, rows], ny);
-        for column in self.plane.chunks_exact_mut(ny) {
-            column[rows..].fill(ZERO);
-        }
-    }
-
-    /// Multiplies by the influence in wave-number space. k and −k are coupled.
-    fn multiply(&mut self) {
-        let [nx, ny] = self.size;
+        self.along[0].process_with_scratch(&mut field, &mut self.scratch);
+        let mut quarter = Vec::with_capacity((nx / 2 + 1) * (ny / 2 + 1));
+        let mut column = vec![ZERO; ny];
         for i in 0..=nx / 2 {
-            let other_i = if i == 0 { 0 } else { nx - i };
-            // A self-conjugate column contains its pairs.
-            let last = if i == other_i { ny / 2 } else { ny - 1 };
-            for j in 0..=last {
-                let (k, m) = (i * ny + j, other_i * ny + if j == 0 { 0 } else { ny - j });
-                let (here, there) = (self.plane[k], self.plane[m]);
-                self.plane[k] = here * self.mean[k] + self.difference[k] * there.conj();
-                if k != m {
-                    self.plane[m] = there * self.mean[m] + self.difference[m] * here.conj();
-                }
+            for (value, line) in column.iter_mut().zip(field.chunks_exact(nx)) {
+                *value = line[i];
+            }
+            self.across[0].process_with_scratch(&mut column, &mut self.scratch);
+            quarter.extend_from_slice(&column[..=ny / 2]);
+        }
+        quarter
+    }
+
+    /// Replaces the transforms of the lines by those of the displacement, all columns from `first`
+    /// on that are worked on at once, and their mirror images.
+    fn convolve_across(&mut self, first: usize) {
+        let [nx, ny] = self.size;
+        let last = (first + COLUMNS_AT_ONCE).min(nx / 2 + 1);
+        let count = last - first;
+        // Column i is at place i − first, column nx − i at the same place of the mirror images.
+        let Self { lines, pairs: [columns, mirrored], across, scratch, .. } = self;
+        for (j, line) in lines.chunks_exact(nx).enumerate() {
+            for (place, i) in (first..last).enumerate() {
+                columns[place * ny + j] = line[i];
+                mirrored[place * ny + j] = line[(nx - i) % nx];
+            }
+        }
+        let (columns, mirrored) = (&mut columns[..count * ny], &mut mirrored[..count * ny]);
+        for column in columns.chunks_exact_mut(ny).chain(mirrored.chunks_exact_mut(ny)) {
+            column[self.rows..].fill(ZERO);
+        }
+        across[0].process_with_scratch(columns, scratch);
+        across[0].process_with_scratch(mirrored, scratch);
+        let waves = self.waves[first * (ny / 2 + 1)..].chunks_exact(ny / 2 + 1);
+        let both = columns.chunks_exact_mut(ny).zip(mirrored.chunks_exact_mut(ny));
+        for (waves, (column, mirrored)) in waves.zip(both) {
+            multiply(waves, column, mirrored);
+        }
+        across[1].process_with_scratch(columns, scratch);
+        across[1].process_with_scratch(mirrored, scratch);
+        for (j, line) in lines.chunks_exact_mut(nx).enumerate() {
+            for (place, i) in (first..last).enumerate() {
+                // Columns that are their own mirror images are there twice, both the same.
+                line[i] = columns[place * ny + j];
+                line[(nx - i) % nx] = mirrored[place * ny + j];
             }
         }
     }
 }
 
+/// Multiplies a column and its mirror image by the influence in wave-number space.
+fn multiply(waves: &[Wave], column: &mut [Complex<f64>], mirrored: &mut [Complex<f64>]) {
+    let (half, rest) = (column.len() / 2, column.len().div_ceil(2));
+    [column[0], mirrored[0]] = waves[0].displaced([column[0], mirrored[0]]);
+    let pairs = column[1..].iter_mut().zip(mirrored[1..].iter_mut().rev());
+    let there = waves[1..=half].iter().copied();
+    let back = waves[1..rest].iter().rev().map(Wave::mirrored);
+    for (wave, (here, there)) in there.chain(back).zip(pairs) {
+        [*here, *there] = wave.displaced([*here, *there]);
+    }
+}
+
 impl Compliance for Convolution {
     fn displacement(&mut self, traction: &VectorField, displacement: &mut VectorField) {
-        let ([nx, ny], columns) = (self.size, self.columns);
+        let (nx, columns) = (self.size[0], self.columns);
         let rows = traction.x.chunks_exact(columns).zip(traction.y.chunks_exact(columns));
         for (line, (x, y)) in self.lines.chunks_exact_mut(nx).zip(rows) {
             for ((value, x), y) in line.iter_mut().zip(x).zip(y) {
@@ -327,11 +387,9 @@ impl Compliance for Convolution {
             line[columns..].fill(ZERO);
         }
         self.along[0].process_with_scratch(&mut self.lines, &mut self.scratch);
-        self.lines_to_plane();
-        self.across[0].process_with_scratch(&mut self.plane, &mut self.scratch);
-        self.multiply();
-        self.across[1].process_with_scratch(&mut self.plane, &mut self.scratch);
-        transpose_back(&self.plane, &mut self.lines, [nx, self.rows], ny);
+        for first in (0..=nx / 2).step_by(COLUMNS_AT_ONCE) {
+            self.convolve_across(first);
+        }
         self.along[1].process_with_scratch(&mut self.lines, &mut self.scratch);
         let rows = displacement.x.chunks_exact_mut(columns);
         let rows = rows.zip(displacement.y.chunks_exact_mut(columns));

@@ -388,6 +388,10 @@ messages! {
         error: SurfaceError,
     } error.quantity(), |name, words| error.text(words);
 
+    /// A solution that did not keep the state of the material.
+    "no-state" NoState {} Quantity::Method, |_name, _words| "temperatures below the surface need \
+         a solution that keeps the state of the material".to_owned();
+
     /// A bound of FASTSIM that a pressure does not have.
     "no-paraboloid" NoParaboloid {} Quantity::TractionBound, |name, words| format!(
         "{name}: the pressure of a table or a profile, or that on a layer that flows, is no \

@@ -18,6 +18,8 @@ pub(crate) struct StripHeat {
     model: Option<Arc<dyn HeatModel>>,
     /// ∂rise/∂flux, in √s.
     weights: StripWeights,
+    /// Whether these are not those of the model.
+    is_replaced: bool,
     /// The cell in the middle of the longest strip: most are like this one.
     typical: usize,
     /// Times for the path to the cell's point and through the cell, in s.
@@ -41,6 +43,7 @@ impl StripHeat {
             flux: vec![0.0; weights.len()],
             record: Vec::with_capacity(longest.map_or(0, ExactSizeIterator::len) + 1),
             by_flux: Vec::new(),
+            is_replaced: false,
             weights,
         }
     }
@@ -52,11 +55,17 @@ impl StripHeat {
         model: Option<&Arc<dyn HeatModel>>,
         durations: impl Iterator<Item = [f64; 2]>,
     ) {
-        self.model = model.map(Arc::clone);
+        self.flux.fill(0.0);
+        let mut is_new = !self.is_of(model) || self.is_replaced;
         for (own, duration) in self.durations.iter_mut().zip(durations) {
+            is_new |= *own != duration;
             *own = duration;
         }
-        self.flux.fill(0.0);
+        if !is_new {
+            return;
+        }
+        self.model = model.map(Arc::clone);
+        self.is_replaced = false;
         let typical = self.durations.get(self.typical).copied().unwrap_or_default();
         let durations = &self.durations;
         let is_equal = |k: usize| {
@@ -68,7 +77,18 @@ impl StripHeat {
             self.weigh_equal_cells(typical);
             (0..self.len()).for_each(|k| self.weigh(k));
         } else {
-            self.weights.lay_out(|_| false);
+            // Without heat all cells have the same weights, zero.
+            let is_cold = self.model.is_none();
+            self.weights.lay_out(|_| is_cold);
+        }
+    }
+
+    /// Whether it has this model.
+    fn is_of(&self, model: Option<&Arc<dyn HeatModel>>) -> bool {
+        match (&self.model, model) {
+            (None, None) => true,
+            (Some(own), Some(other)) => Arc::ptr_eq(own, other),
+            _ => false,
         }
     }
 
@@ -121,6 +141,7 @@ impl StripHeat {
 
     /// Replaces the weights, in s^½, by those of a cell so many cells upstream.
     pub fn replace_weights(&mut self, weight: impl Fn(usize, usize) -> f64) {
+        self.is_replaced = true;
         for k in 0..self.len() {
             let first = self.weights.first(k);
             for (j, own) in (first..).zip(self.weights.own_row(k)) {
@@ -135,7 +156,7 @@ impl StripHeat {
     /// Recomputes the weights of a cell's own and upstream fluxes by linearisation about the
     /// present ones, if the model is not linear.
     pub fn weigh_about_present(&mut self, k: usize) {
-        if !self.is_linear() {
+        if self.has_model() && !self.is_linear() {
             self.weigh(k);
         }
     }
@@ -188,7 +209,24 @@ impl StripHeat {
         if self.is_linear() { self.weighted(k, &self.flux[..k]) } else { 0.0 }
     }
 
-    fn is_linear(&self) -> bool {
+    /// Weights of equal cells, the farthest upstream first and that of a cell last, in s^½.
+    pub fn common_weights(&self) -> &[f64] {
+        self.weights.all_common()
+    }
+
+    /// Number of cells at the leading edge whose weights in the rise of a cell are not common ones.
+    pub fn weights_apart(&self, k: usize) -> usize {
+        self.weights.own_in_row(k)
+    }
+
+    /// Weight of the flux of a cell of the same strip, counted from the leading edge, in the rise
+    /// times effusivity of a cell, in s^½.
+    pub fn weight(&self, k: usize, from: usize) -> f64 {
+        self.weights.at(k, from)
+    }
+
+    /// Whether the rise is a sum of what the cells contribute.
+    pub fn is_linear(&self) -> bool {
         self.model.as_ref().is_some_and(|model| model.is_linear())
     }
 
@@ -203,8 +241,14 @@ impl StripHeat {
         model.rise_times_effusivity(&self.record)
     }
 
+    /// The record of an element when it leaves the last cell of a strip, the latest step first. Its
+    /// end is that of an element that leaves an earlier one.
+    pub fn records_on_leaving(&mut self, strip: &Strip) -> Arc<[HeatStep]> {
+        self.record_on_leaving(strip.cells.end - 1).into()
+    }
+
     /// The record of an element when it leaves a cell, the latest step first.
-    pub fn record_on_leaving(&mut self, k: usize) -> &[HeatStep] {
+    fn record_on_leaving(&mut self, k: usize) -> &[HeatStep] {
         self.recall(k, HeatStep { flux: self.flux[k], duration: self.durations[k][1] });
         &self.record
     }

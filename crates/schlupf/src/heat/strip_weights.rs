@@ -30,13 +30,13 @@ struct Row {
 }
 
 impl StripWeights {
-    /// Those of a patch, none of them common, all zero.
+    /// Those of a patch, all of them common, all zero.
     pub fn new(patch: &Patch) -> Self {
         let first = patch.strips.iter().flat_map(|s| s.cells.clone().map(|_| s.cells.start));
         let first: Vec<usize> = first.collect();
         let rows = vec![Row::default(); first.len()];
         let mut weights = Self { first, rows, own: Vec::new(), common: Vec::new() };
-        weights.lay_out(|_| false);
+        weights.lay_out(|_| true);
         weights
     }
 
@@ -77,6 +77,25 @@ impl StripWeights {
     /// Number of cells whose weights in the row of a cell are common ones, the cell included.
     pub fn common_in_row(&self, k: usize) -> usize {
         k + 1 - self.first[k] - self.rows[k].own
+    }
+
+    /// Number of cells whose weights are in the row of a cell only.
+    pub fn own_in_row(&self, k: usize) -> usize {
+        self.rows[k].own
+    }
+
+    /// Weight of a cell of the same strip, counted from its first, in the row of a cell, in s^½.
+    pub fn at(&self, k: usize, from: usize) -> f64 {
+        let Row { start, own } = self.rows[k];
+        if from < own {
+            return self.own[start + from];
+        }
+        self.common[self.common.len() + from - (k + 1 - self.first[k])]
+    }
+
+    /// The weights of equal cells, see [`Self::common`].
+    pub fn all_common(&self) -> &[f64] {
+        &self.common
     }
 
     /// The weights of equal cells, the farthest upstream first and that of a cell last, in s^½.

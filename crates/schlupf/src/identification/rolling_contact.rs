@@ -73,7 +73,7 @@ impl RollingContactModel {
         let number = roughness::stiffness_number(materials[0], materials[1], gamma)?;
         let mut model = Self {
             problem: problem.clone(),
-            options: Options { sensitivity: false, ..options.clone() },
+            options: Options { sensitivity: false, keeps_state: false, ..options.clone() },
             parameters: parameters.to_vec(),
             start: Vec::new(),
             constants: Vec::new(),

@@ -138,6 +138,7 @@ impl ForceSolver {
             tolerance: options.tolerance.max(SCOUT_TOLERANCE),
             sensitivity: false,
             extrapolate: false,
+            keeps_state: false,
             ..options.clone()
         };
         let branch = options.branch;

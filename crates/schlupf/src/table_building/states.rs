@@ -90,6 +90,7 @@ impl StateSolver {
                 cells_y: along_side(axis_ratio.recip()),
                 tolerance: TOLERANCE,
                 extrapolate: true,
+                keeps_state: false,
                 ..Options::default()
             })
         };

@@ -301,6 +301,7 @@ impl WheelOnRail {
             tolerance: tangential.options.tolerance.max(ESTIMATE),
             sensitivity: false,
             extrapolate: false,
+            keeps_state: false,
             ..tangential.options.clone()
         };
         let mut ratios = near.map_or(Vec::new(), WheelSolution::ratios);

@@ -14,13 +14,12 @@
 //! Where the load changes, the edges of the patch move: [`super::moving_edge`].
 
 use crate::grid::{Grid, VectorField};
-use crate::heat::HeatStep;
 use crate::interface::contact_law::Slide;
 use crate::kinematics::Kinematics;
 use crate::patch::{Cell, Patch, Strip};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::passage::pair;
-use crate::state::{Element, TrackPoint};
+use crate::state::{Element, HeatRecord, Places, TrackPoint};
 
 use super::moving_edge::{Motion, motions};
 use super::past::{Departure, Past};
@@ -34,7 +33,7 @@ pub(super) struct Arrival {
     /// length (dimensionless); if it has come from a cell.
     pub stretch: Option<(f64, [f64; 2])>,
     /// Places that it has passed, with their distances from the cell, the latest first.
-    pub places: Vec<TrackPoint>,
+    pub places: Places,
     /// The known part of the displacement with which A p of its new cell is compared, in m.
     pub displacement: [f64; 2],
     /// Length of its path in contact within the step, in m.
@@ -44,7 +43,7 @@ pub(super) struct Arrival {
     /// Whether it came into contact in place, not over the leading edge.
     pub in_place: bool,
     /// Heat that it has received.
-    pub heat: Vec<HeatStep>,
+    pub heat: HeatRecord,
     /// Its coefficient of friction (dimensionless), with friction memory.
     pub friction: Option<f64>,
     /// Plastic way of the layer between the surfaces, in m.
@@ -105,7 +104,8 @@ impl Place<'_> {
         let over_edge = self.entered.filter(|_| leads);
         Arrival {
             displacement: over_edge.unwrap_or(here).map(|u| in_contact * u),
-            places: vec![TrackPoint { distance: way, ..TrackPoint::default() }],
+            places: std::iter::once(TrackPoint { distance: way, ..TrackPoint::default() })
+                .collect(),
             way,
             in_contact,
             in_place: over_edge.is_none(),
@@ -151,10 +151,10 @@ impl Place<'_> {
 
 /// The places that an element has passed when it has moved on by a way, in m. Without a track it
 /// has passed at least the place where it is.
-fn passed(element: &Element, way: f64) -> Vec<TrackPoint> {
+fn passed(element: &Element, way: f64) -> Places {
     if element.track.is_empty() {
         let Element { sliding, saturation, .. } = *element;
-        return vec![TrackPoint { distance: way, sliding, saturation }];
+        return std::iter::once(TrackPoint { distance: way, sliding, saturation }).collect();
     }
     let on = |place: &TrackPoint| TrackPoint { distance: place.distance + way, ..*place };
     element.track.iter().map(on).collect()

@@ -411,7 +411,7 @@ impl<'a> March<'a> {
             saturation: moved.saturation,
             sliding: moved.sliding,
             stretch: self.stretch(k, arrivals[k].way, moved.increment),
-            track: moved.track.clone(),
+            track: moved.track,
             ..Element::default()
         };
         self.elements = moved.iter().enumerate().map(element).collect();
@@ -436,7 +436,7 @@ impl<'a> March<'a> {
             bound,
             prescribed,
             slides,
-            places: arrivals.iter().map(|arrival| arrival.places.clone()).collect(),
+            places: arrivals.iter().map(|arrival| arrival.places).collect(),
             largest: self.largest_traction,
         };
         let traction = &mut self.now.traction;
@@ -513,12 +513,13 @@ impl<'a> March<'a> {
         start.set_friction_power(&mut self.now, contact, displacement);
         self.powers = Some(start.powers_until(&self.now, contact, displacement));
         let brought: Vec<Brought> = arrivals.iter().map(Brought::by).collect();
-        let mut records: Vec<_> = arrivals.into_iter().map(|arrival| arrival.heat).collect();
+        let mut records: Vec<_> =
+            arrivals.into_iter().map(|arrival| arrival.heat.to_vec()).collect();
         let patch = &self.contact.patch;
         let old_scaled_rise = self.now.scaled_rise.clone();
         set_temperatures(&mut self.now, patch, &self.problem.heat, &mut records);
         for (k, (element, record)) in self.elements.iter_mut().zip(records).enumerate() {
-            element.heat = record;
+            element.heat = record.into();
             element.scaled_rise = self.now.scaled_rise[k];
             element.slip_speed = speed_of(self.now.slip[k]);
         }

@@ -1,6 +1,6 @@
 //! What the material of a cell has done within a time step.
 
-use crate::state::TrackPoint;
+use crate::state::Places;
 
 /// The result of a step, for the element of a cell.
 #[derive(Debug, Clone, Default)]
@@ -12,7 +12,7 @@ pub(super) struct Moved {
     /// Its change in the step, in m.
     pub increment: [f64; 2],
     /// Earlier places of the path, the latest first, with stick and slip.
-    pub track: Vec<TrackPoint>,
+    pub track: Places,
     /// With stick and slip, its slip velocity over the rolling speed, dimensionless.
     pub slip: [f64; 2],
 }

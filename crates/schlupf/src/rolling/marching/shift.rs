@@ -11,7 +11,7 @@ use crate::interface::contact_law::{ContactLaw, Slide};
 use crate::kinematics::Kinematics;
 use crate::progress::Watch;
 use crate::rolling::shared::contact::DiscreteContact;
-use crate::state::Element;
+use crate::state::{Element, Places};
 
 use super::step::Step;
 use super::step_response::Prescribed;
@@ -63,7 +63,7 @@ impl Shift<'_> {
         };
         let step = Step {
             slides: self.elements.iter().map(past).collect(),
-            places: vec![Vec::new(); cells],
+            places: vec![Places::default(); cells],
             contact: self.contact,
             law: self.law,
             stick_slip: self.stick_slip,
@@ -76,7 +76,7 @@ impl Shift<'_> {
             element.traction = [p[2 * k], p[2 * k + 1]];
             element.saturation = moved.saturation;
             element.sliding = moved.sliding;
-            element.track.clear();
+            element.track = Places::default();
         }
         Ok(outcome)
     }

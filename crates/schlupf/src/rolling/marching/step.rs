@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::interface::contact_law::{ContactLaw, Slide};
 use crate::progress::Watch;
 use crate::rolling::shared::contact::DiscreteContact;
-use crate::state::TrackPoint;
+use crate::state::Places;
 
 use super::moved::Moved;
 use super::step_response::{Prescribed, StepResponse};
@@ -23,7 +23,7 @@ pub(super) struct Step<'a> {
     pub prescribed: Prescribed,
     /// History of the material of each cell, and with stick and slip the places that it has passed.
     pub slides: Vec<Slide>,
-    pub places: Vec<Vec<TrackPoint>>,
+    pub places: Vec<Places>,
     /// Measures residuals relative to a traction (‖p‖₂ in Pa) if that of this step is smaller: a
     /// decaying traction need not be known more accurately than it was.
     pub largest: f64,

@@ -18,10 +18,10 @@ use crate::problem::Problem;
 use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::coulomb::{
-    CoulombContact, Matrix, NODES, Series, Slope, Stretch, reduced, saturation, through,
+    CoulombContact, Matrix, Series, Slope, Stretch, reduced, saturation, through,
 };
 use crate::rolling::shared::passage::pair;
-use crate::state::TrackPoint;
+use crate::state::{Places, TrackPoint};
 
 use super::moved::Moved;
 use super::past::Past;
@@ -101,7 +101,7 @@ pub(super) struct Track {
     /// Traction on the rail over μ pₙ before the step, dimensionless.
     pub saturation: [f64; 2],
     /// Places with their distances from the cell, the latest first.
-    pub places: Vec<TrackPoint>,
+    pub places: Places,
 }
 
 impl Track {
@@ -117,7 +117,7 @@ impl Track {
         };
         slip.way = nearest.distance;
         slip.known = sliding.map(|s| weights[0] * s);
-        for (weight, place) in weights[1..].iter().zip(places).take(count - 1) {
+        for (weight, place) in weights[1..].iter().zip(places.iter()).take(count - 1) {
             slip.add(*weight, place);
         }
         slip
@@ -216,7 +216,7 @@ impl<'a> StickSlipStep<'a> {
                 saturation,
                 sliding,
                 increment,
-                track: here.into_iter().chain(track.places.clone()).take(NODES - 1).collect(),
+                track: here.into_iter().chain(track.places.iter().copied()).collect(),
                 slip: slip.map(|s| if s == 0.0 { 0.0 } else { s / way }),
             }
         };

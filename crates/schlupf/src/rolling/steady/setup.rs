@@ -14,7 +14,7 @@ use crate::progress::Watch;
 use crate::rolling::shared::passage::speed_of;
 use crate::rolling::shared::warnings::warnings;
 use crate::solution::{Extrapolation, Resultant, Solution, Status, Work};
-use crate::state::State;
+use crate::state::{HeatRecord, State};
 use crate::summary::{
     self,
     snapshot::{Snapshot, View},
@@ -444,17 +444,26 @@ impl Setup {
         now.scaled_rise.copy_from_slice(&friction.scaled_rise);
         now.friction.copy_from_slice(friction.coefficients());
         strips.complete_friction(&mut now.friction);
-        let mut elements = strips.elements(&contact.patch, traction, response, &relative);
+        let mut elements = if options.keeps_state {
+            strips.elements(&contact.patch, traction, response, &relative)
+        } else {
+            Vec::new()
+        };
         for (k, element) in elements.iter_mut().enumerate() {
             element.slip_speed = speed_of(friction.slip[k]);
             element.scaled_rise = friction.scaled_rise[k];
             element.friction_on_leaving = friction.lag.on_leaving(k);
             element.plastic_way = friction.flowed_on_leaving(k);
-            if problem.heat.model.is_some() {
-                element.heat = friction.heat.record_on_leaving(k).to_vec();
-            }
         }
         let patch = &contact.patch;
+        if options.keeps_state && problem.heat.model.is_some() {
+            for strip in &patch.strips {
+                let shared = friction.heat.records_on_leaving(strip);
+                for (element, k) in elements[strip.cells.clone()].iter_mut().zip(1..) {
+                    element.heat = HeatRecord::without(strip.cells.len() - k, &shared);
+                }
+            }
+        }
         let exits = patch.strips.iter().map(|strip| friction.heat.scaled_exit_rise(strip));
         now.scaled_exit_rise = exits.collect();
         now.surfaces = friction.surfaces(patch);

@@ -9,10 +9,10 @@ use crate::problem::Problem;
 use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::coulomb::{
-    CoulombContact, NODES, SlipStencil, Slope, reduced, saturation, slide,
+    CoulombContact, SlipStencil, Slope, reduced, saturation, slide,
 };
 use crate::rolling::shared::passage::pair;
-use crate::state::{Element, TrackPoint};
+use crate::state::{Element, Places, TrackPoint};
 
 use super::steady_friction::SteadyFriction;
 use super::stretching::{Cells, Stretching};
@@ -112,7 +112,7 @@ impl StickSlip {
     /// The places of the path of an element to a cell of a strip from which the next slip follows,
     /// the latest first, with the sliding since entry up to each cell, in m. Slivers at the leading
     /// edge are none of them.
-    fn track(&self, patch: &Patch, slid: &[f64], p: &[f64], at: (usize, usize)) -> Vec<TrackPoint> {
+    fn track(&self, patch: &Patch, slid: &[f64], p: &[f64], at: (usize, usize)) -> Places {
         let (strip, k) = at;
         let kept = self.contact.slivers.kept[strip].clone();
         let here = patch.cells[k].since_entry.distance;
@@ -123,7 +123,7 @@ impl StickSlip {
             sliding: pair(slid, j),
             saturation: saturation(pair(p, j), self.bound[j]),
         });
-        cells.chain([entry]).take(NODES - 1).collect()
+        cells.chain([entry]).collect()
     }
 }
 

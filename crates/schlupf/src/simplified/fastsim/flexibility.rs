@@ -4,9 +4,10 @@ use std::f64::consts::PI;
 
 use crate::kinematics::Kinematics;
 use crate::method::{Brush, Flexibilities, SlopeReduction};
-use crate::patch::Travel;
-use crate::row_motion::StripSlip;
+use crate::numerics::lanes::{Lanes, dot};
 use crate::simplified::EllipticContact;
+
+use super::passage::Path;
 
 /// L1, L2, L3 for longitudinal, lateral and spin creepage.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,33 +59,28 @@ impl Flexibility {
     }
 
     /// Growth of the traction on the rail along a path of a row in adhesion, in Pa.
-    pub fn stick_increment(
-        &self,
-        motion: &Kinematics,
-        (way, row): (&Travel, &StripSlip),
-    ) -> [f64; 2] {
-        let turning = motion.spin / self.spin;
-        let more = |c: usize| row.creepages[c] * way.distance + row.by_y[c] * way.moment_y;
-        let along =
-            motion.creepage_x / self.longitudinal * way.distance + more(0) / self.longitudinal;
-        let across = motion.creepage_y / self.lateral * way.distance + more(1) / self.lateral;
-        [along - turning * way.moment_y, across + (turning + row.spin / self.spin) * way.moment_x]
+    #[inline]
+    pub fn stick_increment<T: Lanes>(&self, motion: &Kinematics, path: &Path<T>) -> [T; 2] {
+        let more = path.of_row();
+        let stiffness = [self.longitudinal, self.lateral].map(|l| T::from(l.recip()));
+        let (turning, in_row) = (T::from(motion.spin / self.spin), T::from(self.spin.recip()));
+        let along = (T::from(motion.creepage_x) * path.distance + more[0]) * stiffness[0];
+        let across = (T::from(motion.creepage_y) * path.distance + more[1]) * stiffness[1];
+        [along - turning * path.moment_y, across + (turning + path.spin * in_row) * path.moment_x]
     }
 
     /// The single flexibility (in m³/N) that converts traction (in Pa) lost to the limit into slip:
     /// the one that converts the increment of the traction into the rigid slip (in m) of the same
     /// path, as far as both are parallel, but within the largest and the smallest of the three.
-    pub fn along(&self, stick_increment: [f64; 2], rigid_slip: [f64; 2]) -> f64 {
+    #[inline]
+    pub fn along<T: Lanes>(&self, stick_increment: [T; 2], rigid_slip: [T; 2]) -> T {
         let Self { longitudinal, lateral, spin, .. } = *self;
-        let smallest = longitudinal.min(lateral).min(spin);
-        let largest = longitudinal.max(lateral).max(spin);
-        let square =
-            stick_increment[0] * stick_increment[0] + stick_increment[1] * stick_increment[1];
-        if square == 0.0 {
-            return smallest;
-        }
-        let product = stick_increment[0] * rigid_slip[0] + stick_increment[1] * rigid_slip[1];
-        (product / square).clamp(smallest, largest)
+        let smallest = T::from(longitudinal.min(lateral).min(spin));
+        let largest = T::from(longitudinal.max(lateral).max(spin));
+        let square = dot(stick_increment, stick_increment);
+        let ratio = dot(stick_increment, rigid_slip) / square;
+        let nothing = square.at_most(T::from(0.0));
+        T::choose(nothing, smallest, ratio.max(smallest).min(largest))
     }
 
     /// The flexibilities divided by k.

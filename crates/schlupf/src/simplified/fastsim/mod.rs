@@ -17,6 +17,7 @@
 mod cell;
 mod flexibility;
 mod passage;
+mod side_by_side;
 
 use std::f64::consts::FRAC_2_PI;
 use std::sync::Arc;
@@ -36,9 +37,10 @@ use crate::solution::Resultant;
 use crate::summary::snapshot::Snapshot;
 
 use super::elliptic_contact::{EllipticContact, friction_limit};
-use cell::{Carried, cut};
+use cell::{Carried, Held};
 use flexibility::{Flexibility, slope_reduction};
-use passage::{Approach, Passage};
+use passage::{Approach, Passage, Path};
+use side_by_side::{Found, FourStrips, WithFriction, Workspace, four_by_four};
 
 /// Bristles, and their softening in modified FASTSIM.
 type Kind = (Brush, Option<SlopeReduction>);
@@ -55,7 +57,12 @@ pub(super) struct Fastsim {
     /// Coefficient of friction, dimensionless.
     friction: Vec<f64>,
     flexibility: Flexibility,
+    /// The strips of the patch, and work arrays for passes down them.
+    strips: Vec<FourStrips>,
+    workspace: Workspace,
     heat: StripHeat,
+    /// Whether the rises are sums of what the cells upstream contribute.
+    is_linear: bool,
     /// Heat model and speed (in m/s) for which the heat was set up.
     heated: (Option<Arc<dyn HeatModel>>, f64),
 }
@@ -83,7 +90,10 @@ impl Fastsim {
             traction: vec![[0.0; 2]; patch.len()],
             friction: vec![0.0; patch.len()],
             flexibility: Flexibility::RIGID,
+            strips: four_by_four(&patch),
+            workspace: Workspace::new(&patch),
             heat: StripHeat::new(&patch),
+            is_linear: false,
             heated: (None, 0.0),
             patch,
         };
@@ -103,6 +113,9 @@ impl Fastsim {
     /// Switches to another load, which changes all lengths and all pressures by a factor.
     pub fn rescale(&mut self, length: f64, pressure: f64) {
         self.patch.rescale(length, pressure);
+        for strips in &mut self.strips {
+            strips.take_paths(&self.patch);
+        }
         // The paths have changed.
         self.heated.1 = 0.0;
     }
@@ -138,44 +151,54 @@ impl Fastsim {
         self.heated = (model.map(Arc::clone), speed);
         let ways = self.patch.cells.iter().map(|cell| cell.path_in.distance);
         self.heat.set(model, ways.map(|way| [way / speed; 2]));
+        self.is_linear = self.workspace.take_weights(&self.heat, &mut self.strips);
     }
 
     /// Passes from the leading to the trailing edges with the present friction.
     fn pass(&mut self, motion: &Kinematics) {
-        for strip in &self.patch.strips {
-            let mut carried = Carried::default();
-            for k in strip.cells.clone() {
-                let cell = &self.patch.cells[k];
-                let rigid = self.flexibility.stick_increment(motion, (&cell.path_in, &cell.row));
-                carried = carried.next(rigid, self.friction[k] * cell.pressure_where_covered());
-                self.traction[k] = carried.traction;
-            }
+        for strips in &self.strips {
+            let moved = (&self.flexibility, motion);
+            strips.pass(moved, &self.friction, &mut self.traction);
         }
     }
 
-    /// The same for friction that depends on slip and heat.
-    ///
-    /// A point that arrives with more traction than its coefficient here would have allowed there
-    /// loses the excess without slip and heat: see [`Self::path_in`].
+    /// The same for friction that depends on slip and heat, or on how a layer flows.
     fn pass_with_friction(&mut self, problem: &Problem) {
         self.prepare_heat(problem);
+        let flows = problem.layer.is_some_and(|layer| layer.yield_limit().is_some());
+        if flows || !self.is_linear {
+            self.pass_one_by_one(problem);
+            return;
+        }
+        let Self { strips, workspace, traction, friction, flexibility, heat, .. } = self;
+        let pass = WithFriction::new(problem, flexibility);
+        let mut found = Found { traction, friction, flux: &mut heat.flux };
+        for strips in strips {
+            pass.pass(strips, workspace, &mut found);
+        }
+    }
+
+    /// The same for any layer and any model of heat, strip by strip; see [`WithFriction::pass`].
+    fn pass_one_by_one(&mut self, problem: &Problem) {
         let Self { patch, traction, friction, flexibility, heat, .. } = self;
         let motion = &problem.kinematics;
         let conduction = problem.conduction(motion);
-        let mut last = [problem.friction.cold_coefficient(); 2];
         let mut slope = 0.0;
         for strip in &patch.strips {
-            let mut carried = Carried::default();
+            let mut last = [problem.friction.cold_coefficient(); 2];
+            let mut carried = Carried::entering();
             let mut pressure_before = 0.0;
             let mut flowed = 0.0;
             for k in strip.cells.clone() {
                 let cell = &patch.cells[k];
                 let inherited = heat.inherited(k);
-                let approach = Approach::new(flexibility, motion, (&cell.path_in, &cell.row));
+                let approach = Approach::new(flexibility, motion, &Path::into_cell(cell));
                 let pressure_here = cell.pressure_where_covered();
+                let (step, before) = (carried.along(approach.stick_increment), carried.held());
                 let arrive = |mu: f64| {
-                    let next = carried.next(approach.stick_increment, mu * pressure_here);
-                    let ends = [cut(carried.traction, mu * pressure_before), next.traction];
+                    let (next, _) = step.under(mu * pressure_here);
+                    let [from, _] = before.under(mu * pressure_before);
+                    let ends = [from, next.traction];
                     let passage = approach.passage(ends);
                     (next, passage, approach.slip_speed(&passage, ends))
                 };
@@ -237,17 +260,14 @@ impl Fastsim {
     /// Slip, friction power and temperatures of a strip.
     fn warm(&mut self, now: &mut Snapshot, strip: usize) {
         let strip = self.patch.strips[strip].clone();
-        let mut path_in = Passage::default();
+        let mut path_in = self.path_in(&now.kinematics, strip.cells.start, None);
         for k in strip.cells.clone() {
             let cell = self.patch.cells[k];
-            if k == strip.cells.start {
-                path_in = self.path_in(&now.kinematics, k, None);
-            }
             let is_last = k + 1 == strip.cells.end;
             let way_out = if is_last {
                 let ends = [self.traction[k], [0.0; 2]];
-                let way = (&strip.exit, &cell.row);
-                Passage::new(&self.flexibility, &now.kinematics, way, ends)
+                let path = Path::of(&strip.exit, &cell.row);
+                Passage::new(&self.flexibility, &now.kinematics, &path, ends)
             } else {
                 self.path_in(&now.kinematics, k + 1, Some(k))
             };
@@ -260,7 +280,7 @@ impl Fastsim {
                 if k == strip.cells.start { 1.0 } else { 0.5 } * cell.path_in.distance,
                 if is_last { strip.exit.distance } else { 0.5 * way_out.distance },
             ];
-            let mean = |of: fn(&Passage) -> f64| {
+            let mean = |of: fn(&Passage<f64>) -> f64| {
                 (shares[0] * of(&path_in) + shares[1] * of(&way_out)) / (shares[0] + shares[1])
             };
             now.slip[k] = [mean(|way| way.slip[0]), mean(|way| way.slip[1])];
@@ -277,13 +297,14 @@ impl Fastsim {
     /// Where friction decreases along the strip, a part of the traction can no longer be sustained
     /// and springs back. The resulting slip and heat in a cell depend on the cell size, and so
     /// would friction that depends on them; this part is therefore ignored.
-    fn path_in(&self, motion: &Kinematics, k: usize, before: Option<usize>) -> Passage {
+    fn path_in(&self, motion: &Kinematics, k: usize, before: Option<usize>) -> Passage<f64> {
         let held = |j: usize| {
-            cut(self.traction[j], self.friction[k] * self.patch.cells[j].pressure_where_covered())
+            let bound = self.friction[k] * self.patch.cells[j].pressure_where_covered();
+            Held::of(self.traction[j]).under(bound)[0]
         };
         let ends = [before.map_or([0.0; 2], held), self.traction[k]];
         let cell = &self.patch.cells[k];
-        Passage::new(&self.flexibility, motion, (&cell.path_in, &cell.row), ends)
+        Passage::new(&self.flexibility, motion, &Path::into_cell(cell), ends)
     }
 }
 
@@ -295,5 +316,141 @@ fn make_parabolic(patch: &mut Patch, normal: &NormalSummary) {
     let peak = FRAC_2_PI * normal.load / (a * b);
     for cell in &mut patch.cells {
         cell.pressure = peak * cell.covered * 2.0 * cell.since_entry.moment_x / (a * a);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    use approx::assert_relative_eq;
+
+    use super::*;
+    use crate::heat::Heat;
+    use crate::heat::constant_source::ConstantSource;
+    use crate::interface::friction::polach::Polach;
+    use crate::interface::friction::product::Product;
+    use crate::interface::friction::temperature_linear::TemperatureLinear;
+    use crate::interface::friction::{FrictionLaw, FrictionResponse, FrictionState};
+
+    /// A law that counts how often it is asked.
+    #[derive(Debug)]
+    struct Counted {
+        law: Arc<dyn FrictionLaw>,
+        count: AtomicUsize,
+    }
+
+    impl FrictionLaw for Counted {
+        fn respond(&self, state: &FrictionState) -> FrictionResponse {
+            self.count.fetch_add(1, Ordering::Relaxed);
+            self.law.respond(state)
+        }
+
+        fn follows_slip_speed(&self) -> bool {
+            self.law.follows_slip_speed()
+        }
+    }
+
+    fn laws() -> [Arc<dyn FrictionLaw>; 3] {
+        let hot: Arc<dyn FrictionLaw> = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.05).unwrap());
+        let fast: Arc<dyn FrictionLaw> = Arc::new(Polach::new(0.4, 0.4, 0.2).unwrap());
+        let both = Product::new(Arc::clone(&hot), Arc::clone(&fast)).unwrap();
+        [hot, fast, Arc::new(both)]
+    }
+
+    /// The patch of a contact of 80 kN under a law, and the ellipse.
+    fn set_up(law: Arc<dyn FrictionLaw>, kind: Kind) -> (Problem, Fastsim, EllipticContact) {
+        let mut problem = Problem::builder().load(80e3).build().unwrap();
+        problem.friction.law = law;
+        let options = Options { cells_x: 23, cells_y: 22, ..Options::default() };
+        let normal = problem.normal.normal_contact(None).unwrap();
+        let contact = EllipticContact::of(&problem, normal.summary).unwrap();
+        let fastsim = Fastsim::new(&problem, &options, kind, &normal).unwrap();
+        (problem, fastsim, contact)
+    }
+
+    fn motions() -> impl Iterator<Item = Kinematics> {
+        let creepages = [
+            [1e-4, 0.0, 0.0],
+            [2e-3, 1e-3, 0.3],
+            [-4e-3, 3e-3, -0.8],
+            [0.02, 0.0, 0.0],
+            [-0.2, 0.05, 2.0],
+            [0.0, 0.0, 3.0],
+        ];
+        creepages.into_iter().map(|[creepage_x, creepage_y, spin]| Kinematics {
+            speed: 30.0,
+            creepage_x,
+            creepage_y,
+            spin,
+        })
+    }
+
+    /// Four strips side by side, by Newton's method, give the tractions, coefficients and heat of
+    /// one cell after another with a bracket, for friction that depends on the temperature, on the
+    /// slip speed and on both; with 22 rows the last strips are not four. Friction falls so slowly
+    /// that no cell has two solutions.
+    #[test]
+    fn strips_side_by_side_are_those_one_by_one() {
+        for kind in [(Brush::KALKER, None), (Brush::KALKER, Some(SlopeReduction::DRY))] {
+            for law in laws() {
+                let (mut problem, mut fastsim, contact) = set_up(law, kind);
+                for motion in motions() {
+                    problem.kinematics = motion;
+                    fastsim.force(&problem, &contact);
+                    let together = (
+                        fastsim.traction.clone(),
+                        fastsim.friction.clone(),
+                        fastsim.heat.flux.clone(),
+                    );
+                    fastsim.pass_one_by_one(&problem);
+                    let hottest = fastsim.heat.flux.iter().copied().fold(0.0, f64::max);
+                    for k in 0..fastsim.patch.len() {
+                        let bound = 0.4 * fastsim.patch.cells[k].pressure_where_covered();
+                        for c in 0..2 {
+                            let (one, other) = (together.0[k][c], fastsim.traction[k][c]);
+                            assert_relative_eq!(one, other, epsilon = 1e-9 * bound);
+                        }
+                        assert_relative_eq!(together.1[k], fastsim.friction[k], epsilon = 1e-9);
+                        let (one, other) = (together.2[k], fastsim.heat.flux[k]);
+                        assert_relative_eq!(one, other, epsilon = 1e-8 * hottest);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The law is asked at most 3.5 times in a cell, the lanes without a cell included, if friction
+    /// depends on the temperature, and six times if it falls with the slip speed.
+    #[test]
+    fn newtons_method_takes_few_steps() {
+        for (law, most) in laws().into_iter().zip([3.5, 6.0, 6.0]) {
+            let counted = Arc::new(Counted { law, count: AtomicUsize::new(0) });
+            let law = Arc::clone(&counted);
+            let (mut problem, mut fastsim, contact) = set_up(law, (Brush::KALKER, None));
+            for motion in motions() {
+                problem.kinematics = motion;
+                counted.count.store(0, Ordering::Relaxed);
+                fastsim.force(&problem, &contact);
+                let asked = counted.count.load(Ordering::Relaxed) as f64;
+                let each = asked / fastsim.patch.len() as f64;
+                assert!(each < most, "{:?} {motion:?}: {each}", counted.law);
+            }
+        }
+    }
+
+    /// A model of heat that is not linear goes strip by strip, and heats.
+    #[test]
+    fn models_that_are_not_linear_are_followed() {
+        let [hot, ..] = laws();
+        let (mut problem, mut fastsim, contact) = set_up(hot, (Brush::KALKER, None));
+        problem.kinematics =
+            Kinematics { speed: 30.0, creepage_x: 0.1, creepage_y: 0.0, spin: 0.0 };
+        let exact = fastsim.force(&problem, &contact).x;
+        problem.heat = Heat { model: Some(Arc::new(ConstantSource)), ..problem.heat };
+        let model = fastsim.force(&problem, &contact).x;
+        assert!(!fastsim.is_linear);
+        assert_relative_eq!(model, exact, max_relative = 0.1);
+        assert!(model != exact);
     }
 }

@@ -1,86 +1,197 @@
 //! Slip and friction power along the path from one cell to the next.
 
+use wide::f64x4;
+
 use crate::kinematics::Kinematics;
-use crate::patch::Travel;
+use crate::numerics::lanes::{FOUR, Lanes, choose, difference, dot, scaled, sum};
+use crate::patch::{Cell, Patch, Travel};
 use crate::row_motion::StripSlip;
 
 use super::flexibility::Flexibility;
 
-/// A path with its slip and friction power.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Passage {
-    /// Length, in m.
-    pub distance: f64,
-    /// Slip velocity of the wheel over the rail, mean over the path, in m/s.
-    pub slip: [f64; 2],
-    /// Friction power per unit area, mean over the path, in W/m².
-    pub power: f64,
+/// A path of the material, and what its strip adds to the motion of the plane: see [`Travel`] and
+/// [`StripSlip`].
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Path<T> {
+    /// In m, and its inverse.
+    pub distance: T,
+    per_distance: T,
+    /// In m².
+    pub moment_x: T,
+    /// In m².
+    pub moment_y: T,
+    /// Dimensionless.
+    creepages: [T; 2],
+    /// In 1/m.
+    by_y: [T; 2],
+    /// In 1/m.
+    pub spin: T,
 }
 
-impl Passage {
+impl Path<f64> {
+    /// A path in a strip.
+    pub fn of(way: &Travel, row: &StripSlip) -> Self {
+        let Travel { distance, moment_x, moment_y } = *way;
+        let StripSlip { creepages, by_y, spin } = *row;
+        let per_distance = distance.recip();
+        Self { distance, per_distance, moment_x, moment_y, creepages, by_y, spin }
+    }
+
+    /// The path into a cell.
+    pub fn into_cell(cell: &Cell) -> Self {
+        Self::of(&cell.path_in, &cell.row)
+    }
+}
+
+impl Path<f64x4> {
+    /// The paths into four cells; standing still where there is none.
+    pub fn into_cells(patch: &Patch, cells: [Option<usize>; FOUR]) -> Self {
+        let still = Travel { distance: 1.0, ..Travel::default() };
+        let paths = cells.map(|k| {
+            let into = |k: usize| Path::into_cell(&patch.cells[k]);
+            k.map_or_else(|| Path::of(&still, &StripSlip::default()), into)
+        });
+        let lanes = |part: fn(&Path<f64>) -> f64| f64x4::from(paths.map(|path| part(&path)));
+        Self {
+            distance: lanes(|path| path.distance),
+            per_distance: lanes(|path| path.per_distance),
+            moment_x: lanes(|path| path.moment_x),
+            moment_y: lanes(|path| path.moment_y),
+            creepages: [lanes(|path| path.creepages[0]), lanes(|path| path.creepages[1])],
+            by_y: [lanes(|path| path.by_y[0]), lanes(|path| path.by_y[1])],
+            spin: lanes(|path| path.spin),
+        }
+    }
+}
+
+impl<T: Lanes> Path<T> {
+    /// What the strip adds to the rigid slip distance with the spin of the plane, in m.
+    #[inline]
+    pub fn of_row(&self) -> [T; 2] {
+        [0, 1].map(|c| self.creepages[c] * self.distance + self.by_y[c] * self.moment_y)
+    }
+
+    /// Rigid slip distance, in m.
+    #[inline]
+    fn rigid_slip(&self, motion: &Kinematics) -> [T; 2] {
+        let [along, across] = self.of_row();
+        let spin = T::from(motion.spin);
+        [
+            T::from(motion.creepage_x) * self.distance - spin * self.moment_y + along,
+            T::from(motion.creepage_y) * self.distance
+                + (spin + self.spin) * self.moment_x
+                + across,
+        ]
+    }
+}
+
+/// A path with its slip and friction power.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Passage<T> {
+    /// Length, in m.
+    pub distance: T,
+    /// Slip velocity of the wheel over the rail, mean over the path, in m/s.
+    pub slip: [T; 2],
+    /// Friction power per unit area, mean over the path, in W/m².
+    pub power: T,
+}
+
+impl<T: Lanes> Passage<T> {
     /// A path with the tractions on the rail (in Pa) at both ends. If these differ by the increment
     /// of the traction in adhesion, nothing slips.
     pub fn new(
         flexibility: &Flexibility,
         motion: &Kinematics,
-        path: (&Travel, &StripSlip),
-        ends: [[f64; 2]; 2],
+        path: &Path<T>,
+        ends: [[T; 2]; 2],
     ) -> Self {
         Approach::new(flexibility, motion, path).passage(ends)
     }
 
     /// The heat released, in W/m².
-    pub fn heat(&self) -> f64 {
-        self.power.max(0.0)
+    #[inline]
+    pub fn heat(&self) -> T {
+        self.power.max(T::from(0.0))
     }
 }
 
 /// What a path is, whatever the tractions at its ends.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Approach {
+pub(super) struct Approach<T> {
     /// Growth of the traction on the rail along it in adhesion, in Pa.
-    pub stick_increment: [f64; 2],
+    pub stick_increment: [T; 2],
     /// Ratio of the slip velocity to what is missing of that growth, in m/(s Pa).
-    scale: f64,
+    scale: T,
     /// In m.
-    distance: f64,
+    distance: T,
     /// k of modified FASTSIM, dimensionless.
     reduction: f64,
 }
 
-impl Approach {
-    pub fn new(
-        flexibility: &Flexibility,
-        motion: &Kinematics,
-        (way, row): (&Travel, &StripSlip),
-    ) -> Self {
-        let rate = motion.speed / way.distance;
-        let stick_increment = flexibility.stick_increment(motion, (way, row));
-        let scale = rate * flexibility.along(stick_increment, way.rigid_slip_in_row(motion, row));
+impl<T: Lanes> Approach<T> {
+    #[inline]
+    pub fn new(flexibility: &Flexibility, motion: &Kinematics, path: &Path<T>) -> Self {
+        let rate = T::from(motion.speed) * path.per_distance;
+        let stick_increment = flexibility.stick_increment(motion, path);
+        let scale = rate * flexibility.along(stick_increment, path.rigid_slip(motion));
         let reduction = flexibility.reduction;
-        Self { stick_increment, scale, distance: way.distance, reduction }
+        Self { stick_increment, scale, distance: path.distance, reduction }
     }
 
     /// With the tractions on the rail (in Pa) at both ends.
     #[inline]
-    pub fn passage(&self, [from, to]: [[f64; 2]; 2]) -> Passage {
-        let Self { stick_increment, scale, distance, .. } = *self;
-        let slip = [0, 1].map(|c| scale * (stick_increment[c] - (to[c] - from[c])));
-        let power = 0.5 * ((from[0] + to[0]) * slip[0] + (from[1] + to[1]) * slip[1]);
-        Passage { distance, slip, power }
+    pub fn passage(&self, [from, to]: [[T; 2]; 2]) -> Passage<T> {
+        let missing = difference(self.stick_increment, difference(to, from));
+        let slip = scaled(self.scale, missing);
+        let power = T::from(0.5) * dot(sum(from, to), slip);
+        Passage { distance: self.distance, slip, power }
     }
 
-    /// The slip speed that friction depends on, in m/s. Modified FASTSIM softens the springs on
+    /// The slip velocity that friction depends on, in m/s. Modified FASTSIM softens the springs on
     /// account of what is between the surfaces; only the springs of the bodies follow a bound that
     /// changes, so that a patch that slides does so at nearly the speed of the rigid slip.
     #[inline]
-    pub fn slip_speed(&self, passage: &Passage, [from, to]: [[f64; 2]; 2]) -> f64 {
-        let [x, y] = if self.reduction == 1.0 || passage.slip == [0.0; 2] {
-            passage.slip
-        } else {
-            let grown = |c: usize| self.reduction * (to[c] - from[c]);
-            [0, 1].map(|c| self.scale * (self.stick_increment[c] - grown(c)))
-        };
-        (x * x + y * y).sqrt()
+    fn felt_slip(&self, passage: &Passage<T>, [from, to]: [[T; 2]; 2]) -> [T; 2] {
+        if self.reduction == 1.0 {
+            return passage.slip;
+        }
+        let grown = scaled(T::from(self.reduction), difference(to, from));
+        let felt = scaled(self.scale, difference(self.stick_increment, grown));
+        let sticks = dot(passage.slip, passage.slip).at_most(T::from(0.0));
+        choose(sticks, passage.slip, felt)
+    }
+
+    /// The slip speed that friction depends on, in m/s.
+    #[inline]
+    pub fn slip_speed(&self, passage: &Passage<T>, ends: [[T; 2]; 2]) -> T {
+        let slip = self.felt_slip(passage, ends);
+        dot(slip, slip).sqrt()
+    }
+
+    /// Change of the heat released (in W/m²) when the tractions at the ends (in Pa) change, both per
+    /// unit of something.
+    #[inline]
+    pub fn heat_change(&self, passage: &Passage<T>, ends: [[T; 2]; 2], by: [[T; 2]; 2]) -> T {
+        let zero = T::from(0.0);
+        let slipping = scaled(-self.scale, difference(by[1], by[0]));
+        let power = T::from(0.5)
+            * (dot(sum(by[0], by[1]), passage.slip) + dot(sum(ends[0], ends[1]), slipping));
+        T::choose(passage.power.at_most(zero), zero, power)
+    }
+
+    /// The slip speed that friction depends on, and its change (in m/s both), likewise.
+    #[inline]
+    pub fn slip_speed_with_change(
+        &self,
+        passage: &Passage<T>,
+        ends: [[T; 2]; 2],
+        by: [[T; 2]; 2],
+    ) -> [T; 2] {
+        let zero = T::from(0.0);
+        let slipping = scaled(-self.scale, difference(by[1], by[0]));
+        let felt = self.felt_slip(passage, ends);
+        let speed = dot(felt, felt).sqrt();
+        let faster = T::from(self.reduction) * dot(felt, slipping) / speed;
+        [speed, T::choose(speed.at_most(zero), zero, faster)]
     }
 }

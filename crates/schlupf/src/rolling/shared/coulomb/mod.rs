@@ -18,5 +18,5 @@ pub(in crate::rolling) use calibration::Calibration;
 pub(in crate::rolling) use contact::CoulombContact;
 pub(in crate::rolling) use reduction::{Matrix, Slope, reduced, saturation};
 pub(in crate::rolling) use series::Series;
-pub(in crate::rolling) use slip_stencil::{NODES, SlipStencil, slide, through};
+pub(in crate::rolling) use slip_stencil::{SlipStencil, slide, through};
 pub(in crate::rolling) use stretch::{Growth, Stretch};

@@ -3,9 +3,10 @@
 use std::ops::Range;
 
 use crate::patch::Patch;
+use crate::state::MOST_PLACES;
 
-/// Number of nodes of the polynomial: of third order.
-pub(in crate::rolling) const NODES: usize = 4;
+/// Number of nodes of the polynomial, which is of third order: the cell and the places of a track.
+const NODES: usize = MOST_PLACES + 1;
 
 /// A node nearer than this part of the way into the cell is left out, dimensionless: its weight
 /// would be large.
