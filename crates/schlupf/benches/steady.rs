@@ -62,7 +62,7 @@ fn warm_points(criterion: &mut Criterion) {
     for case in cases() {
         let curve = creep_curve(&case.at_rest());
         let there = &curve[POINTS / 2..POINTS / 2 + SEQUENCE];
-        let mut solver = SteadySolver::new(&case.options());
+        let mut solver = SteadySolver::new(&case.curve_options());
         size_sample(&mut group, &case);
         group.bench_function(label(&case), |bencher| {
             bencher.iter(|| {

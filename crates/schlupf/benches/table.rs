@@ -156,14 +156,14 @@ impl Row {
         let solution =
             schlupf::rolling::steady::solve(&problem, &case.options(), &unwatched).unwrap();
         assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
-        let mut solver = case.solver_at_rest();
+        let mut solver = case.solver_at_rest(&case.curve_options());
         let warm = creep_curve(&at_rest);
         let warm: Vec<Work> = warm.iter().map(|point| solve(&mut solver, point).work).collect();
         let mean = |count: fn(&Work) -> f64| warm.iter().map(count).sum::<f64>() / POINTS as f64;
         Self {
             case,
             work: solution.work,
-            solving: solve(&mut case.solver_at_rest(), &problem).work,
+            solving: solve(&mut case.solver_at_rest(&case.options()), &problem).work,
             warm_products: mean(|work| work.operator_products),
             warm_steps: mean(|work| work.newton_iterations as f64),
             times: Times::NONE,
@@ -233,7 +233,7 @@ impl Times {
             better(&mut self.first_at_rest, || solve(&mut solver, &at_rest));
             better(&mut self.second_at_rest, || solve(&mut solver, &at_rest));
             better(&mut self.solving, || solve(&mut solver, &problem));
-            let mut solver = case.solver_at_rest();
+            let mut solver = case.solver_at_rest(&case.curve_options());
             for (time, point) in self.curve.iter_mut().zip(&curve) {
                 better(time, || solve(&mut solver, point));
             }

@@ -78,8 +78,8 @@ impl Case {
     }
 
     /// A solver that has its set-up and no solution to start from: that at rest is forgotten.
-    pub fn solver_at_rest(&self) -> SteadySolver {
-        let mut solver = SteadySolver::new(&self.options());
+    pub fn solver_at_rest(&self, options: &Options) -> SteadySolver {
+        let mut solver = SteadySolver::new(options);
         solve(&mut solver, &self.at_rest());
         solver
     }
