@@ -17,8 +17,8 @@ use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::material::{Body, contact_modulus};
 use schlupf::normal::PressureSource;
 use schlupf::wheel_rail::{
-    Contact, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side, Support,
-    Tangential, Track, WheelOnRail, WheelShape, WheelSolution,
+    Contact, Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side,
+    Support, Tangential, Track, WheelOnRail, WheelShape, WheelSolution,
 };
 use schlupf::{Method, Options, Problem, Quantity, unwatched};
 
@@ -220,6 +220,7 @@ fn on_arc(profile: ProfileCurve, radius: f64, side: Side, position: Position) ->
         side,
         position,
         motion: motion(),
+        drive: Drive::AngularVelocity,
         support: Support::Force(80e3),
         joining: Joining::default(),
         rows: RowsMove::WithSurface,
@@ -314,6 +315,7 @@ fn at(pair: &Arc<Pair>, lateral: f64, rows: RowsMove) -> WheelOnRail {
         side: Side::Right,
         position: Position { lateral: -lateral, yaw: 4e-3, roll: -2e-4 },
         motion: motion(),
+        drive: Drive::AngularVelocity,
         support: Support::Force(80e3),
         joining: Joining::default(),
         rows,
