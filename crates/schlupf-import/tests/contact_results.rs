@@ -218,7 +218,7 @@ fn forces_of_module_1() {
             ":3:1: F = 1: a force in place of VPITCH needs the",
         ),
         (yielding, "F = 3: rails that give way are not available"),
-        (kept, ":17:1: VPITCH = -4.3: the velocities that are kept have this value"),
+        (kept, ":16:1: VPITCH = -4.3: the velocities that are kept end with this value"),
     ] {
         let found = imported(text.clone()).errors;
         let is_told = found.iter().any(|error| error.to_string().contains(expected));

@@ -395,4 +395,13 @@ fn the_powers_of_a_flange_root_balance() {
             + motion.spin * force.moment_z.unwrap());
     assert!((power.friction / power.creep - 1.0).abs() < 1e-6, "{power:?}");
     assert!((plane / power.creep - 1.0).abs() > 1e-3, "{plane} {power:?}");
+    // Tγ at the position of the contact: its parts, signed, are the power over the speed.
+    let wear = contact.solution.t_gamma;
+    let [lateral, by_spin] = wear.rows;
+    let x = -motion.creepage_x * force.x;
+    let y = lateral - motion.creepage_y * force.y;
+    let spin = by_spin - motion.spin * force.moment_z.unwrap();
+    assert!(((x + y + spin) * motion.speed / power.creep - 1.0).abs() < 1e-9);
+    assert!((wear.without_spin - x.abs() - y.abs()).abs() < 1e-9 * x.abs());
+    assert!((wear.with_spin.unwrap() - x.abs() - y.abs() - spin.abs()).abs() < 1e-9 * x.abs());
 }

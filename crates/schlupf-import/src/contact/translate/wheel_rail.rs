@@ -233,8 +233,7 @@ fn wheelset(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
     case.document.quantity("wheel.flange_back_position", flange_back, "mm");
     case.document.quantity("wheel.radius_x", radius, "mm");
     if changed_meaning(control, &velocity[5]) {
-        let what =
-            "the velocities that are kept have this value in place of what the digit F asks for";
+        let what = "the velocities that are kept end with this value, but the digit F asks for another one";
         case.refuse(velocity[5], what, "E = 2 to 5 gives them anew");
     }
     // y to the right and z downwards there: a turn by π about x.
