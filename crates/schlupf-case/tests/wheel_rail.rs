@@ -6,7 +6,7 @@ use std::fmt::Write;
 use std::sync::Arc;
 
 use schlupf::unwatched;
-use schlupf::wheel_rail::{ProfileCurve, RowsMove, Side, Support};
+use schlupf::wheel_rail::{Along, Drive, ProfileCurve, RowsMove, Side, Support};
 use schlupf_case::{Case, CaseFile, Folder, Overrides};
 
 const HEAD: &str = "\
@@ -265,5 +265,65 @@ fn fast_methods_solve_the_same_contacts() {
         let [one, two] = [&full, &fast].map(|wheel| wheel.contacts[0].solution.force);
         assert!((one.y - two.y).abs() < 0.1 * one.y.abs(), "{method}: {one:?} {two:?}");
         assert!((full.height - fast.height).abs() < 1e-6);
+    }
+}
+
+/// A force in place of the angular velocity is that of all contacts together, along the track or
+/// across the axle; what a wheelset does not leave open is refused, and the falling branch is.
+#[test]
+fn a_force_turns_the_wheel() {
+    let text = with(
+        "[wheel]\nprofile = \"S1002\"\n[rail]\nprofile = \"60E1\"\ncant = 0.025\n\
+         [wheelset]\nlateral_position = \"-3 mm\"\nyaw_angle = \"-5 mrad\"\nroll_angle = \"0 mrad\"\n",
+    );
+    let text = text.replace("angular_velocity = \"4.35 rad/s\"", "force_x = \"-800 N\"");
+    let drive = |text: &str| read(text, &[]).map(|file| file.wheel().unwrap().drive);
+    assert_eq!(drive(&text), Ok(Drive::Force { force: -800.0, along: Along::Track }));
+    let across = format!("{text}force_axis = \"wheelset\"\n");
+    assert_eq!(drive(&across), Ok(Drive::Force { force: -800.0, along: Along::Wheelset }));
+    let other = |field: &str| text.replace("force_x = \"-800 N\"", field);
+    assert_eq!(drive(&other("traction_coefficient = 0.08")), Ok(Drive::OverLoad(0.08)));
+    assert_eq!(drive(&other("wheel_torque = \"-1 kN m\"")), Ok(Drive::Torque(-1e3)));
+    for (wrong, words) in [
+        (other("force_y = \"0 N\""), "kinematics.force_y must be left out"),
+        (other("moment_z = \"0 N m\""), "kinematics.moment_z must be left out"),
+        (format!("{text}[solver]\nbranch = \"high-slip\"\n"), "solver.branch must be \"low-slip\""),
+        (text.replace("force_x =", "creepage_x = 0.0\nforce_x ="), "longitudinal force determines"),
+        (format!("{text}force_axis = \"rail\"\n"), "wheelset.force_axis"),
+    ] {
+        let error = drive(&wrong).unwrap_err();
+        assert!(error.contains(words), "{error}\n{words}");
+    }
+    let case = solve(&text);
+    let wheel = case.wheel.as_ref().unwrap();
+    assert!((wheel.force[0] + 800.0).abs() < 0.05, "{:?}", wheel.force);
+    assert!(wheel.angular_velocity > 0.0 && case.problem.prescribed.is_none());
+    // The contact that the case poses has the creepages that were found.
+    let main = &wheel.contacts[0].solution.kinematics;
+    assert_eq!(case.problem.kinematics.creepage_x, main.creepage_x);
+    let beyond = text.replace("-800 N", "-8 kN");
+    let file = CaseFile::from_str(&beyond, "case.toml", Folder::new(""), Overrides::NONE).unwrap();
+    let error = file.pose(&unwatched).unwrap_err().to_string();
+    assert!(error.contains("kinematics.force_x cannot be -8000 N"), "{error}");
+}
+
+/// Over the lateral position a force is that on the wheel of the case, on whichever side, and the
+/// other wheel turns with it.
+#[test]
+fn a_force_turns_both_wheels() {
+    for side in ["left", "right"] {
+        let text = with(&format!(
+            "[wheel]\nprofile = \"S1002\"\n[rail]\nprofile = \"60E1\"\ncant = 0.025\n\
+             [wheelset]\nside = {side:?}\n"
+        ));
+        let text = text.replace("angular_velocity = \"4.35 rad/s\"", "force_x = \"-800 N\"");
+        let [left, right] = &read(&text, &[]).unwrap().wheels_at(2e-3, &unwatched).unwrap()[..]
+        else {
+            panic!()
+        };
+        assert_eq!([left.side, right.side], [Side::Left, Side::Right]);
+        assert_eq!(left.angular_velocity, right.angular_velocity);
+        let own = if side == "left" { left } else { right };
+        assert!((own.force[0] + 800.0).abs() < 0.05, "{side}: {:?}", own.force);
     }
 }

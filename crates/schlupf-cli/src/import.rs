@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum, ValueHint};
 use schlupf_case::CaseErrors;
-use schlupf_import::contact::{Import, WheelBody};
+use schlupf_import::contact::{self, Grouped, Import, WheelBody, ranges};
 use schlupf_tasks::import::{self, Request};
 
 use crate::failure::{Failure, SUCCESS};
@@ -28,6 +28,10 @@ pub struct ImportArguments {
     /// Which body of module 3 is the wheel: signs follow from it
     #[arg(long, value_name = "BODY", value_enum, default_value_t = Body::First)]
     pub wheel_body: Body,
+    /// Write cases that differ in numbers only as one study: the first of them, a table of what
+    /// differs, and NAME_study.toml for `schlupf sweep`
+    #[arg(long)]
+    pub study: bool,
     /// Overwrite existing files
     #[arg(long)]
     pub force: bool,
@@ -54,12 +58,21 @@ pub fn import(arguments: &ImportArguments) -> Result<u8, Failure> {
         Body::Second => WheelBody::Second,
     };
     let request = Request { path: &arguments.file, folder: arguments.output.as_deref(), wheel };
-    let imported = import::contact(request)?;
+    let mut imported = import::contact(request)?;
     let folder = request.output();
+    let cases = std::mem::take(&mut imported.cases);
+    let written = if arguments.study {
+        contact::grouped(cases)
+    } else {
+        Grouped { cases, studies: Vec::new() }
+    };
     let mut files = Vec::new();
-    for case in &imported.cases {
+    for case in written.cases.iter().chain(written.studies.iter().map(|study| &study.case)) {
         files.push((folder.join(&case.name), case.text.clone().into_bytes()));
         files.extend(case.files.iter().map(|(name, bytes)| (folder.join(name), bytes.clone())));
+    }
+    for (name, text) in written.studies.iter().flat_map(|study| [&study.study, &study.states]) {
+        files.push((folder.join(name), text.clone().into_bytes()));
     }
     let names = files.iter().filter_map(|(path, _)| path.file_name());
     let names = names.map(|name| name.to_string_lossy().into_owned()).collect();
@@ -69,9 +82,9 @@ pub fn import(arguments: &ImportArguments) -> Result<u8, Failure> {
     let what = "the input file".to_owned();
     let input = Input { what, path: arguments.file.clone(), except: None };
     let option = if given.is_some() { OUTPUT } else { FILE };
-    let written = files.iter().map(|(path, _)| Output { option, path: path.clone() });
-    let written: Vec<Output> = written.filter(|output| output.path.exists()).collect();
-    outputs::refuse_inputs(&written, None, &[input])?;
+    let overwritten = files.iter().map(|(path, _)| Output { option, path: path.clone() });
+    let overwritten: Vec<Output> = overwritten.filter(|output| output.path.exists()).collect();
+    outputs::refuse_inputs(&overwritten, None, &[input])?;
     if let Some((path, _)) = files.iter().find(|(path, _)| path.exists() && !arguments.force) {
         let advice = "there is a file already; --force overwrites it";
         return Err(Failure::file(path, io::Error::new(ErrorKind::AlreadyExists, advice)));
@@ -79,7 +92,7 @@ pub fn import(arguments: &ImportArguments) -> Result<u8, Failure> {
     imported.notices.iter().for_each(report::warn);
     outputs::write(&files, given)?;
     if !arguments.quiet {
-        stdout::write(&summary(arguments, &imported))?;
+        stdout::write(&summary(arguments, &imported, &written))?;
     }
     match CaseErrors::check(imported.errors) {
         Ok(()) => Ok(SUCCESS),
@@ -91,13 +104,23 @@ pub fn import(arguments: &ImportArguments) -> Result<u8, Failure> {
     }
 }
 
-fn summary(arguments: &ImportArguments, imported: &Import) -> String {
+fn summary(arguments: &ImportArguments, imported: &Import, written: &Grouped) -> String {
     let folder = arguments.output.as_deref().or(arguments.file.parent());
+    let path = |name: &str| folder.map_or(PathBuf::from(name), |folder| folder.join(name));
     let mut text = String::new();
-    for case in &imported.cases {
-        let path = folder.map_or(PathBuf::from(&case.name), |folder| folder.join(&case.name));
+    for case in &written.cases {
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "wrote {}: {}", path.display(), case.title);
+        let _ = writeln!(text, "wrote {}: {}", path(&case.name).display(), case.title);
+    }
+    for study in &written.studies {
+        let path = path(&study.study.0);
+        let (cases, numbers) = (study.numbers.len(), ranges(&study.numbers));
+        let _ = writeln!(
+            text,
+            "wrote {}: cases {numbers} as {cases} states of {}",
+            path.display(),
+            study.case.name
+        );
     }
     for (numbers, what) in [
         (&imported.refused, "not available, see the errors"),
@@ -109,13 +132,4 @@ fn summary(arguments: &ImportArguments, imported: &Import) -> String {
         }
     }
     text
-}
-
-/// Ascending numbers, with runs of them as ranges.
-fn ranges(numbers: &[usize]) -> String {
-    let runs = numbers.chunk_by(|a, b| a + 1 == *b).map(|run| match run {
-        [first, .., last] => format!("{first}–{last}"),
-        run => run.iter().map(ToString::to_string).collect(),
-    });
-    runs.collect::<Vec<_>>().join(", ")
 }

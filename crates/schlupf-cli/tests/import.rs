@@ -186,3 +186,35 @@ fn wrong_files_are_named() {
         assert!(run.stderr.contains(expected), "{name}: {}", run.stderr);
     }
 }
+
+/// Cases that differ in numbers only become a study on request, which `sweep` runs: its rows are
+/// those of the cases by themselves.
+#[test]
+fn cases_become_a_study() {
+    let bench = bench();
+    let run = bench.run(&["import", "ball.inp", "--study"]);
+    assert_eq!(run.code, Some(2), "{}", run.stderr);
+    assert_eq!(
+        run.stdout,
+        "wrote ball_1_study.toml: cases 1, 3 as 2 states of ball_1.toml\n\
+         case 2: not available, see the errors\n"
+    );
+    let names = ["ball.inp", "ball_1.toml", "ball_1_states.csv", "ball_1_study.toml"];
+    assert_eq!(bench.list(), names);
+    let run = bench.run(&["sweep", "ball_1_study.toml", "--output", "forces.csv"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    let table = bench.read("forces.csv");
+    let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
+    let head = rows.iter().position(|row| row.contains(&"force.x")).unwrap();
+    let place = rows[head].iter().position(|name| *name == "force.x").unwrap();
+    let run = bench.run(&["import", "ball.inp", "--force", "--quiet"]);
+    assert_eq!(run.code, Some(2), "{}", run.stderr);
+    for (row, case) in [(head + 2, "ball_1.toml"), (head + 3, "ball_3.toml")] {
+        let run = bench.run(&["solve", case, "--quiet", "--json", "-"]);
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        let json: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+        let [found, expected] =
+            [rows[row][place].parse::<f64>().unwrap(), json["force"]["x"].as_f64().unwrap()];
+        assert!((found - expected).abs() < 1e-6 * expected.abs(), "{case}: {found}, {expected}");
+    }
+}

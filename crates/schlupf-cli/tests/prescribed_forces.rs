@@ -148,12 +148,12 @@ fn bad_combinations_are_named() {
             assert!(run.stderr.contains(word), "{settings:?}, {word}: {}", run.stderr);
         }
     }
-    let profiles = "[kinematics]\nforce_x = \"-5 kN\"\n[normal]\nmodel = \"wheel-rail\"\n\
+    let profiles = "[kinematics]\nforce_y = \"-5 kN\"\n[normal]\nmodel = \"wheel-rail\"\n\
         load = \"60 kN\"\n[wheel]\nprofile = \"S1002\"\n[rail]\nprofile = \"60E1\"\n";
     bench.write("case.toml", profiles);
     let run = solve(&bench, &[]);
     assert_eq!(run.code, Some(2), "{}", run.stderr);
-    assert!(run.stderr.contains("kinematics.force_x must be left out"), "{}", run.stderr);
+    assert!(run.stderr.contains("kinematics.force_y must be left out"), "{}", run.stderr);
 }
 
 /// Forces over time, in the case and in a file, end at the creepage of steady rolling; a file must

@@ -34,10 +34,34 @@ pub struct Document {
     pub title: String,
     /// Lines of the comment above it.
     pub comments: Vec<String>,
-    /// Section, field and value in TOML.
-    fields: Vec<(&'static str, &'static str, String)>,
+    fields: Vec<Field>,
     /// Files that the case names.
     pub files: Vec<(String, Vec<u8>)>,
+}
+
+/// A field with its value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Field {
+    /// Dotted path.
+    pub path: &'static str,
+    /// Its value in TOML.
+    value: String,
+    /// The value as one number with its unit, which is empty where it has no dimension.
+    pub number: Option<(String, String)>,
+}
+
+impl Field {
+    /// Section and name.
+    fn parts(&self) -> (&'static str, &'static str) {
+        self.path.split_once('.').unwrap_or(("", self.path))
+    }
+
+    /// Whether it is that of another case, or differs in its number only.
+    pub fn is_like(&self, other: &Self) -> bool {
+        let unit = |field: &Self| field.number.as_ref().map(|(_, unit)| unit.clone());
+        let is_number = self.number.is_some() && unit(self) == unit(other);
+        self.path == other.path && (is_number || self.value == other.value)
+    }
 }
 
 impl Document {
@@ -46,22 +70,29 @@ impl Document {
         let text = number(value);
         // TOML tells whole numbers from others.
         let is_whole = text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'-');
-        self.set(path, if is_whole { format!("{text}.0") } else { text });
+        let value = if is_whole { format!("{text}.0") } else { text.clone() };
+        self.set(path, value, Some((text, String::new())));
+    }
+
+    /// All fields, in the order in which they were given.
+    pub fn fields(&self) -> &[Field] {
+        &self.fields
     }
 
     /// A whole number.
     pub fn count(&mut self, path: &'static str, value: usize) {
-        self.set(path, value.to_string());
+        let text = value.to_string();
+        self.set(path, text.clone(), Some((text, String::new())));
     }
 
     /// A number with its unit.
     pub fn quantity(&mut self, path: &'static str, value: f64, unit: &str) {
-        self.set(path, quantity(value, unit));
+        self.set(path, quantity(value, unit), Some((number(value), unit.to_owned())));
     }
 
     /// Text, such as one of several names.
     pub fn text(&mut self, path: &'static str, text: &str) {
-        self.set(path, quoted(text));
+        self.set(path, quoted(text), None);
     }
 
     /// Dimensionless numbers.
@@ -73,21 +104,21 @@ impl Document {
                 if text.contains(['.', 'e']) { text } else { format!("{text}.0") }
             })
             .collect();
-        self.set(path, format!("[{}]", values.join(", ")));
+        self.set(path, format!("[{}]", values.join(", ")), None);
     }
 
     /// Numbers with their unit.
     pub fn quantities(&mut self, path: &'static str, values: &[f64], unit: &str) {
         let values: Vec<String> = values.iter().map(|value| quantity(*value, unit)).collect();
-        self.set(path, format!("[{}]", values.join(", ")));
+        self.set(path, format!("[{}]", values.join(", ")), None);
     }
 
-    fn set(&mut self, path: &'static str, value: String) {
-        let (section, field) = path.split_once('.').unwrap_or(("", path));
+    fn set(&mut self, path: &'static str, value: String, number: Option<(String, String)>) {
+        let field = Field { path, value, number };
         // What is given twice has its last value.
-        match self.fields.iter_mut().find(|(of, name, _)| (*of, *name) == (section, field)) {
-            Some((_, _, known)) => *known = value,
-            None => self.fields.push((section, field, value)),
+        match self.fields.iter_mut().find(|known| known.path == path) {
+            Some(known) => *known = field,
+            None => self.fields.push(field),
         }
     }
 
@@ -102,12 +133,13 @@ impl Document {
         }
         let _ = writeln!(text, "\ntitle = {}", quoted(&self.title));
         for section in SECTIONS {
-            let fields: Vec<_> = self.fields.iter().filter(|(of, _, _)| *of == section).collect();
+            let fields: Vec<_> =
+                self.fields.iter().filter(|field| field.parts().0 == section).collect();
             if !fields.is_empty() {
                 let _ = writeln!(text, "\n[{section}]");
             }
-            for (_, field, value) in fields {
-                let _ = writeln!(text, "{field} = {value}");
+            for field in fields {
+                let _ = writeln!(text, "{} = {}", field.parts().1, field.value);
             }
         }
         text

@@ -1,8 +1,10 @@
-//! Input files of CONTACT with a layer between the surfaces, and with forces over time.
+//! Input files of CONTACT with a layer between the surfaces, with forces over time, and with many
+//! cases that become a study.
 
 mod support;
 
-use support::{BALL, errors, has, one, with};
+use schlupf_import::contact::grouped;
+use support::{BALL, errors, has, import, one, with};
 
 /// Forces over time: FXREL and FYREL times FSTAT FN of each step, in place of the creepages.
 #[test]
@@ -42,4 +44,43 @@ fn a_layer_and_points_below_the_surface() {
     has(&flows, &["yield_stress = \"200 MPa\"", "hardening = \"434.8 MPa/mm\""]);
     let below = with(BALL, &[("203100", "203101")]);
     assert!(one(&below).text.contains("`schlupf subsurface`"));
+}
+
+/// Cases that differ in numbers only are rows of one study, whatever comes between them; others
+/// stay cases: here one with a force in place of a creepage, and one that has an equal neither.
+#[test]
+fn cases_that_differ_in_numbers_are_a_study() {
+    let more = |digits: &str, motion: &str| {
+        format!(" 3\n {digits}\n 100000\n 0100111\n {motion} 0.0002\n")
+    };
+    let text = BALL.trim_end().trim_end_matches("0 MODULE").to_owned()
+        + &more("203100", "52359.878 0.002 -0.0005")
+        + &more("203110", "52359.878 -0.5 -0.0005")
+        + &more("203100", "60000. 0.001 -0.0005")
+        + " 0\n";
+    let import = import(&text);
+    assert!(import.errors.is_empty() && import.cases.len() == 4, "{:#?}", import.errors);
+    let grouped = grouped(import.cases);
+    let [case] = &grouped.cases[..] else { panic!("{:#?}", grouped.cases) };
+    assert_eq!(case.numbers, [3]);
+    let [study] = &grouped.studies[..] else { panic!("{:#?}", grouped.studies) };
+    assert_eq!(study.numbers, [1, 2, 4]);
+    assert_eq!([&study.study.0, &study.states.0], ["ball_1_study.toml", "ball_1_states.csv"]);
+    let expected = "# A row for each of the cases 1–2, 4 of an input of CONTACT.\n\n\
+                    case = \"ball_1.toml\"\n\n[states]\nfile = \"ball_1_states.csv\"\n";
+    assert_eq!(study.study.1, expected);
+    // Semi-axes are those of the input; the load changes, and nothing that follows from it.
+    let states =
+        "normal.load [kN],kinematics.creepage_x\n52.359878,0.001\n52.359878,0.002\n60,0.001\n";
+    assert_eq!(study.states.1, states);
+    // Cases without any difference have nothing to vary.
+    let twice = BALL.trim_end().trim_end_matches("0 MODULE").to_owned()
+        + &more("203100", "52359.878 0.001 -0.0005")
+        + " 0\n";
+    let same = grouped_of(&twice);
+    assert!(same.studies.is_empty() && same.cases.len() == 2);
+}
+
+fn grouped_of(text: &str) -> schlupf_import::contact::Grouped {
+    grouped(import(text).cases)
 }

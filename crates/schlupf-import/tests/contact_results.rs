@@ -7,6 +7,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use schlupf::rolling::marching::march;
+use schlupf::wheel_rail::WheelSolution;
 use schlupf_case::{CaseFile, Folder, Overrides, Rolling, Source};
 use schlupf_import::contact::{self, Options};
 use support::{BALL, one, posed, with};
@@ -91,6 +92,38 @@ fn creepages_of_prescribed_forces() {
     assert_eq!(checked, 6);
 }
 
+/// An input of module 1: a position of the Manchester benchmark, case A-2.2, with what the digit F
+/// asks for in place of VPITCH.
+fn benchmark(row: &[String], force: u8, last: &str) -> String {
+    let config = u8::from(row[0] != "left");
+    format!(
+        "% Manchester benchmark, {} mm\n 1\n {config}2031{force}0\n 0022033\n 0000321\n\
+         999 100 30 1 1e-5\n 0.3 0.3\n 0.28 0.28 82000. 82000.\n 0.2 0.2 1.0 90d 8.0 4.0\n\
+         14.0 0 1435.0 0.0  GAUGHT, GAUGSQ, GAUGWD, CANT\n\
+         'profile_uic60_canted.csv' 0 1.0 0.0\n 0 0 0 0 0 0\n 1360. -70. 460.\n\
+         'profile_s1002.csv' 0 1.0 0.0\n\
+         0.0 {} 10000. {} {} 0.0   S, Y, FZ, ROLL, YAW, PITCH\n\
+         2000. 0 0 0 0 {last}   VS, VY, VZ, VROLL, VYAW, VPITCH or FX_WS or MY_WS\n 0\n",
+        row[1], row[1], row[3], row[2]
+    )
+}
+
+fn imported(text: String) -> contact::Import {
+    let source = Arc::new(Source { name: "benchmark.inp".to_owned(), text });
+    contact::import(&source, &Options { stem: "a".to_owned(), ..Options::default() })
+}
+
+/// The wheel of the only case of an input, solved.
+fn wheel(text: String) -> Arc<WheelSolution> {
+    let import = imported(text);
+    assert!(import.errors.is_empty(), "{:#?}", import.errors);
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data");
+    let text = &import.cases[0].text;
+    let file = CaseFile::from_str(text, "a.toml", Folder::new(folder), Overrides::NONE);
+    let case = file.unwrap_or_else(|errors| panic!("{errors}\n{text}"));
+    case.pose(&schlupf::unwatched).unwrap().wheel.unwrap()
+}
+
 /// The Manchester benchmark, case A-2.2, as an input of module 1: contact points, forces and
 /// largest pressure of CONTACT (rev. 2707), within the accuracy of its grid.
 #[test]
@@ -99,27 +132,7 @@ fn manchester_benchmark() {
     for (side, lateral) in [("right", "3.0"), ("left", "4.0")] {
         let row = table.iter().find(|row| row[0] == side && row[1] == lateral).unwrap();
         let number = |k: usize| row[k].parse::<f64>().unwrap();
-        let config = u8::from(side != "left");
-        let text = format!(
-            "% Manchester benchmark, {lateral} mm\n 1\n {config}203100\n 0022033\n 0000321\n\
-             999 100 30 1 1e-5\n 0.3 0.3\n 0.28 0.28 82000. 82000.\n 0.2 0.2 1.0 90d 8.0 4.0\n\
-             14.0 0 1435.0 0.0  GAUGHT, GAUGSQ, GAUGWD, CANT\n\
-             'profile_uic60_canted.csv' 0 1.0 0.0\n 0 0 0 0 0 0\n 1360. -70. 460.\n\
-             'profile_s1002.csv' 0 1.0 0.0\n\
-             0.0 {lateral} 10000. {} {} 0.0   S, Y, FZ, ROLL, YAW, PITCH\n\
-             2000. 0 0 0 0 {}   VS, VY, VZ, VROLL, VYAW, VPITCH\n 0\n",
-            row[3], row[2], row[4]
-        );
-        let source = Arc::new(Source { name: "benchmark.inp".to_owned(), text });
-        let import =
-            contact::import(&source, &Options { stem: "a".to_owned(), ..Options::default() });
-        assert!(import.errors.is_empty(), "{:#?}", import.errors);
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data");
-        let text = &import.cases[0].text;
-        let file = CaseFile::from_str(text, "a.toml", Folder::new(folder), Overrides::NONE);
-        let case = file.unwrap_or_else(|errors| panic!("{errors}\n{text}"));
-        let case = case.pose(&schlupf::unwatched).unwrap();
-        let wheel = case.wheel.unwrap();
+        let wheel = wheel(benchmark(row, 0, &row[4]));
         assert_eq!(wheel.contacts.len(), 1);
         let contact = &wheel.contacts[0];
         let force = &contact.solution.force;
@@ -137,6 +150,79 @@ fn manchester_benchmark() {
         close("Fs", force.y, number(17), 2e-2 * limit);
         let pressure = 1e6 * number(20);
         close("pmax", contact.solution.normal.peak_pressure, pressure, 2.5e-2 * pressure);
+    }
+}
+
+/// The same positions with the longitudinal force of CONTACT's results in place of its pitch rate:
+/// F = 1, the force on the rail along the wheelset's axis, from the forces of the contact by the
+/// attitude of the wheelset; and F = 2, the moment on the rail about the axle, from the tangential
+/// forces at the arm to the axle. The wheel turns as it does there, within 2 % of its creepage.
+#[test]
+fn forces_of_the_manchester_benchmark() {
+    let table = rows("manchester_a22.csv");
+    for (side, lateral) in [("right", "3.0"), ("left", "4.0"), ("right", "9.0")] {
+        let row = table.iter().find(|row| row[0] == side && row[1] == lateral).unwrap();
+        let number = |k: usize| row[k].parse::<f64>().unwrap();
+        let (yaw, roll, angle) = (number(2), number(3), number(9));
+        // On the rail in the track: x, y to the right, z down. The normal force presses it
+        // downwards, along n = (0, −sin δ, cos δ); s = (0, cos δ, sin δ).
+        let [normal, x, s, moment] = [15, 16, 17, 18].map(number);
+        let (sin, cos) = angle.sin_cos();
+        let force = [x, s * cos - normal * sin, s * sin + normal * cos];
+        let along = [yaw.cos(), roll.cos() * yaw.sin(), roll.sin() * yaw.sin()];
+        let fx = (0..3).map(|k| along[k] * force[k]).sum::<f64>();
+        // The axle, and the way from its middle to the contact, in mm.
+        let axle = [-yaw.sin(), roll.cos() * yaw.cos(), roll.sin() * yaw.cos()];
+        let middle = [0.0, number(1), number(5) - 460.0];
+        let arm = [6, 7, 8].map(number);
+        let arm = [0, 1, 2].map(|k| arm[k] - middle[k]);
+        let slip = [x, s * cos, s * sin];
+        let turning = [
+            arm[1] * slip[2] - arm[2] * slip[1],
+            arm[2] * slip[0] - arm[0] * slip[2],
+            arm[0] * slip[1] - arm[1] * slip[0],
+        ];
+        let spinning = moment * (cos * axle[2] - sin * axle[1]);
+        let my = (0..3).map(|k| turning[k] * axle[k]).sum::<f64>() + spinning;
+        let size = number(12).hypot(number(13));
+        for (force, last) in [(1, fx), (2, my)] {
+            let wheel = wheel(benchmark(row, force, &last.to_string()));
+            let off = wheel.angular_velocity / -number(4) - 1.0;
+            assert!(off.abs() < 0.02 * size, "{side} {lateral}, F = {force}: {off:e} of {size}");
+        }
+    }
+}
+
+/// What goes with the digit F of module 1, and what does not, with its line.
+#[test]
+fn forces_of_module_1() {
+    let row = &rows("manchester_a22.csv")[2];
+    let text = |force: u8, last: &str| benchmark(row, force, last);
+    let lines = ["force_x = \"-1.5 kN\"", "force_axis = \"wheelset\""];
+    support::has(&imported(text(1, "1500")).cases[0].text, &lines);
+    support::has(&imported(text(2, "-69e3")).cases[0].text, &["wheel_torque = \"69 N m\""]);
+    let first = text(0, "-4.3");
+    let yielding = text(3, "10").replace("0 0 0 0 0 0\n 13", "0 0 0 0 0 0\n 1e4 0 1e5 0\n 13");
+    // The position is new, the velocities are kept: VPITCH stands where a force is asked for.
+    let kept = format!(
+        "{} 1\n 0203110\n 0111001\n 0100321\n 0.0 1.0 10000. 0 0 0\n 0\n",
+        first.strip_suffix(" 0\n").unwrap()
+    );
+    for (text, expected) in [
+        (
+            text(1, "10").replace("2031", "2001"),
+            ":3:1: F = 1: a force in place of VPITCH needs fric",
+        ),
+        (
+            text(1, "10").replace("2031", "2030"),
+            ":3:1: F = 1: a force in place of VPITCH needs the",
+        ),
+        (yielding, "F = 3: rails that give way are not available"),
+        (kept, ":16:1: VPITCH = -4.3: the velocities that are kept end with this value"),
+    ] {
+        let found = imported(text.clone()).errors;
+        let is_told = found.iter().any(|error| error.to_string().contains(expected));
+        assert!(is_told, "{expected}: {found:#?}\n{text}");
     }
 }
 

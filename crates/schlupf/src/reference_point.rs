@@ -111,7 +111,7 @@ impl AtPatch {
             kinematics,
             force,
             normalised: summary::normalised(&self.problem, &solution.normal, &force),
-            t_gamma: summary::t_gamma(&kinematics, &force),
+            t_gamma: summary::t_gamma(&kinematics, &force, solution.t_gamma.rows),
             sensitivity: solution.sensitivity.map(|sensitivity| sensitivity.at(place)),
             history: solution.history.into_iter().map(instant).collect(),
             ..solution

@@ -240,14 +240,24 @@ pub struct Power {
     pub exchanged: Option<f64>,
 }
 
-/// T-gamma, the wear number used by railways.
+/// T-gamma, the wear number used by railways: energy per distance rolled, taken by its parts.
+///
+/// In a plane, |ξ Fx| + |η Fy| (+ |φ Mz|). Where the rows of a curved contact have motions of their
+/// own (Δξ, Δη, Δφ beyond the plane, at y), each part includes what its rows do:
+/// |ξ Fx| + |η Fy + ∫ Δη dFy| (+ |φ Mz + ∫ (Δξ dFx + x Δφ dFy)|). The longitudinal slip of the rows
+/// belongs to the spin, as −φ y does in a plane: it changes by −Δφ dy from row to row. Where all
+/// parts have one sign, Tγ with spin is the creep power over the speed.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct TGamma {
-    /// |ξ Fx| + |η Fy|, in N.
+    /// Without spin, in N.
     pub without_spin: f64,
-    /// |ξ Fx| + |η Fy| + |φ Mz|, in N; `None` if the moment is unknown.
+    /// With spin, in N; `None` if the moment is unknown.
     pub with_spin: Option<f64>,
+    /// What the rows have in its lateral and in its spin part, −∫ Δη dFy and
+    /// −∫ (Δξ dFx + x Δφ dFy), in N; zero in a plane.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub rows: [f64; 2],
 }
 
 /// Largest temperatures in the contact.

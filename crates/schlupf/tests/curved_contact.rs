@@ -186,6 +186,10 @@ fn a_plane_has_constant_spin() {
         let rows = Problem { normal: on_rows(&tilted, LOAD), ..problem };
         let [one, other] = [solve(&plane, &options), solve(&rows, &options)];
         assert_alike(name, &other.force, &one.force, 1e-10);
+        let [wear, other_wear] = [one.t_gamma, other.t_gamma];
+        assert_relative_eq!(wear.without_spin, other_wear.without_spin, max_relative = 1e-8);
+        let [wear, other_wear] = [wear, other_wear].map(|wear| wear.with_spin.unwrap());
+        assert_relative_eq!(wear, other_wear, max_relative = 1e-8);
         let [one, other] = [one.power.unwrap(), other.power.unwrap()];
         assert_relative_eq!(one.creep, other.creep, max_relative = 1e-9);
     }
@@ -251,6 +255,33 @@ fn the_power_balance_closes_row_by_row() {
             assert_relative_eq!(power.friction, power.creep, max_relative = 1e-4);
             assert_relative_eq!(power.creep, by_hand, max_relative = 1e-3);
         }
+    }
+}
+
+/// Tγ is the sum of the sizes of its parts, by hand from tractions, the motion of the plane and the
+/// closed form of the rows; rows that turn a contact of pure longitudinal creepage sideways count.
+#[test]
+fn wear_numbers_are_those_of_the_rows() {
+    let base = curved(2e-3, -1e-3);
+    for problem in [with_law(&base, Arc::new(Coulomb)), base] {
+        let solution = solve(&problem, &cells(24));
+        let (motion, fields) = (solution.kinematics, &solution.fields);
+        let mut parts = [0.0; 3];
+        for k in 0..fields.x.len() {
+            let (x, y, row) = (fields.x[k], fields.y[k], root(fields.y[k]));
+            let [along, across] = [fields.traction_x[k], fields.traction_y[k]];
+            parts[0] += along * motion.creepage_x;
+            parts[1] += across * (motion.creepage_y + row.creepage_y);
+            parts[2] +=
+                along * (row.creepage_x - motion.spin * y) + across * (motion.spin + row.spin) * x;
+        }
+        let [x, y, spin] = parts.map(|part| (part * fields.grid.cell_area()).abs());
+        let plane = (motion.creepage_x * solution.force.x).abs()
+            + (motion.creepage_y * solution.force.y).abs();
+        let wear = solution.t_gamma;
+        assert_relative_eq!(wear.without_spin, x + y, max_relative = 1e-3);
+        assert_relative_eq!(wear.with_spin.unwrap(), x + y + spin, max_relative = 1e-3);
+        assert!((wear.without_spin / plane - 1.0).abs() > 2e-3, "{wear:?} {plane}");
     }
 }
 

@@ -17,8 +17,8 @@ use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::material::{Body, contact_modulus};
 use schlupf::normal::PressureSource;
 use schlupf::wheel_rail::{
-    Contact, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side, Support,
-    Tangential, Track, WheelOnRail, WheelShape, WheelSolution,
+    Contact, Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side,
+    Support, Tangential, Track, WheelOnRail, WheelShape, WheelSolution,
 };
 use schlupf::{Method, Options, Problem, Quantity, unwatched};
 
@@ -220,6 +220,7 @@ fn on_arc(profile: ProfileCurve, radius: f64, side: Side, position: Position) ->
         side,
         position,
         motion: motion(),
+        drive: Drive::AngularVelocity,
         support: Support::Force(80e3),
         joining: Joining::default(),
         rows: RowsMove::WithSurface,
@@ -314,6 +315,7 @@ fn at(pair: &Arc<Pair>, lateral: f64, rows: RowsMove) -> WheelOnRail {
         side: Side::Right,
         position: Position { lateral: -lateral, yaw: 4e-3, roll: -2e-4 },
         motion: motion(),
+        drive: Drive::AngularVelocity,
         support: Support::Force(80e3),
         joining: Joining::default(),
         rows,
@@ -393,4 +395,13 @@ fn the_powers_of_a_flange_root_balance() {
             + motion.spin * force.moment_z.unwrap());
     assert!((power.friction / power.creep - 1.0).abs() < 1e-6, "{power:?}");
     assert!((plane / power.creep - 1.0).abs() > 1e-3, "{plane} {power:?}");
+    // Tγ at the position of the contact: its parts, signed, are the power over the speed.
+    let wear = contact.solution.t_gamma;
+    let [lateral, by_spin] = wear.rows;
+    let x = -motion.creepage_x * force.x;
+    let y = lateral - motion.creepage_y * force.y;
+    let spin = by_spin - motion.spin * force.moment_z.unwrap();
+    assert!(((x + y + spin) * motion.speed / power.creep - 1.0).abs() < 1e-9);
+    assert!((wear.without_spin - x.abs() - y.abs()).abs() < 1e-9 * x.abs());
+    assert!((wear.with_spin.unwrap() - x.abs() - y.abs() - spin.abs()).abs() < 1e-9 * x.abs());
 }

@@ -107,7 +107,7 @@ fn cattaneo_1938_displacement_and_power() {
         assert_relative_eq!(fields.displacement_x[k], -by, max_relative = 2e-3);
     }
     let power = Power { exchanged: Some(0.0), ..Power::default() };
-    let t_gamma = TGamma { without_spin: 0.0, with_spin: Some(0.0) };
+    let t_gamma = TGamma { without_spin: 0.0, with_spin: Some(0.0), rows: [0.0; 2] };
     assert_eq!((solution.power, solution.t_gamma), (Some(power), t_gamma));
     assert_eq!((solution.kinematics.speed, solution.temperature.unwrap().max_rise), (0.0, 0.0));
     let slips = fields.slip_x.iter().chain(&fields.slip_y).chain(&fields.friction_power);

@@ -12,7 +12,7 @@ use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::material::{Body, Material, contact_modulus};
 use schlupf::normal::PressureSource;
 use schlupf::wheel_rail::{
-    Contact, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RestingWheelset,
+    Contact, Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RestingWheelset,
     RollingRadiusDifference, RowsMove, Side, Support, Tangential, Track, WheelOnRail, WheelShape,
     WheelSolution,
 };
@@ -65,6 +65,7 @@ fn wheel(pair: &Arc<Pair>, side: Side, position: Position) -> WheelOnRail {
         side,
         position,
         motion: rolling(2.0, 2.0 / 0.46),
+        drive: Drive::AngularVelocity,
         support: Support::Force(10e3),
         joining: Joining::default(),
         rows: RowsMove::default(),

@@ -89,15 +89,6 @@ const LONGITUDINAL_FORCES: &[&str] = &[
     "history.force_x",
 ];
 
-/// Fields that prescribe forces in place of creepages.
-pub const FORCES: &[&str] = &[
-    "kinematics.force_x",
-    "kinematics.traction_coefficient",
-    "kinematics.wheel_torque",
-    "kinematics.force_y",
-    "kinematics.moment_z",
-];
-
 /// All pairs of groups that exclude each other.
 pub const ALTERNATIVES: &[Alternatives] = &[
     Alternatives {

@@ -97,6 +97,12 @@ choices! {
         Left "left" "the wheel at positive y";
     }
 
+    /// `wheelset.force_axis`.
+    ForceAxis {
+        Track "track" "along the track";
+        Wheelset "wheelset" "across the axle: it turns with the wheelset";
+    }
+
     /// `elasticity.model`.
     ElasticityModel {
         ElasticLayer "elastic-layer" "a bed of springs, each coupled with its neighbours";

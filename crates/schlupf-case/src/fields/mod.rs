@@ -8,8 +8,7 @@ mod suggestion;
 mod table;
 
 pub use alternatives::{
-    ALTERNATIVES, Alternatives, FORCES, MICRO_MODEL, OF_FILE, ROUGHNESS, STIFFNESSES, companions,
-    related,
+    ALTERNATIVES, Alternatives, MICRO_MODEL, OF_FILE, ROUGHNESS, STIFFNESSES, companions, related,
 };
 pub use choice::{Choice, Choose};
 pub use field::{Default, Field, Kind, Section, UsedWith};

@@ -164,13 +164,17 @@ section! {
     "spin" [Spin] quantity(&Measure::PER_LENGTH), TURNING, Text("0 1/m"), "φ, spin creepage",
         idle_with(NORMAL_MODEL, WHEEL_RAIL);
     "force_x" [ForceX] quantity(&Measure::FORCE), TANGENTIAL, Nothing,
-        "Fx on the wheel, in place of creepage_x, which is found: negative when braking",
+        "Fx on the wheel, in place of creepage_x, which is found: negative when braking; of two \
+         profiles that of all contacts together",
         example("-20 kN");
     "traction_coefficient" [ForceOverLoad] Kind::Number, OVER_LOAD, Nothing,
-        "-Fx/N, in place of creepage_x: positive when braking", example("0.2");
+        "-Fx/N, in place of creepage_x: positive when braking; of two profiles over the vertical \
+         force",
+        example("0.2");
     "wheel_torque" [WheelTorque] quantity(&Measure::TORQUE), TANGENTIAL, Nothing,
-        "T on the wheel about its axle, in place of creepage_x, with Fx = T/wheel_radius: negative \
-         when braking", example("-9.2 kN m");
+        "T on the wheel about its axle, in place of creepage_x, with Fx = T/wheel_radius (of two \
+         profiles in balance with the tractions of all contacts): negative when braking",
+        example("-9.2 kN m");
     "force_y" [ForceY] quantity(&Measure::FORCE), TANGENTIAL, Nothing,
         "Fy on the wheel, in place of creepage_y", example("5 kN");
     "moment_z" [MomentZ] quantity(&Measure::TORQUE), TANGENTIAL, Nothing,

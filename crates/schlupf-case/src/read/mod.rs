@@ -22,6 +22,7 @@ use schlupf::history::History;
 use schlupf::material::Material;
 use schlupf::normal::NormalContact;
 use schlupf::prescribed::ForceSolver;
+use schlupf::prescribed_forces::PrescribedForces;
 use schlupf::rolling::MarchingSolver;
 use schlupf::wheel_rail::{WheelOnRail, WheelSolution};
 use schlupf::{Error, Method, Options, Problem, Solver, Watch};
@@ -74,7 +75,7 @@ impl Parts {
         let materials = [&wheel.material, &rail.material];
         let stiffness = interface::stiffness(settings, materials)?;
         let deformation = elasticity::deformation(settings, materials)?;
-        let draft = Problem {
+        let mut draft = Problem {
             kinematics: kinematics::kinematics(settings)?,
             prescribed: kinematics::prescribed(settings)?,
             reference: kinematics::reference(settings)?,
@@ -91,6 +92,8 @@ impl Parts {
         let wheel = wheel_rail::request(settings)?;
         if wheel.is_some() {
             wheel_rail::refuse_others(settings, &stiffness, history.is_some())?;
+            // A force turns the whole wheel.
+            draft.prescribed = PrescribedForces::default();
         }
         let explain = |error| settings.explain(&error);
         draft.check().map_err(explain)?;

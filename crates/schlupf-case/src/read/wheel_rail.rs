@@ -7,15 +7,15 @@ use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::material::contact_modulus;
 use schlupf::normal::{NormalContact, PressureSource};
 use schlupf::wheel_rail::{
-    Joining, Motion, Pair, Position, RailShape, RowsMove, Side, Support, Tangential, Track,
-    WheelOnRail, WheelShape, WheelSolution,
+    Along, Drive, Joining, Motion, Pair, Position, RailShape, RowsMove, Side, Support, Tangential,
+    Track, WheelOnRail, WheelShape, WheelSolution,
 };
 use schlupf::{Error, Options, Problem, Solver, Watch};
 
 use super::roughness::OfRoughness;
 use crate::error::CaseError;
-use crate::fields::choice::{NormalModel, RowMotion, WheelSide};
-use crate::fields::{FORCES, ROUGHNESS};
+use crate::fields::ROUGHNESS;
+use crate::fields::choice::{BranchChoice, ForceAxis, NormalModel, RowMotion, WheelSide};
 use crate::profiles;
 use crate::settings::Settings;
 
@@ -69,6 +69,7 @@ pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
             roll: settings.optional_number(ROLL)?.unwrap_or(0.0),
         },
         motion: motion(settings)?,
+        drive: drive(settings)?,
         support: support(settings)?,
         joining: Joining {
             distance: settings.number("normal.join_distance")?,
@@ -100,12 +101,21 @@ pub fn refuse_others(
         );
         return Err(settings.error(path, message));
     }
-    if let Some(path) = FORCES.iter().find(|path| settings.is_given(path)) {
+    if let Some(path) = OF_ONE_CONTACT.into_iter().find(|path| settings.is_given(path)) {
         let message = format!(
-            "{path} must be left out with normal.model = \"wheel-rail\", where creepages follow from \
-             the motion of the wheelset, but is given"
+            "{path} must be left out with normal.model = \"wheel-rail\", where the lateral creepage \
+             and the spin follow from the motion of the wheelset, but is given"
         );
-        return Err(settings.error(path, message));
+        let help = "kinematics.force_x, traction_coefficient or wheel_torque can be given";
+        return Err(settings.error(path, message).help(help.to_owned()));
+    }
+    let is_high = settings.chosen::<BranchChoice>(BRANCH)? == BranchChoice::HighSlip;
+    if is_high && drive(settings)?.is_force() {
+        let message = format!(
+            "{BRANCH} must be \"low-slip\" with a force and normal.model = \"wheel-rail\", which has \
+             the motion of the rising branch only, but is \"high-slip\""
+        );
+        return Err(settings.error(BRANCH, message));
     }
     match stiffness {
         OfRoughness::Known(_) => Ok(()),
@@ -115,6 +125,11 @@ pub fn refuse_others(
 
 /// What makes a history.
 const HISTORY: [&str; 4] = ["history.file", "history.time", "history.shift_x", "history.shift_y"];
+
+const BRANCH: &str = "solver.branch";
+
+/// Forces in place of creepages that a wheelset does not leave open.
+const OF_ONE_CONTACT: [&str; 2] = ["kinematics.force_y", "kinematics.moment_z"];
 
 /// A micro model needs one patch.
 pub fn refuse_micro_model(settings: &Settings) -> CaseError {
@@ -151,6 +166,21 @@ fn support(settings: &Settings) -> Result<Support, CaseError> {
         None if settings.is_given(LOAD) => Ok(Support::Force(settings.number(LOAD)?)),
         None => Err(settings.missing_beside(LOAD, "normal.model")),
     }
+}
+
+/// What turns the wheel: a force on all of its contacts together, or its angular velocity.
+fn drive(settings: &Settings) -> Result<Drive, CaseError> {
+    let given = ["force_x", "traction_coefficient", "wheel_torque"]
+        .map(|name| settings.optional_number(&format!("kinematics.{name}")));
+    let [force, coefficient, torque] = given;
+    let along = match settings.chosen("wheelset.force_axis")? {
+        ForceAxis::Track => Along::Track,
+        ForceAxis::Wheelset => Along::Wheelset,
+    };
+    let force = force?.map(|force| Drive::Force { force, along });
+    let coefficient = coefficient?.map(Drive::OverLoad);
+    let torque = torque?.map(Drive::Torque);
+    Ok(force.or(coefficient).or(torque).unwrap_or(Drive::AngularVelocity))
 }
 
 /// The motion of the wheelset; the wheel turns at its angular velocity, or so that the creepage of
@@ -200,8 +230,11 @@ impl WheelRequest {
         match place {
             Some(lateral) => {
                 let position = Position { lateral, ..self.wheel.position };
-                let left = WheelOnRail { side: Side::Left, position, ..self.wheel.clone() };
-                left.solve_resting(&tangential, watch).map(Vec::from)
+                // A force is that on the wheel of the case.
+                let own = WheelOnRail { position, ..self.wheel.clone() };
+                let mut both = own.solve_resting(&tangential, watch)?;
+                both.sort_by_key(|wheel| wheel.side == Side::Right);
+                Ok(Vec::from(both))
             }
             None if self.rests => self.wheel.solve_resting(&tangential, watch).map(Vec::from),
             None => Ok(vec![self.wheel.solve(&tangential, watch)?]),

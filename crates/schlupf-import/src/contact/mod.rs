@@ -16,4 +16,6 @@ mod wheel_rail;
 mod input;
 mod translate;
 
-pub use translate::{Import, ImportedCase, Options, WheelBody, import};
+pub use translate::{
+    Grouped, Import, ImportedCase, ImportedStudy, Options, WheelBody, grouped, import, ranges,
+};

@@ -24,6 +24,7 @@ struct WheelsetPosition {
     height: f64,
     yaw_angle: f64,
     roll_angle: f64,
+    angular_velocity: f64,
 }
 
 /// A vector in the track frame.
@@ -64,6 +65,7 @@ impl<'a> WheelDocument<'a> {
                 height: wheel.height,
                 yaw_angle: wheel.position.yaw,
                 roll_angle: wheel.position.roll,
+                angular_velocity: wheel.angular_velocity,
             },
             contacts: wheel.contacts.iter().map(ContactDocument::new).collect(),
             wheel_force: Vector::new(wheel.force),
@@ -114,6 +116,8 @@ pub(crate) fn summary(text: &mut Summary, wheel: &WheelSolution) {
     let name = format!("{} wheel", wheel.side.name());
     entry(text, &name, 1e3 * position.lateral, "mm", &attitude);
     entry(text, "  height", 1e3 * wheel.height, "mm", "of the wheelset above the nominal one");
+    let turning = "about the axle";
+    entry(text, "  angular velocity", wheel.angular_velocity, "rad/s", turning);
     for (k, contact) in wheel.contacts.iter().enumerate() {
         let [x, y, z] = contact.position.map(|part| number(1e3 * part));
         let place = format!("rad; at x = {x} mm, y = {y} mm, z = {z} mm in the track");

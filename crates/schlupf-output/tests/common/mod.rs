@@ -69,7 +69,7 @@ pub fn solution(recipe: Recipe) -> Solution {
             into_rail: 3.1e3,
             exchanged: Some(0.0),
         }),
-        t_gamma: TGamma { without_spin: 210.0, with_spin: Some(210.0) },
+        t_gamma: TGamma { without_spin: 210.0, with_spin: Some(210.0), rows: [0.0; 2] },
         temperature: Some(Temperature {
             max_rise: hottest,
             max_rise_wheel: hottest,

@@ -11,8 +11,8 @@ use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::material::{Body, contact_modulus};
 use schlupf::normal::PressureSource;
 use schlupf::wheel_rail::{
-    Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side, Support, Tangential,
-    Track, WheelOnRail, WheelShape,
+    Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side, Support,
+    Tangential, Track, WheelOnRail, WheelShape,
 };
 use schlupf::{Method, Options, Problem, Quantity, Status, unwatched};
 
@@ -120,6 +120,7 @@ fn manchester() -> Vec<WheelOnRail> {
             roll_rate: 0.0,
             yaw_rate: 0.0,
         },
+        drive: Drive::AngularVelocity,
         support: Support::Force(10e3),
         joining: Joining::default(),
         rows: RowsMove::default(),

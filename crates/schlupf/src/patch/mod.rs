@@ -250,15 +250,23 @@ impl Patch {
     /// Power over the speed (in N) of a traction on the rail (in Pa, x and y of each cell in turn)
     /// with what the rows slip beyond the plane.
     pub(crate) fn row_power(&self, traction: &[f64]) -> f64 {
+        self.row_powers(traction).iter().sum()
+    }
+
+    /// Its parts, in N: with the lateral creepage of the rows, and with their spin, to which their
+    /// longitudinal slip belongs.
+    pub(crate) fn row_powers(&self, traction: &[f64]) -> [f64; 2] {
         if self.rows.is_none() {
-            return 0.0;
+            return [0.0; 2];
         }
-        let power = |(cell, p): (&Cell, &[f64])| {
-            let [x, y] = cell.row.at([cell.x, cell.y]);
-            p[0] * x + p[1] * y
-        };
         let cells = self.cells.iter().zip(traction.chunks_exact(2));
-        cells.map(power).sum::<f64>() * self.grid.cell_area()
+        let powers = cells.map(|(cell, p)| {
+            let StripSlip { creepages, by_y, spin } = cell.row;
+            let [along, across] = [0, 1].map(|c| p[c] * (creepages[c] + by_y[c] * cell.y));
+            [across, along + p[1] * spin * cell.x]
+        });
+        let sum = powers.fold([0.0; 2], |sum, power| [0, 1].map(|k| sum[k] + power[k]));
+        sum.map(|power| power * self.grid.cell_area())
     }
 
     /// Number of contact cells.

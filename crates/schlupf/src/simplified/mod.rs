@@ -297,7 +297,7 @@ impl FastContact {
             normalised: summary::normalised(problem, &normal, &force),
             traction_coefficient: force.tangential() / normal.load,
             power,
-            t_gamma: summary::t_gamma(&motion, &force),
+            t_gamma: summary::t_gamma(&motion, &force, [0.0; 2]),
             temperature: None,
             peclet: problem.peclet(&motion, semi_axes(&normal)).numbers,
             area: Area { contact: contact_area, stick: None, slip: None },

@@ -53,7 +53,7 @@ pub(crate) fn solution(
         traction_coefficient: force.tangential() / normal.load,
         power: power(patch, now, &force)
             .map(|power| Power { exchanged: Some(exchanged(problem, patch, now)), ..power }),
-        t_gamma: t_gamma(&now.kinematics, &force),
+        t_gamma: t_gamma(&now.kinematics, &force, patch.row_powers(&now.traction)),
         temperature: Some(temperature(patch, now)),
         peclet: problem.peclet(&now.kinematics, semi_axes(normal)).numbers,
         area: area(patch, now, options.slip_threshold),
@@ -166,10 +166,13 @@ fn turning(motion: &Kinematics, force: &Resultant) -> Option<f64> {
     if motion.spin == 0.0 { Some(0.0) } else { Some(motion.spin * force.moment_z?) }
 }
 
-pub(crate) fn t_gamma(motion: &Kinematics, force: &Resultant) -> TGamma {
-    let without_spin = (motion.creepage_x * force.x).abs() + (motion.creepage_y * force.y).abs();
-    let with_spin = turning(motion, force).map(|turning| without_spin + turning.abs());
-    TGamma { without_spin, with_spin }
+/// Tγ with the parts of the rows (in N): see [`TGamma`].
+pub(crate) fn t_gamma(motion: &Kinematics, force: &Resultant, rows: [f64; 2]) -> TGamma {
+    let [lateral, by_spin] = rows;
+    let y = lateral - motion.creepage_y * force.y;
+    let without_spin = (motion.creepage_x * force.x).abs() + y.abs();
+    let with_spin = turning(motion, force).map(|turning| without_spin + (by_spin - turning).abs());
+    TGamma { without_spin, with_spin, rows }
 }
 
 /// Largest temperatures, in the cells and at the trailing edges.

@@ -63,6 +63,12 @@ impl Moving {
         }
     }
 
+    /// The angular velocity about the axle at which that point has no velocity along the track, over
+    /// that it has, dimensionless.
+    pub fn free_rolling(&self) -> f64 {
+        1.0 - self.at_origin[0] / self.rolling
+    }
+
     /// Velocity (in m/s) of the point of the wheel that is `away` (in m) from that point.
     pub fn velocity(&self, away: [f64; 3]) -> [f64; 3] {
         let more = cross(self.turning, away);

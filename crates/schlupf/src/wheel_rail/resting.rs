@@ -2,11 +2,13 @@
 
 use std::sync::Arc;
 
+use super::driven::Drive;
 use super::gap::Gap;
 use super::pair::Pair;
 use super::pose::Attitude;
 use super::side::Side;
-use super::wheel::{Position, Tangential, WheelOnRail, WheelSolution};
+use super::sliding::Tangential;
+use super::wheel::{Position, WheelOnRail, WheelSolution};
 use crate::error::{Error, WheelRailError};
 use crate::progress::Watch;
 
@@ -68,7 +70,8 @@ pub fn resting_roll(pair: &Pair, [lateral, yaw]: [f64; 2], depths: [f64; 2]) -> 
 
 impl WheelOnRail {
     /// This wheel (first) and the one on the other side (second) under the same vertical force,
-    /// with the roll angle at which both rest on their rails; that of the position is not used.
+    /// with the roll angle at which both rest on their rails; that of the position is not used. A
+    /// force is that on this wheel; the other one turns with it.
     ///
     /// # Errors
     /// As [`Self::solve`].
@@ -90,13 +93,24 @@ impl WheelOnRail {
         let mut step = f64::INFINITY;
         let mut before: Option<[WheelSolution; 2]> = None;
         for _ in 0..MOST_ROUNDS {
-            let wheel = |side: Side| {
+            let wheel = |side: Side, turned: Option<f64>| {
                 let position = Position { roll, ..self.position };
-                let wheel = Self { pair: Arc::clone(&self.pair), side, position, ..self.clone() };
+                let mut wheel =
+                    Self { pair: Arc::clone(&self.pair), side, position, ..self.clone() };
+                if let Some(angular_velocity) = turned {
+                    wheel.drive = Drive::AngularVelocity;
+                    wheel.motion.angular_velocity = angular_velocity;
+                }
                 let near = before.as_ref().and_then(|both| both.iter().find(|it| it.side == side));
                 wheel.solve_near(near, tangential, watch)
             };
-            let [left, right] = [wheel(Side::Left)?, wheel(Side::Right)?];
+            // Both are on one axle: the force on this wheel turns the other one, too.
+            let own = wheel(self.side, None)?;
+            let other = wheel(self.side.other(), Some(own.angular_velocity))?;
+            let [left, right] = match self.side {
+                Side::Left => [own, other],
+                Side::Right => [other, own],
+            };
             let next = bracket.next(roll, left.height - right.height);
             step = (next - roll).abs();
             if step < SETTLED {

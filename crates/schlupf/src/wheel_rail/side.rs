@@ -20,6 +20,14 @@ impl Side {
         }
     }
 
+    /// The other one.
+    pub fn other(self) -> Self {
+        match self {
+            Self::Left => Self::Right,
+            Self::Right => Self::Left,
+        }
+    }
+
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {

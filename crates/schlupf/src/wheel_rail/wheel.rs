@@ -3,25 +3,22 @@
 use std::sync::Arc;
 
 use super::contact_plane::Joining;
-use super::creepage::{Motion, Moving, creepages};
+use super::creepage::Motion;
+use super::driven::Drive;
 use super::equilibrium::{FrictionRatio, Guess, Lowered, Lowering, weight};
 use super::gap::Gap;
 use super::pair::Pair;
-use super::patch::ContactPatch;
-use super::pose::{Attitude, Pose, minus};
-use super::pressed::{Accuracy, Pressed};
-use super::rows::{CONFORMAL, Interface, RowsMove};
+use super::pose::{Attitude, minus};
+use super::pressed::Accuracy;
+use super::rows::{CONFORMAL, RowsMove};
 use super::side::Side;
+use super::sliding::{Slid, Sliding, Tangential, Turning, turn};
 use crate::error::{Error, WheelRailError, require, require_finite, require_positive};
-use crate::kinematics::Kinematics;
-use crate::normal::PressureSource;
 use crate::problem::{Options, Problem};
 use crate::progress::Watch;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
-use crate::row_motion::RowMotion;
 use crate::solution::{Solution, Status};
-use crate::solver::Solver;
 use crate::warning::Warning;
 
 /// Position of a wheelset in the track: x forwards, y to the left, z up.
@@ -56,6 +53,9 @@ pub struct WheelOnRail {
     pub position: Position,
     /// How it moves.
     pub motion: Motion,
+    /// What turns it: with a force the angular velocity of its motion is found, and that given is
+    /// not used.
+    pub drive: Drive,
     /// What carries it.
     pub support: Support,
     /// Which contacts share a plane.
@@ -64,19 +64,6 @@ pub struct WheelOnRail {
     pub rows: RowsMove,
     /// Number of cells across a contact each way on which its pressure is found.
     pub cells: usize,
-}
-
-/// How the tangential problem of each contact is posed and solved.
-pub struct Tangential<'a> {
-    /// The problem of a contact from its motion and its pressure, with both bodies and all laws;
-    /// creepages hold at the origin of the pressure's file.
-    pub problem: &'a dyn Fn(Kinematics, Arc<dyn PressureSource>) -> Result<Problem, Error>,
-    /// Contact modulus E* of both bodies, in Pa (see [`crate::material::contact_modulus`]).
-    pub contact_modulus: f64,
-    /// A solver with given options.
-    pub solver: &'a dyn Fn(&Options) -> Box<dyn Solver>,
-    /// Options of the results.
-    pub options: &'a Options,
 }
 
 /// A contact of a wheel on a rail. Its frame: x along the track, y to the left along the surface,
@@ -119,6 +106,8 @@ pub struct WheelSolution {
     pub height: f64,
     /// Its contacts, the one with the largest normal force first.
     pub contacts: Vec<Contact>,
+    /// Angular velocity about the axle in rad/s, given or found.
+    pub angular_velocity: f64,
     /// Force on the wheel in the track, in N.
     pub force: [f64; 3],
     /// Rounds between height and friction.
@@ -189,9 +178,6 @@ const MOST_ROUNDS: usize = 16;
 /// Rounds after which the ratios are damped.
 const UNDAMPED: usize = 8;
 
-/// Part of a wheel's normal force below which a contact is left out, dimensionless.
-const NEGLIGIBLE: f64 = 1e-4;
-
 /// Fewest cells each way on which friction is first estimated.
 const FEWEST_CELLS: usize = 8;
 
@@ -209,6 +195,7 @@ impl WheelOnRail {
         require_positive(Quantity::AngularVelocity, angular_velocity)?;
         require_finite(Quantity::RollRate, self.motion.roll_rate)?;
         require_finite(Quantity::YawRate, self.motion.yaw_rate)?;
+        self.drive.check()?;
         let angle = Requirement::Inside(-1.0, 1.0);
         require_finite(Quantity::LateralPosition, self.position.lateral)?;
         require(Quantity::WheelsetYaw, angle, self.position.yaw)?;
@@ -254,9 +241,10 @@ impl WheelOnRail {
                 }
                 let contacts = lowering.at(depth, Accuracy::Cells(self.cells))?;
                 let lowered = Lowered { at: Guess::smooth(depth), contacts };
-                let solved =
-                    self.slide(&lowering, &lowered, (tangential, tangential.options), watch)?;
-                Ok(self.solution(&lowering, &lowered, solved, 1))
+                let sliding =
+                    self.sliding((&lowering, &lowered), (tangential, tangential.options), watch);
+                let turning = sliding.solve(near.map(|near| near.angular_velocity))?;
+                Ok(self.solution(&lowering, &lowered, turning, 1))
             }
             Support::Force(force) => self.settle(&lowering, (force, near), tangential, watch),
         }
@@ -271,6 +259,20 @@ impl WheelOnRail {
         let (pair, joining, attitude) = (&*self.pair, self.joining, self.attitude());
         let contact_modulus = tangential.contact_modulus;
         Lowering { pair, gap, attitude, joining, contact_modulus, watch }
+    }
+
+    fn sliding<'a>(
+        &self,
+        (lowering, lowered): (&'a Lowering<'a>, &'a Lowered),
+        (tangential, options): (&'a Tangential<'a>, &'a Options),
+        watch: Watch<'a>,
+    ) -> Sliding<'a> {
+        let (side, drive, rows) = (self.side, self.drive, self.rows);
+        let motion = match side {
+            Side::Left => self.motion,
+            Side::Right => self.motion.mirrored(),
+        };
+        Sliding { side, motion, drive, rows, lowering, lowered, tangential, options, watch }
     }
 
     /// Depth below first touch (in m) without friction, on coarse cells; zero where the height is
@@ -306,6 +308,7 @@ impl WheelOnRail {
         };
         let mut ratios = near.map_or(Vec::new(), WheelSolution::ratios);
         let mut guess = near.map_or_else(|| first_guess(lowering, force), |near| near.guess);
+        let mut turned = near.map(|near| near.angular_velocity);
         let mut is_fine = near.is_some();
         let mut error = f64::INFINITY;
         for round in 0..MOST_ROUNDS {
@@ -317,13 +320,15 @@ impl WheelOnRail {
             let lowered = lowering.carrying(force, &ratios, guess, how)?;
             guess = lowered.at;
             let options = if is_fine { tangential.options } else { &coarse };
-            let solved = self.slide(lowering, &lowered, (tangential, options), watch)?;
-            let next = self.ratios(&solved);
+            let sliding = self.sliding((lowering, &lowered), (tangential, options), watch);
+            let turning = sliding.solve(turned)?;
+            turned = Some(turning.angular_velocity);
+            let next = self.ratios(&turning.contacts);
             let carried: f64 =
                 lowered.contacts.iter().map(|contact| contact.force * weight(contact, &next)).sum();
             error = (carried / force - 1.0).abs();
             if is_fine && error <= SETTLED {
-                return Ok(self.solution(lowering, &lowered, solved, round + 1));
+                return Ok(self.solution(lowering, &lowered, turning, round + 1));
             }
             is_fine |= error <= NEARLY_SETTLED || round == 0 && is_flat(&lowered);
             ratios = if round < UNDAMPED { next } else { damped(&ratios, next) };
@@ -331,73 +336,22 @@ impl WheelOnRail {
         Err(WheelRailError::NotSettled { rounds: MOST_ROUNDS, residual: error }.into())
     }
 
-    fn ratios(&self, solved: &[(Pressed, Problem, Solution)]) -> Vec<FrictionRatio> {
-        let ratio = |(pressed, _, solution): &(Pressed, Problem, Solution)| FrictionRatio {
+    fn ratios(&self, solved: &[Slid]) -> Vec<FrictionRatio> {
+        let ratio = |(pressed, _, solution): &Slid| FrictionRatio {
             y: pressed.plane.origin[1],
             ratio: self.side.outwards() * solution.force.y / pressed.force,
         };
         solved.iter().map(ratio).collect()
     }
 
-    /// Solves the tangential problems of all contacts.
-    fn slide(
-        &self,
-        lowering: &Lowering,
-        lowered: &Lowered,
-        (tangential, options): (&Tangential, &Options),
-        watch: Watch,
-    ) -> Result<Vec<(Pressed, Problem, Solution)>, Error> {
-        let pose = lowering.pose(lowered.at.depth);
-        let largest = lowered.contacts.iter().map(|contact| contact.force).fold(0.0, f64::max);
-        let sign = self.side.outwards();
-        let motion = match self.side {
-            Side::Left => self.motion,
-            Side::Right => self.motion.mirrored(),
-        };
-        let contacts =
-            lowered.contacts.iter().filter(|contact| contact.force > NEGLIGIBLE * largest);
-        contacts
-            .map(|pressed| {
-                let moving = Moving::new(&pose, &pressed.plane, pressed.approach, &motion);
-                let here = creepages(&pressed.plane, &moving);
-                let rows = self.rows(&pose, pressed, (&moving, &here))?;
-                let kinematics = Kinematics {
-                    creepage_y: sign * here.creepage_y,
-                    spin: sign * here.spin,
-                    ..here
-                };
-                let patch = ContactPatch::new(pressed, rows.as_ref(), self.side)?;
-                let problem = (tangential.problem)(kinematics, patch)?;
-                let solution = (tangential.solver)(options).solve(&problem, watch)?;
-                Ok((pressed.clone(), problem, solution))
-            })
-            .collect()
-    }
-
-    /// The motion of the rows of a contact beyond that of its plane, if they have any.
-    fn rows(
-        &self,
-        pose: &Pose,
-        pressed: &Pressed,
-        (moving, motion): (&Moving, &Kinematics),
-    ) -> Result<Option<RowMotion>, Error> {
-        let share = self.rows.share(self.turn(pressed));
-        if share == 0.0 {
-            return Ok(None);
-        }
-        let interface = Interface { pair: &self.pair, pose, plane: &pressed.plane };
-        let rows = interface.rows(&touched(pressed), moving, motion)?;
-        Ok(rows.map(|rows| if share == 1.0 { rows } else { rows.scaled(share) }))
-    }
-
     fn solution(
         &self,
         lowering: &Lowering,
         lowered: &Lowered,
-        solved: Vec<(Pressed, Problem, Solution)>,
+        turning: Turning,
         rounds: usize,
     ) -> WheelSolution {
-        let mut solved = solved;
+        let Turning { angular_velocity, contacts: mut solved } = turning;
         solved.sort_by(|one, two| two.0.force.total_cmp(&one.0.force));
         let contacts: Vec<Contact> =
             solved.into_iter().map(|solved| self.contact(lowering, lowered, solved)).collect();
@@ -414,6 +368,7 @@ impl WheelOnRail {
             position: self.position,
             height: lowering.touch() - lowered.at.depth,
             contacts,
+            angular_velocity,
             force,
             guess: lowered.at,
             rows: self.rows,
@@ -426,7 +381,7 @@ impl WheelOnRail {
         &self,
         lowering: &Lowering,
         lowered: &Lowered,
-        (pressed, problem, solution): (Pressed, Problem, Solution),
+        (pressed, problem, solution): Slid,
     ) -> Contact {
         let pose = lowering.pose(lowered.at.depth);
         let plane = &pressed.plane;
@@ -439,26 +394,11 @@ impl WheelOnRail {
             rail_position: y - self.pair.rail_origin[0],
             wheel_position: on_wheel[1] - self.pair.wheel_offset,
             rolling_radius: on_wheel[0].hypot(on_wheel[2]),
-            turn: self.turn(&pressed),
+            turn: turn(&self.pair, &pressed),
             problem,
             solution,
         }
     }
-
-    /// Angle by which the rail turns between the outmost rows in contact.
-    fn turn(&self, pressed: &Pressed) -> f64 {
-        let touched = touched(pressed);
-        let (Some(first), Some(last)) = (touched.first(), touched.last()) else { return 0.0 };
-        let inclination = |s: &f64| self.pair.rail.at(pressed.plane.arcs[0] + s).inclination();
-        (inclination(last) - inclination(first)).abs()
-    }
-}
-
-/// Positions s of the rows in contact, in m.
-fn touched(pressed: &Pressed) -> Vec<f64> {
-    let rows = pressed.pressure.chunks(pressed.x.len());
-    let loaded = |row: &[f64]| row.iter().any(|p| *p > 0.0);
-    rows.zip(&pressed.s).filter(|(row, _)| loaded(row)).map(|(_, s)| *s).collect()
 }
 
 /// Inclination of a contact below which its friction hardly carries, in rad.

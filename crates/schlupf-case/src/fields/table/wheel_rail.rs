@@ -1,7 +1,7 @@
 //! `[track]` and `[wheelset]`.
 
 use super::{NORMAL_MODEL, WHEEL_RAIL, quantity};
-use crate::fields::choice::{Choose, WheelSide};
+use crate::fields::choice::{Choose, ForceAxis, WheelSide};
 use crate::fields::field::Default::{Computed, Nothing, Text};
 use crate::fields::field::{Field, Kind, Section};
 use crate::units::Measure;
@@ -53,5 +53,8 @@ section! {
         "angular velocity about the vertical axis", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
     "roll_rate" [RollRate] quantity(&Measure::ANGULAR_VELOCITY), TURNING, Text("0 rad/s"),
         "angular velocity about the longitudinal axis", shaping(),
+        with(NORMAL_MODEL, WHEEL_RAIL);
+    "force_axis" [] Kind::Choice(ForceAxis::CHOICES), Finite, Text("track"),
+        "along what kinematics.force_x on the wheel is", shaping(),
         with(NORMAL_MODEL, WHEEL_RAIL);
 }

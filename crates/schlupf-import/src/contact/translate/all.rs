@@ -7,6 +7,7 @@ use schlupf_case::{CaseError, Source};
 
 use crate::Notice;
 use crate::contact::input::{self, InputCase, Module};
+use crate::document::Document;
 
 use super::case::Translation;
 use super::frame::WheelBody;
@@ -41,6 +42,7 @@ pub struct ImportedCase {
     pub text: String,
     /// Files that the case names, beside profiles, by their names.
     pub files: Vec<(String, Vec<u8>)>,
+    pub(crate) document: Document,
 }
 
 /// What became of an input file.
@@ -152,7 +154,8 @@ fn complete(source: &Arc<Source>, job: &Job, translation: Translation, stem: &st
         name: format!("{stem}.toml"),
         title: document.title.clone(),
         text: document.to_toml(),
-        files: document.files,
+        files: document.files.clone(),
+        document,
     }
 }
 

@@ -9,6 +9,8 @@ mod basic;
 mod wheel_rail;
 mod sequence;
 mod all;
+mod study;
 
 pub use all::{Import, ImportedCase, Options, import};
 pub use frame::WheelBody;
+pub use study::{Grouped, ImportedStudy, grouped, ranges};

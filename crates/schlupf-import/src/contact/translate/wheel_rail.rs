@@ -58,12 +58,19 @@ fn digits(case: &mut Translation, control: &Control) {
         ),
         _ => {}
     }
-    let what = match control.force.whole() {
-        1 | 2 => "a force in place of VPITCH is not available with two profiles",
-        3 => "rails that give way are not available",
+    let (what, help) = match control.force.whole() {
+        1 | 2 if control.tangential.is(0) => (
+            "a force in place of VPITCH needs friction, but T = 0 is without",
+            "T = 3 rolls steadily",
+        ),
+        1 | 2 if control.normal.is(0) => (
+            "a force in place of VPITCH needs the vertical force, but N = 0 gives the height",
+            "N = 1 gives FZ",
+        ),
+        3 => ("rails that give way are not available", "F = 0 gives positions and velocities"),
         _ => return,
     };
-    case.refuse(control.force, what, "F = 0 gives positions and velocities");
+    case.refuse(control.force, what, help);
 }
 
 fn materials(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
@@ -225,6 +232,10 @@ fn wheelset(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
     case.document.quantity("track.flange_back_distance", distance, "mm");
     case.document.quantity("wheel.flange_back_position", flange_back, "mm");
     case.document.quantity("wheel.radius_x", radius, "mm");
+    if changed_meaning(control, &velocity[5]) {
+        let what = "the velocities that are kept end with this value, but the digit F asks for another one";
+        case.refuse(velocity[5], what, "E = 2 to 5 gives them anew");
+    }
     // y to the right and z downwards there: a turn by π about x.
     let [_, y, support, roll, yaw, _] = position.map(|given| given.value);
     case.document.quantity("wheelset.lateral_position", -y, "mm");
@@ -241,8 +252,29 @@ fn wheelset(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
     case.document.quantity("wheelset.vertical_velocity", -vertical, "mm/s");
     case.document.quantity("wheelset.roll_rate", roll, "rad/s");
     case.document.quantity("wheelset.yaw_rate", -yaw, "rad/s");
-    case.document.quantity("kinematics.angular_velocity", -pitch, "rad/s");
+    match control.force.whole() {
+        // On the rail and along the wheelset there; a turn by π about x leaves x as it is.
+        1 => {
+            case.document.quantity("kinematics.force_x", -pitch / 1e3, "kN");
+            case.document.text("wheelset.force_axis", "wheelset");
+        }
+        // The moment of the tractions on the rail about the axle: it balances the torque that
+        // drives the wheel, and the axle points the other way there. N mm.
+        2 => case.document.quantity("kinematics.wheel_torque", -pitch / 1e3, "N m"),
+        _ => case.document.quantity("kinematics.angular_velocity", -pitch, "rad/s"),
+    }
     deviations(case, wheel_rail);
+}
+
+/// Whether the last velocity is another quantity than the digit F says, as one that an earlier case
+/// with another F gave.
+fn changed_meaning(control: &Control, last: &Given) -> bool {
+    let name = match control.force.whole() {
+        1 => "FX_WS",
+        2 => "MY_WS",
+        _ => "VPITCH",
+    };
+    last.name != name
 }
 
 /// Deviations from the design are refused unless they vanish.

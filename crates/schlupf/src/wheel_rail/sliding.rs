@@ -1,0 +1,239 @@
+//! The tangential problems of all contacts of a wheel, at a given angular velocity or under a given
+//! force.
+
+use std::sync::Arc;
+
+use super::creepage::{Motion, Moving, creepages};
+use super::driven::{Along, Drive, Found, Point, SLOPE, Search};
+use super::equilibrium::{Lowered, Lowering};
+use super::pair::Pair;
+use super::patch::ContactPatch;
+use super::pose::{Pose, cross, dot, minus};
+use super::pressed::Pressed;
+use super::rows::{Interface, RowsMove};
+use super::side::Side;
+use crate::error::{Error, ForceError};
+use crate::kinematics::Kinematics;
+use crate::normal::PressureSource;
+use crate::problem::{Options, Problem};
+use crate::progress::Watch;
+use crate::quantity::Quantity;
+use crate::row_motion::RowMotion;
+use crate::solution::Solution;
+use crate::solver::Solver;
+
+/// Part of a wheel's normal force below which a contact is left out, dimensionless.
+const NEGLIGIBLE: f64 = 1e-4;
+
+/// How the tangential problem of each contact is posed and solved.
+pub struct Tangential<'a> {
+    /// The problem of a contact from its motion and its pressure, with both bodies and all laws;
+    /// creepages hold at the origin of the pressure's file.
+    pub problem: &'a dyn Fn(Kinematics, Arc<dyn PressureSource>) -> Result<Problem, Error>,
+    /// Contact modulus E* of both bodies, in Pa (see [`crate::material::contact_modulus`]).
+    pub contact_modulus: f64,
+    /// A solver with given options.
+    pub solver: &'a dyn Fn(&Options) -> Box<dyn Solver>,
+    /// Options of the results.
+    pub options: &'a Options,
+}
+
+/// A contact with its problem and its solution.
+pub(super) type Slid = (Pressed, Problem, Solution);
+
+/// A lowered wheel whose contacts are to be solved.
+pub(super) struct Sliding<'a> {
+    /// Which wheel.
+    pub side: Side,
+    /// How the wheelset moves, as seen from the left.
+    pub motion: Motion,
+    /// What turns it.
+    pub drive: Drive,
+    /// With what the rows of a contact move.
+    pub rows: RowsMove,
+    pub lowering: &'a Lowering<'a>,
+    pub lowered: &'a Lowered,
+    pub tangential: &'a Tangential<'a>,
+    pub options: &'a Options,
+    pub watch: Watch<'a>,
+}
+
+/// A wheel that turns, with its contacts.
+pub(super) struct Turning {
+    /// In rad/s.
+    pub angular_velocity: f64,
+    pub contacts: Vec<Slid>,
+}
+
+impl Sliding<'_> {
+    /// The contacts at the angular velocity of the wheel's motion, or at the one (sought from
+    /// `near`, in rad/s, if there is a solution nearby) that causes the prescribed force.
+    pub fn solve(&self, near: Option<f64>) -> Result<Turning, Error> {
+        let mut solvers = Vec::new();
+        let drive = self.drive;
+        let (quantity, value) = match drive {
+            Drive::AngularVelocity => {
+                let angular_velocity = self.motion.angular_velocity;
+                let contacts = self.at(angular_velocity, &mut solvers)?;
+                return Ok(Turning { angular_velocity, contacts });
+            }
+            Drive::Force { force, .. } => (Quantity::ForceX, force),
+            Drive::OverLoad(coefficient) => (Quantity::ForceOverLoad, coefficient),
+            Drive::Torque(torque) => (Quantity::WheelTorque, torque),
+        };
+        let free = self.free_turning();
+        let scale = self.scale();
+        let search = Search {
+            target: value / scale,
+            tolerance: self.options.tolerance,
+            start: near.map_or(0.0, |near| 1.0 - near / free),
+            slope: SLOPE,
+        };
+        let found = search.run(|x| {
+            let contacts = self.at(free * (1.0 - x), &mut solvers)?;
+            Ok((self.value(&contacts) / scale, contacts))
+        })?;
+        let nearest = |point: &Point<Vec<Slid>>| scale * point.share;
+        Err(match found {
+            Found::At(point) => {
+                let angular_velocity = free * (1.0 - point.x);
+                return Ok(Turning { angular_velocity, contacts: point.state });
+            }
+            Found::Beyond(point) => {
+                let (largest, limit, has_others) = (nearest(&point), None, false);
+                ForceError::Unreachable { quantity, value, largest, limit, has_others }.into()
+            }
+            Found::Lost(point) => {
+                ForceError::NotFound { quantity, value, nearest: nearest(&point) }.into()
+            }
+        })
+    }
+
+    /// Solves all contacts at an angular velocity (in rad/s).
+    fn at(
+        &self,
+        angular_velocity: f64,
+        solvers: &mut Vec<Box<dyn Solver>>,
+    ) -> Result<Vec<Slid>, Error> {
+        let pose = self.pose();
+        let largest = self.lowered.contacts.iter().map(|contact| contact.force).fold(0.0, f64::max);
+        let sign = self.side.outwards();
+        let motion = Motion { angular_velocity, ..self.motion };
+        let contacts =
+            self.lowered.contacts.iter().filter(|contact| contact.force > NEGLIGIBLE * largest);
+        let mut solved = Vec::new();
+        for (k, pressed) in contacts.enumerate() {
+            let moving = Moving::new(&pose, &pressed.plane, pressed.approach, &motion);
+            let here = creepages(&pressed.plane, &moving);
+            let rows = self.rows_of(&pose, pressed, (&moving, &here))?;
+            let kinematics =
+                Kinematics { creepage_y: sign * here.creepage_y, spin: sign * here.spin, ..here };
+            let patch = ContactPatch::new(pressed, rows.as_ref(), self.side)?;
+            let problem = (self.tangential.problem)(kinematics, patch)?;
+            if k == solvers.len() {
+                solvers.push((self.tangential.solver)(self.options));
+            }
+            let solution = solvers[k].solve(&problem, self.watch)?;
+            solved.push((pressed.clone(), problem, solution));
+        }
+        Ok(solved)
+    }
+
+    /// The motion of the rows of a contact beyond that of its plane, if they have any.
+    fn rows_of(
+        &self,
+        pose: &Pose,
+        pressed: &Pressed,
+        (moving, motion): (&Moving, &Kinematics),
+    ) -> Result<Option<RowMotion>, Error> {
+        let share = self.rows.share(turn(self.lowering.pair, pressed));
+        if share == 0.0 {
+            return Ok(None);
+        }
+        let interface = Interface { pair: self.lowering.pair, pose, plane: &pressed.plane };
+        let rows = interface.rows(&touched(pressed), moving, motion)?;
+        Ok(rows.map(|rows| if share == 1.0 { rows } else { rows.scaled(share) }))
+    }
+
+    fn pose(&self) -> Pose {
+        self.lowering.pose(self.lowered.at.depth)
+    }
+
+    /// Angular velocity at which the largest contact has no longitudinal creepage, in rad/s.
+    fn free_turning(&self) -> f64 {
+        let largest = self.lowered.contacts.iter().max_by(|a, b| a.force.total_cmp(&b.force));
+        let motion = self.motion;
+        largest.map_or(motion.angular_velocity, |pressed| {
+            let moving = Moving::new(&self.pose(), &pressed.plane, pressed.approach, &motion);
+            motion.angular_velocity * moving.free_rolling()
+        })
+    }
+
+    /// Braking with the normal force, in the unit of what is prescribed: negative where that is
+    /// positive in driving.
+    fn scale(&self) -> f64 {
+        let normal: f64 = self.lowered.contacts.iter().map(|contact| contact.force).sum();
+        match self.drive {
+            Drive::AngularVelocity | Drive::OverLoad(_) => 1.0,
+            Drive::Force { .. } => -normal,
+            Drive::Torque(_) => -normal * self.lowering.pair.nominal_radius,
+        }
+    }
+
+    /// What is prescribed, as the contacts have it.
+    fn value(&self, contacts: &[Slid]) -> f64 {
+        let pose = self.pose();
+        let sign = self.side.outwards();
+        let (mut force, mut torque) = ([0.0; 3], 0.0);
+        for (pressed, _, solution) in contacts {
+            let plane = &pressed.plane;
+            let (normal, across) = (plane.normal(), plane.across());
+            let Seen { x, y, moment } = Seen::of(solution, sign);
+            let tangential = [0, 1, 2].map(|k| if k == 0 { x } else { y * across[k] });
+            for k in 0..3 {
+                force[k] += tangential[k] + solution.normal.load * normal[k];
+            }
+            let arm = minus(plane.origin, pose.centre);
+            let turning = cross(arm, tangential);
+            let axle = pose.turned([0.0, 1.0, 0.0]);
+            // Pressure on a surface of revolution has no moment about its axis.
+            torque += dot(turning, axle) + moment * dot(normal, axle);
+        }
+        match self.drive {
+            Drive::AngularVelocity => 0.0,
+            Drive::Force { along: Along::Track, .. } => force[0],
+            Drive::Force { along: Along::Wheelset, .. } => dot(force, pose.turned([1.0, 0.0, 0.0])),
+            Drive::OverLoad(_) => -force[0] / force[2],
+            Drive::Torque(_) => -torque,
+        }
+    }
+}
+
+/// Tangential forces (in N) and moment (in N m) of a contact as seen from the left.
+struct Seen {
+    x: f64,
+    y: f64,
+    moment: f64,
+}
+
+impl Seen {
+    fn of(solution: &Solution, sign: f64) -> Self {
+        let force = solution.force;
+        Self { x: force.x, y: sign * force.y, moment: sign * force.moment_z.unwrap_or(0.0) }
+    }
+}
+
+/// Angle by which the rail turns between the outmost rows in contact, in rad.
+pub(super) fn turn(pair: &Pair, pressed: &Pressed) -> f64 {
+    let touched = touched(pressed);
+    let (Some(first), Some(last)) = (touched.first(), touched.last()) else { return 0.0 };
+    let inclination = |s: &f64| pair.rail.at(pressed.plane.arcs[0] + s).inclination();
+    (inclination(last) - inclination(first)).abs()
+}
+
+/// Positions s of the rows in contact, in m.
+fn touched(pressed: &Pressed) -> Vec<f64> {
+    let rows = pressed.pressure.chunks(pressed.x.len());
+    let loaded = |row: &[f64]| row.iter().any(|p| *p > 0.0);
+    rows.zip(&pressed.s).filter(|(row, _)| loaded(row)).map(|(_, s)| *s).collect()
+}
