@@ -180,9 +180,9 @@ impl SteadyState<'_> {
             let cause = Some(&direct.friction);
             friction.bound_changes(unloaded, cause, &mut workspace.flux, &mut workspace.bound);
         } else {
-            let cells = contact.patch.cells.iter().zip(&direct.friction.law);
-            for (bound, (cell, law)) in workspace.bound.iter_mut().zip(cells) {
-                *bound = cell.pressure * law;
+            let cells = contact.patch.cells.iter().zip(&direct.friction.law).enumerate();
+            for (bound, (k, (cell, law))) in workspace.bound.iter_mut().zip(cells) {
+                *bound = if friction.yields(k) { 0.0 } else { cell.pressure * law };
             }
         }
         for (bound, direct) in workspace.bound.iter_mut().zip(&direct.bound) {
@@ -192,6 +192,14 @@ impl SteadyState<'_> {
         let bound = Some(workspace.bound.as_slice());
         let changed = Changed { traction: &nothing, response: b, bound };
         strips.tangent(&changed, Some(&direct.cause), change);
+    }
+
+    /// Slip, heat and friction at the solution, where they do not bear on it.
+    pub fn evaluate_passing(&mut self) {
+        let Level { contact, friction, traction, .. } = &mut self.levels[0];
+        let mut passing = vec![0.0; traction.len()];
+        contact.product(traction).change_in_passing(&mut passing);
+        friction.evaluate(self.problem, &contact.patch, traction, &passing);
     }
 
     /// Derivative of the linear response (in m) at the solution with respect to the logarithm of
