@@ -335,16 +335,15 @@ impl<'a> Derivatives<'a> {
         Some(direct)
     }
 
-    /// Whether all that is computed of the displacement scales with the patch. The calibration of
-    /// stick and slip does so with that of the half-space, but not in a mean with bristles, and not
-    /// with a layer, whose shear does not depend on the size.
+    /// Whether all that is computed of the displacement of the bodies scales with the patch. The
+    /// calibration of stick and slip does so with that of the half-space, but not in a mean with
+    /// bristles.
     fn scales(&self) -> bool {
         let Level { contact, strips, .. } = &self.levels[0];
         let semi_axes = [contact.normal.semi_axis_x, contact.normal.semi_axis_y];
         let is_half_space = || self.problem.elasticity.under_ellipsoid(semi_axes).is_some();
         match strips.stick_share() {
             0.0 => true,
-            1.0 if self.problem.layer.is_some() => false,
             1.0 => !contact.compliance.couples_cells() || is_half_space(),
             _ => false,
         }

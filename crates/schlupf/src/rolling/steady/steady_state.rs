@@ -233,7 +233,42 @@ impl SteadyState<'_> {
             let strips = Strips { law: strips.as_ref(), traction };
             relate(made, &strips, &mut workspace.at_entry, response, is_coupled);
         }
+        // The law has added the calibration of the layer, which does not depend on the size.
+        if is_known && let Some(mut of_layer) = self.calibration_of_layer() {
+            let size = of_layer.len();
+            self.slide(&mut of_layer);
+            add_scaled(&mut response[..size], -1.0, &of_layer);
+        }
         is_known
+    }
+
+    /// What the law adds to the shear of the layer between the surfaces at the present traction,
+    /// where the displacement is calibrated; in m.
+    fn calibration_of_layer(&mut self) -> Option<Vec<f64>> {
+        let Level { contact, strips, traction, .. } = &mut self.levels[0];
+        if strips.stick_share() != 1.0 || !contact.compliance.couples_cells() {
+            return None;
+        }
+        let cells = contact.patch.cells.iter();
+        let pressure: Vec<f64> = cells.flat_map(|cell| [cell.pressure; 2]).collect();
+        let mut missing = vec![0.0; traction.len()];
+        contact.product_of_layer(&pressure)?.at_cells(&mut missing);
+        let layer = contact.layer_compliance;
+        for (at, missing) in missing.iter_mut().enumerate() {
+            let cell = &contact.patch.cells[at / 2];
+            *missing = (layer / cell.covered - *missing / cell.pressure) * traction[at];
+        }
+        Some(missing)
+    }
+
+    /// Sliding over the way into each cell from displacements relative to the entry (in m), without
+    /// what the law adds to any displacement.
+    fn slide(&mut self, b: &mut [f64]) {
+        let Level { strips, traction, workspace, .. } = &mut self.levels[0];
+        workspace.at_entry.fill(0.0);
+        strips.relate(traction, &mut workspace.at_entry);
+        strips.relate(traction, b);
+        add_scaled(b, -1.0, &workspace.at_entry);
     }
 
     /// The part of the linear response at the present traction that is the shear of the layer
@@ -243,34 +278,18 @@ impl SteadyState<'_> {
     /// derivative by the layer is that but for the cells at the edge.
     pub fn response_of_layer(&mut self, response: &mut [f64]) -> bool {
         let is_coupled = self.is_coupled();
-        let Level { contact, strips, traction, workspace, .. } = &mut self.levels[0];
-        let size = workspace.at_entry.len();
-        let (b, passing) = response.split_at_mut(size);
-        let is_calibrated = strips.stick_share() == 1.0 && contact.compliance.couples_cells();
-        if is_calibrated {
-            let cells = contact.patch.cells.iter();
-            let pressure: Vec<f64> = cells.flat_map(|cell| [cell.pressure; 2]).collect();
-            let Some(under_pressure) = contact.product_of_layer(&pressure) else { return false };
-            under_pressure.at_cells(&mut workspace.at_entry);
-        }
-        let layer = contact.layer_compliance;
+        let calibration = self.calibration_of_layer();
+        let Level { contact, traction, workspace, .. } = &mut self.levels[0];
+        let (b, passing) = response.split_at_mut(workspace.at_entry.len());
         let Some(mut made) = contact.product_of_layer(traction) else { return false };
         made.at_cells(b);
         if is_coupled {
             made.change_in_passing(passing);
         }
-        if is_calibrated {
-            for (at, u) in b.iter_mut().enumerate() {
-                let cell = &contact.patch.cells[at / 2];
-                let missing = layer / cell.covered - workspace.at_entry[at] / cell.pressure;
-                *u += missing * traction[at];
-            }
+        if let Some(calibration) = calibration {
+            add_scaled(b, 1.0, &calibration);
         }
-        // What the law adds to any displacement is not that of the layer.
-        workspace.at_entry.fill(0.0);
-        strips.relate(traction, &mut workspace.at_entry);
-        strips.relate(traction, b);
-        add_scaled(b, -1.0, &workspace.at_entry);
+        self.slide(b);
         true
     }
 }
