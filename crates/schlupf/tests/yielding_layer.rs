@@ -11,6 +11,9 @@ use schlupf::elasticity::Elasticity;
 use schlupf::elasticity::rigid::Rigid;
 use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
 use schlupf::history::History;
+use schlupf::identification::{
+    Component, Condition, DataPoint, Parameter, RollingContactModel, fit,
+};
 use schlupf::interface::contact_law::{ContactLaw, Coulomb, Incremental};
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::third_body::{ThirdBodyLayer, YieldLimit};
@@ -255,6 +258,49 @@ fn derivatives_with_a_layer_that_flows() {
         println!("{limit:?}: {found} {difference}");
         assert_relative_eq!(found, difference, max_relative = 1e-3);
     }
+}
+
+/// All constants of a layer that yields are found from forces of independent points, which share
+/// nothing with the solver. Cases without a layer or a limit are refused.
+#[test]
+fn the_constants_of_a_layer_are_fitted() {
+    let parameters =
+        [Parameter::LayerYieldStress, Parameter::LayerHardening, Parameter::LayerShearModulus];
+    let on = |layer: Option<ThirdBodyLayer>| {
+        let start = Problem { layer, ..contact(LIMITS[0], Arc::new(Rigid), 0.1) };
+        RollingContactModel::new(&start, &cells(40), &parameters, 0.45)
+    };
+    let load = contact(LIMITS[0], Arc::new(Rigid), 0.1).normal.normal_contact(None).unwrap();
+    for (truth, [stress, hardening, shear_modulus]) in [
+        (LIMITS[0], [3e8, 1e10, 0.5e8]),
+        (LIMITS[1], [0.8e8, 0.0, 2e8]),
+        (LIMITS[2], [2e8, 1e10, 0.7e8]),
+    ] {
+        let data = [0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8].map(|creepage_x| {
+            let kinematics = rolling(creepage_x, 0.0, 0.0);
+            DataPoint {
+                condition: Condition { kinematics, load: None },
+                component: Component::Longitudinal,
+                force_ratio: -exact(truth, creepage_x) / load.summary.load,
+                standard_deviation: None,
+            }
+        });
+        let layer = ThirdBodyLayer::new(1e-3, shear_modulus).unwrap();
+        let start = layer.with_yield(YieldLimit { stress, hardening }).unwrap();
+        let mut model = on(Some(start)).unwrap();
+        let found = fit(&mut model, &data, 50, &unwatched).unwrap();
+        let [limit, slope, modulus] = [0, 1, 2].map(|k| found.estimates[k].value);
+        println!("{truth:?}: {limit:.4e} {slope:.4e} {modulus:.4e} in {}", found.iterations);
+        assert_eq!(found.status, Status::Converged);
+        assert_relative_eq!(limit, truth[0], max_relative = 5e-3);
+        assert_relative_eq!(slope, truth[1], max_relative = 1e-2, epsilon = 2e8);
+        assert_relative_eq!(modulus, 1e-3 * STIFFNESS, max_relative = 5e-3);
+        assert!(found.iterations < 15, "{}", found.iterations);
+    }
+    let message = |layer| on(layer).err().unwrap().to_string();
+    assert!(message(None).contains("layer_yield_stress: there is no layer"));
+    let refused = message(Some(ThirdBodyLayer::new(1e-3, 5e9).unwrap()));
+    assert!(refused.contains("layer_yield_stress: the layer is elastic"), "{refused}");
 }
 
 /// A steady state goes on unchanged in time: the plastic way belongs to its state.

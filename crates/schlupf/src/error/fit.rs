@@ -227,10 +227,20 @@ messages! {
         format!("{name}: the contact law in use has no such constant")
     };
 
-    /// The shear modulus of a layer that the case does not have.
-    "no-layer" NoLayer {} Quantity::LayerShearModulus, |name, words| {
-        format!("{name}: there is no layer between the surfaces")
-    };
+    /// A constant of a layer that the case does not have.
+    "no-layer" NoLayer {
+        /// The parameter.
+        quantity: Quantity,
+    } *quantity, |name, words| format!("{name}: there is no layer between the surfaces");
+
+    /// A constant of the limit of elasticity of a layer that has none.
+    "no-yield-limit" NoYieldLimit {
+        /// The parameter.
+        quantity: Quantity,
+    } *quantity, |name, words| format!(
+        "{name}: the layer is elastic; a fit starts from a {}, and the case has none",
+        words.word(Quantity::LayerYieldStress)
+    );
 
     /// k_c together with the roughness that determines it.
     "stiffness-and-roughness" StiffnessAndRoughness {} Quantity::ContactStiffness, |name, words| {
@@ -309,6 +319,9 @@ fn where_it_shows(parameter: Quantity) -> &'static str {
         | Quantity::LayerShearModulus
         | Quantity::PolachAreaAdhesion => {
             "it shows at small creepages and where the force bends over"
+        }
+        Quantity::LayerYieldStress | Quantity::LayerHardening => {
+            "it shows where the layer flows, at large creepages"
         }
         Quantity::PolachAreaSlip => "it shows at small creepages and on the way to the maximum",
         _ => "it shows at slip speeds over which friction falls",

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::error::{Error, FitError, ForceError};
 use crate::interface::friction::Friction;
 use crate::interface::friction::constants::{AdjustableFriction, Changes, FrictionConstant};
+use crate::interface::third_body::ThirdBodyLayer;
 use crate::normal::PressureSource;
 use crate::normal::at_load::AtLoad;
 use crate::problem::Problem;
@@ -76,6 +77,26 @@ pub(super) fn adjusted_friction(
         friction.law = law.with_constants(&Changes(&changes))?;
     }
     Ok(friction)
+}
+
+/// The layer between the surfaces with those parameters that are constants of it set to new values,
+/// in their SI units.
+pub(super) fn adjusted_layer(
+    layer: &ThirdBodyLayer,
+    parameters: &[Parameter],
+    values: &[f64],
+) -> Result<ThirdBodyLayer, Error> {
+    let (mut shear_modulus, mut limit) = (layer.shear_modulus(), layer.yield_limit());
+    for (parameter, value) in parameters.iter().zip(values) {
+        match (parameter, &mut limit) {
+            (Parameter::LayerShearModulus, _) => shear_modulus = *value,
+            (Parameter::LayerYieldStress, Some(limit)) => limit.stress = *value,
+            (Parameter::LayerHardening, Some(limit)) => limit.hardening = *value,
+            _ => {}
+        }
+    }
+    let layer = ThirdBodyLayer::new(layer.thickness(), shear_modulus)?;
+    limit.map_or(Ok(layer), |limit| layer.with_yield(limit))
 }
 
 /// The normal contact of a problem under a given load (in N), or under its own.

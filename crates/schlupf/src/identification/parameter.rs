@@ -15,6 +15,10 @@ pub enum Parameter {
     Roughness,
     /// Shear modulus of the layer between the surfaces, in Pa.
     LayerShearModulus,
+    /// Its yield stress τ_c0, in Pa.
+    LayerYieldStress,
+    /// Its hardening k_τ, in Pa/m.
+    LayerHardening,
     /// k_A of Polach's method, dimensionless.
     AreaAdhesion,
     /// k_S of Polach's method, dimensionless.
@@ -22,15 +26,19 @@ pub enum Parameter {
 }
 
 /// How a fit scales a parameter.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Scale {
     /// Relative changes: it is positive.
     Logarithmic,
-    /// Absolute changes: it may be zero.
-    Linear,
+    /// Absolute changes in a unit (in that of the parameter, if it is not dimensionless): it may be
+    /// zero.
+    Linear { unit: f64 },
 }
 
-/// Smallest reference size of a dimensionless parameter that may be zero.
+/// The unit of a hardening, in Pa/m: layers of Hou et al. (1997) have 0.02 to 0.4 of it.
+const OF_HARDENING: f64 = 1e12;
+
+/// Smallest reference size of a parameter that may be zero, in its unit of absolute changes.
 const NEXT_TO_NOTHING: f64 = 0.1;
 
 impl Parameter {
@@ -41,6 +49,8 @@ impl Parameter {
             Self::ContactStiffness,
             Self::Roughness,
             Self::LayerShearModulus,
+            Self::LayerYieldStress,
+            Self::LayerHardening,
             Self::AreaAdhesion,
             Self::AreaSlip,
         ])
@@ -53,6 +63,8 @@ impl Parameter {
             Self::ContactStiffness => Quantity::ContactStiffness,
             Self::Roughness => Quantity::ContactRoughness,
             Self::LayerShearModulus => Quantity::LayerShearModulus,
+            Self::LayerYieldStress => Quantity::LayerYieldStress,
+            Self::LayerHardening => Quantity::LayerHardening,
             Self::AreaAdhesion => Quantity::PolachAreaAdhesion,
             Self::AreaSlip => Quantity::PolachAreaSlip,
         }
@@ -74,6 +86,8 @@ impl Parameter {
             Self::ContactStiffness => [1e3, 1e11],
             Self::Roughness => [1e-10, 1e-2],
             Self::LayerShearModulus => [1e3, 1e14],
+            Self::LayerYieldStress => [1e3, 1e13],
+            Self::LayerHardening => [-1e13, 1e13],
             Self::AreaAdhesion | Self::AreaSlip => [1e-3, 1.0],
         }
     }
@@ -89,14 +103,18 @@ impl Parameter {
     }
 
     pub(super) fn scale(self) -> Scale {
-        if self.bounds()[0] > 0.0 { Scale::Logarithmic } else { Scale::Linear }
+        match self {
+            _ if self.bounds()[0] > 0.0 => Scale::Logarithmic,
+            Self::LayerHardening => Scale::Linear { unit: OF_HARDENING },
+            _ => Scale::Linear { unit: 1.0 },
+        }
     }
 
     /// Reference size for its uncertainty, in its unit: its value, or the smallest reference size.
     pub(super) fn size(self, value: f64) -> f64 {
         match self.scale() {
             Scale::Logarithmic => value,
-            Scale::Linear => value.max(NEXT_TO_NOTHING),
+            Scale::Linear { unit } => value.abs().max(NEXT_TO_NOTHING * unit),
         }
     }
 }
@@ -106,7 +124,7 @@ impl Scale {
     pub fn value(self, moved: f64, start: f64) -> f64 {
         match self {
             Self::Logarithmic => start * moved.exp(),
-            Self::Linear => start + moved,
+            Self::Linear { unit } => start + unit * moved,
         }
     }
 
@@ -114,7 +132,7 @@ impl Scale {
     pub fn moved(self, value: f64, start: f64) -> f64 {
         match self {
             Self::Logarithmic => (value / start).ln(),
-            Self::Linear => value - start,
+            Self::Linear { unit } => (value - start) / unit,
         }
     }
 
@@ -123,7 +141,7 @@ impl Scale {
     pub fn slope(self, value: f64) -> f64 {
         match self {
             Self::Logarithmic => value,
-            Self::Linear => 1.0,
+            Self::Linear { unit } => unit,
         }
     }
 }

@@ -47,7 +47,11 @@ impl PolachModel {
             Parameter::Friction(constant) => friction_constant(&problem.friction, *constant),
             Parameter::AreaAdhesion => Ok(reduction.area_adhesion),
             Parameter::AreaSlip => Ok(reduction.area_slip),
-            Parameter::ContactStiffness | Parameter::Roughness | Parameter::LayerShearModulus => {
+            Parameter::ContactStiffness
+            | Parameter::Roughness
+            | Parameter::LayerShearModulus
+            | Parameter::LayerYieldStress
+            | Parameter::LayerHardening => {
                 let quantity = parameter.quantity();
                 Err(FitError::NotOfMethod { quantity, method: "polach" }.into())
             }
@@ -124,9 +128,11 @@ impl CreepForceModel for PolachModel {
             Parameter::Friction(constant) => by_constant(*constant),
             Parameter::AreaAdhesion => ratio(by_area_adhesion),
             Parameter::AreaSlip => ratio(by_area_slip),
-            Parameter::ContactStiffness | Parameter::Roughness | Parameter::LayerShearModulus => {
-                [0.0; 2]
-            }
+            Parameter::ContactStiffness
+            | Parameter::Roughness
+            | Parameter::LayerShearModulus
+            | Parameter::LayerYieldStress
+            | Parameter::LayerHardening => [0.0; 2],
         });
         let by_parameter = by_parameter.collect();
         let value = ratio(force);

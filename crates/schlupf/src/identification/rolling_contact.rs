@@ -12,7 +12,9 @@ use crate::problem::{Options, Problem};
 use crate::progress::Watch;
 use crate::solution::{Resultant, Work};
 
-use super::adjustment::{adjusted_friction, friction_constant, loaded, require_heat};
+use super::adjustment::{
+    adjusted_friction, adjusted_layer, friction_constant, loaded, require_heat,
+};
 use super::data::Condition;
 use super::held_forces::HeldForces;
 use super::model::{CreepForceModel, ForceRatio};
@@ -107,14 +109,21 @@ impl RollingContactModel {
 
     /// The value of a parameter in the problem, in its SI unit.
     fn present(&self, parameter: Parameter) -> Result<f64, Error> {
+        let quantity = parameter.quantity();
         match parameter {
             Parameter::Friction(constant) => friction_constant(&self.problem.friction, constant),
             Parameter::AreaAdhesion | Parameter::AreaSlip => {
-                Err(FitError::NotOfMethod { quantity: parameter.quantity(), method: "full" }.into())
+                Err(FitError::NotOfMethod { quantity, method: "full" }.into())
             }
             Parameter::LayerShearModulus => {
-                let layer = self.problem.layer.ok_or(FitError::NoLayer {})?;
+                let layer = self.problem.layer.ok_or(FitError::NoLayer { quantity })?;
                 Ok(layer.shear_modulus())
+            }
+            Parameter::LayerYieldStress | Parameter::LayerHardening => {
+                let layer = self.problem.layer.ok_or(FitError::NoLayer { quantity })?;
+                let limit = layer.yield_limit().ok_or(FitError::NoYieldLimit { quantity })?;
+                let is_stress = parameter == Parameter::LayerYieldStress;
+                Ok(if is_stress { limit.stress } else { limit.hardening })
             }
             _ if self.problem.contact_law.with_stiffness(self.stiffness)?.is_none() => {
                 Err(FitError::NoStiffness {}.into())
@@ -191,6 +200,8 @@ fn constant(parameter: Parameter) -> Option<InterfaceConstant> {
             Some(InterfaceConstant::ContactStiffness)
         }
         Parameter::LayerShearModulus => Some(InterfaceConstant::LayerShearModulus),
+        Parameter::LayerYieldStress => Some(InterfaceConstant::LayerYieldStress),
+        Parameter::LayerHardening => Some(InterfaceConstant::LayerHardening),
         Parameter::AreaAdhesion | Parameter::AreaSlip => None,
     }
 }
@@ -205,18 +216,17 @@ impl CreepForceModel for RollingContactModel {
     }
 
     fn set(&mut self, values: &[f64]) -> Result<(), Error> {
-        let (mut stiffness, mut height, mut layer) = (self.stiffness, None, self.problem.layer);
+        let (mut stiffness, mut height) = (self.stiffness, None);
         for (parameter, value) in self.parameters.iter().zip(values) {
             match parameter {
                 Parameter::ContactStiffness => stiffness = *value,
                 Parameter::Roughness => height = Some(*value),
-                Parameter::LayerShearModulus => {
-                    layer = layer.map(|own| own.with_shear_modulus(*value)).transpose()?;
-                }
                 _ => {}
             }
         }
         let friction = adjusted_friction(&self.problem.friction, &self.parameters, values)?;
+        let layer = self.problem.layer.map(|own| adjusted_layer(&own, &self.parameters, values));
+        let layer = layer.transpose()?;
         let coefficient = friction.cold_coefficient();
         if let Some(height) = height {
             stiffness = self.roughness_number / (coefficient * height);

@@ -16,4 +16,8 @@ pub enum InterfaceConstant {
     ContactStiffness,
     /// Shear modulus of the layer between the surfaces, in Pa.
     LayerShearModulus,
+    /// Yield stress τ_c0 of that layer, in Pa.
+    LayerYieldStress,
+    /// Its hardening k_τ, in Pa/m.
+    LayerHardening,
 }

@@ -78,15 +78,6 @@ impl ThirdBodyLayer {
         Ok(Self { yielding: Some(limit), ..self })
     }
 
-    /// The same layer with another shear modulus, in Pa.
-    ///
-    /// # Errors
-    /// Those of [`Self::new`] and [`Self::with_yield`].
-    pub fn with_shear_modulus(&self, shear_modulus: f64) -> Result<Self, Error> {
-        let layer = Self::new(self.thickness, shear_modulus)?;
-        self.yielding.map_or(Ok(layer), |limit| layer.with_yield(limit))
-    }
-
     /// Thickness h, in m.
     pub fn thickness(&self) -> f64 {
         self.thickness
@@ -116,7 +107,7 @@ impl ThirdBodyLayer {
     /// would by μ pₙ (in Pa) and the surfaces slip by `slips` (in m) until they are at a place, and
     /// until they leave it.
     pub(crate) fn pass(&self, friction: f64, flowed: f64, slips: [f64; 2]) -> Flow {
-        let by_friction = Flow { bound: friction, left: flowed, yields: [false; 2] };
+        let by_friction = Flow { bound: friction, here: flowed, left: flowed, yields: [false; 2] };
         let Some(limit) = self.yielding else { return by_friction };
         let before = limit.at(flowed);
         if before >= friction {
@@ -128,7 +119,7 @@ impl ThirdBodyLayer {
             _ => f64::INFINITY,
         };
         let [here, left] = slips.map(|slip| flowed + slip.min(most));
-        Flow { bound: limit.at(here), left, yields: slips.map(|slip| slip < most) }
+        Flow { bound: limit.at(here), here, left, yields: slips.map(|slip| slip < most) }
     }
 }
 
@@ -137,6 +128,8 @@ impl ThirdBodyLayer {
 pub(crate) struct Flow {
     /// The bound, in Pa.
     pub bound: f64,
+    /// The plastic way at the place, in m.
+    pub here: f64,
     /// The plastic way on leaving the place, in m.
     pub left: f64,
     /// Whether it flows at the place, and until it leaves it.

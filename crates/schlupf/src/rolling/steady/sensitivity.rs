@@ -12,6 +12,7 @@ use crate::error::Error;
 use crate::interface::InterfaceConstant;
 use crate::interface::contact_law::Slide;
 use crate::interface::friction::constants::FrictionConstant;
+use crate::interface::third_body::YieldLimit;
 use crate::kinematics::Kinematics;
 use crate::numerics::vector::{add_scaled, norm};
 use crate::patch::Cell;
@@ -156,6 +157,8 @@ impl<'a> Derivatives<'a> {
         match constant {
             InterfaceConstant::ContactStiffness => self.by_stiffness(),
             InterfaceConstant::LayerShearModulus => self.by_layer(),
+            InterfaceConstant::LayerYieldStress => self.by_yield_limit([1.0, 0.0]),
+            InterfaceConstant::LayerHardening => self.by_yield_limit([0.0, 1.0]),
             InterfaceConstant::Friction(FrictionConstant::ColdCoefficient) => {
                 self.by(&self.by_friction())
             }
@@ -249,6 +252,24 @@ impl<'a> Derivatives<'a> {
         Some(scaled(&self.by(&direct)?, -layer.shear_modulus().recip()))
     }
 
+    /// Derivative by the yield stress, or by the hardening: by a change of both.
+    fn by_yield_limit(&mut self, [stress, hardening]: [f64; 2]) -> Option<Resultant> {
+        self.problem.layer?.yield_limit()?;
+        let cells = self.levels[0].strips.len();
+        let mut direct = Direct::nothing(cells);
+        let limit = YieldLimit { stress, hardening };
+        if self.levels[0].friction.is_coupled {
+            direct.friction.limit = limit;
+            return self.by(&direct);
+        }
+        // A limit that does not change with the plastic way does not depend on the slip.
+        SteadyState::new(self.problem, self.levels).evaluate_passing();
+        self.products += 1;
+        let friction = &self.levels[0].friction;
+        direct.bound = (0..cells).map(|k| friction.bound_by_limit(k, limit)).collect();
+        self.by(&direct)
+    }
+
     /// Direct changes with the logarithm of the load, if the elasticity knows how it scales.
     fn direct_by_load(&mut self) -> Option<Direct> {
         let load_exponent = self.problem.normal.load_exponent()?;
@@ -314,16 +335,15 @@ impl<'a> Derivatives<'a> {
         Some(direct)
     }
 
-    /// Whether all that is computed of the displacement scales with the patch. The calibration of
-    /// stick and slip does so with that of the half-space, but not in a mean with bristles, and not
-    /// with a layer, whose shear does not depend on the size.
+    /// Whether all that is computed of the displacement of the bodies scales with the patch. The
+    /// calibration of stick and slip does so with that of the half-space, but not in a mean with
+    /// bristles.
     fn scales(&self) -> bool {
         let Level { contact, strips, .. } = &self.levels[0];
         let semi_axes = [contact.normal.semi_axis_x, contact.normal.semi_axis_y];
         let is_half_space = || self.problem.elasticity.under_ellipsoid(semi_axes).is_some();
         match strips.stick_share() {
             0.0 => true,
-            1.0 if self.problem.layer.is_some() => false,
             1.0 => !contact.compliance.couples_cells() || is_half_space(),
             _ => false,
         }

@@ -14,6 +14,7 @@ use crate::heat::partition::Conduction;
 use crate::heat::peclet::semi_axes_of_grid;
 use crate::heat::strip_heat::StripHeat;
 use crate::interface::friction::{FrictionResponse, FrictionState};
+use crate::interface::third_body::YieldLimit;
 use crate::kinematics::Kinematics;
 use crate::numerics::root::fixed_point;
 use crate::numerics::vector::add_scaled;
@@ -283,6 +284,14 @@ impl SteadyFriction {
         self.yielding.as_ref().is_some_and(|yielding| yielding.yields(k))
     }
 
+    /// Change of the bound of a cell (in Pa) with the limit of elasticity of the layer, at the same
+    /// slip.
+    pub fn bound_by_limit(&self, k: usize, limit: YieldLimit) -> f64 {
+        let cause = FlowCause { friction: 0.0, slips: [0.0; 2], limit };
+        let yielding = self.yielding.as_ref();
+        self.pressure[k] * yielding.map_or(0.0, |yielding| yielding.change(k, &cause, &mut 0.0))
+    }
+
     /// The plastic way of the layer (in m) with which the material leaves a cell.
     pub fn flowed_on_leaving(&self, k: usize) -> f64 {
         self.yielding.as_ref().map_or(0.0, |yielding| yielding.on_leaving(k))
@@ -357,7 +366,9 @@ impl SteadyFriction {
             let mut change = self.lag.change(k, &lagged, &mut carried);
             if let Some(yielding) = &self.yielding {
                 let slips = self.heat.durations(k).map(|time| (faster + speed * way) * time);
-                change = yielding.change(k, &FlowCause { friction: change, slips }, &mut flowed);
+                let limit = cause.map_or(UNCHANGED, |cause| cause.limit);
+                let cause = FlowCause { friction: change, slips, limit };
+                change = yielding.change(k, &cause, &mut flowed);
             }
             bound[k] = self.pressure[k] * change;
         }
@@ -456,7 +467,12 @@ pub(super) struct FrictionCause {
     pub entry: Vec<f64>,
     /// Of the logarithm of all paths, dimensionless.
     pub way: f64,
+    /// Of the limit of elasticity of the layer between the surfaces.
+    pub limit: YieldLimit,
 }
+
+/// No change of that limit.
+const UNCHANGED: YieldLimit = YieldLimit { stress: 0.0, hardening: 0.0 };
 
 impl FrictionCause {
     /// No change in any of `cells` cells.
@@ -467,6 +483,7 @@ impl FrictionCause {
             law: vec![0.0; cells],
             entry: vec![0.0; cells],
             way: 0.0,
+            limit: UNCHANGED,
         }
     }
 }

@@ -180,9 +180,9 @@ impl SteadyState<'_> {
             let cause = Some(&direct.friction);
             friction.bound_changes(unloaded, cause, &mut workspace.flux, &mut workspace.bound);
         } else {
-            let cells = contact.patch.cells.iter().zip(&direct.friction.law);
-            for (bound, (cell, law)) in workspace.bound.iter_mut().zip(cells) {
-                *bound = cell.pressure * law;
+            let cells = contact.patch.cells.iter().zip(&direct.friction.law).enumerate();
+            for (bound, (k, (cell, law))) in workspace.bound.iter_mut().zip(cells) {
+                *bound = if friction.yields(k) { 0.0 } else { cell.pressure * law };
             }
         }
         for (bound, direct) in workspace.bound.iter_mut().zip(&direct.bound) {
@@ -192,6 +192,14 @@ impl SteadyState<'_> {
         let bound = Some(workspace.bound.as_slice());
         let changed = Changed { traction: &nothing, response: b, bound };
         strips.tangent(&changed, Some(&direct.cause), change);
+    }
+
+    /// Slip, heat and friction at the solution, where they do not bear on it.
+    pub fn evaluate_passing(&mut self) {
+        let Level { contact, friction, traction, .. } = &mut self.levels[0];
+        let mut passing = vec![0.0; traction.len()];
+        contact.product(traction).change_in_passing(&mut passing);
+        friction.evaluate(self.problem, &contact.patch, traction, &passing);
     }
 
     /// Derivative of the linear response (in m) at the solution with respect to the logarithm of
@@ -225,7 +233,42 @@ impl SteadyState<'_> {
             let strips = Strips { law: strips.as_ref(), traction };
             relate(made, &strips, &mut workspace.at_entry, response, is_coupled);
         }
+        // The law has added the calibration of the layer, which does not depend on the size.
+        if is_known && let Some(mut of_layer) = self.calibration_of_layer() {
+            let size = of_layer.len();
+            self.slide(&mut of_layer);
+            add_scaled(&mut response[..size], -1.0, &of_layer);
+        }
         is_known
+    }
+
+    /// What the law adds to the shear of the layer between the surfaces at the present traction,
+    /// where the displacement is calibrated; in m.
+    fn calibration_of_layer(&mut self) -> Option<Vec<f64>> {
+        let Level { contact, strips, traction, .. } = &mut self.levels[0];
+        if strips.stick_share() != 1.0 || !contact.compliance.couples_cells() {
+            return None;
+        }
+        let cells = contact.patch.cells.iter();
+        let pressure: Vec<f64> = cells.flat_map(|cell| [cell.pressure; 2]).collect();
+        let mut missing = vec![0.0; traction.len()];
+        contact.product_of_layer(&pressure)?.at_cells(&mut missing);
+        let layer = contact.layer_compliance;
+        for (at, missing) in missing.iter_mut().enumerate() {
+            let cell = &contact.patch.cells[at / 2];
+            *missing = (layer / cell.covered - *missing / cell.pressure) * traction[at];
+        }
+        Some(missing)
+    }
+
+    /// Sliding over the way into each cell from displacements relative to the entry (in m), without
+    /// what the law adds to any displacement.
+    fn slide(&mut self, b: &mut [f64]) {
+        let Level { strips, traction, workspace, .. } = &mut self.levels[0];
+        workspace.at_entry.fill(0.0);
+        strips.relate(traction, &mut workspace.at_entry);
+        strips.relate(traction, b);
+        add_scaled(b, -1.0, &workspace.at_entry);
     }
 
     /// The part of the linear response at the present traction that is the shear of the layer
@@ -235,34 +278,18 @@ impl SteadyState<'_> {
     /// derivative by the layer is that but for the cells at the edge.
     pub fn response_of_layer(&mut self, response: &mut [f64]) -> bool {
         let is_coupled = self.is_coupled();
-        let Level { contact, strips, traction, workspace, .. } = &mut self.levels[0];
-        let size = workspace.at_entry.len();
-        let (b, passing) = response.split_at_mut(size);
-        let is_calibrated = strips.stick_share() == 1.0 && contact.compliance.couples_cells();
-        if is_calibrated {
-            let cells = contact.patch.cells.iter();
-            let pressure: Vec<f64> = cells.flat_map(|cell| [cell.pressure; 2]).collect();
-            let Some(under_pressure) = contact.product_of_layer(&pressure) else { return false };
-            under_pressure.at_cells(&mut workspace.at_entry);
-        }
-        let layer = contact.layer_compliance;
+        let calibration = self.calibration_of_layer();
+        let Level { contact, traction, workspace, .. } = &mut self.levels[0];
+        let (b, passing) = response.split_at_mut(workspace.at_entry.len());
         let Some(mut made) = contact.product_of_layer(traction) else { return false };
         made.at_cells(b);
         if is_coupled {
             made.change_in_passing(passing);
         }
-        if is_calibrated {
-            for (at, u) in b.iter_mut().enumerate() {
-                let cell = &contact.patch.cells[at / 2];
-                let missing = layer / cell.covered - workspace.at_entry[at] / cell.pressure;
-                *u += missing * traction[at];
-            }
+        if let Some(calibration) = calibration {
+            add_scaled(b, 1.0, &calibration);
         }
-        // What the law adds to any displacement is not that of the layer.
-        workspace.at_entry.fill(0.0);
-        strips.relate(traction, &mut workspace.at_entry);
-        strips.relate(traction, b);
-        add_scaled(b, -1.0, &workspace.at_entry);
+        self.slide(b);
         true
     }
 }

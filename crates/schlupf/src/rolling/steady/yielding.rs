@@ -23,6 +23,15 @@ pub(super) struct FlowCause {
     pub friction: f64,
     /// Of the slip until the cell's point and through the cell, in m.
     pub slips: [f64; 2],
+    /// Of the limit of elasticity.
+    pub limit: YieldLimit,
+}
+
+impl YieldLimit {
+    /// What a change by this adds to the limit after a plastic way (in m), in Pa.
+    fn raised(&self, way: f64) -> f64 {
+        self.stress + self.hardening * way
+    }
 }
 
 impl Yielding {
@@ -69,12 +78,17 @@ impl Yielding {
         if flow.yields[1] {
             *carried = arrived + cause.slips[1];
         } else if self.catches_up[k] {
-            *carried = self.pressure[k] * cause.friction / self.limit.hardening;
+            // Where it has hardened to μ pₙ: τ_c0 + k_τ w = μ pₙ.
+            let missing = self.pressure[k] * cause.friction - cause.limit.raised(flow.left);
+            *carried = missing / self.limit.hardening;
         }
         if !flow.yields[0] {
             return cause.friction;
         }
-        let hardening = if flow.bound > 0.0 { self.limit.hardening } else { 0.0 };
-        hardening * (arrived + cause.slips[0]) / self.pressure[k]
+        if flow.bound <= 0.0 {
+            return 0.0;
+        }
+        let flowed = self.limit.hardening * (arrived + cause.slips[0]);
+        (flowed + cause.limit.raised(flow.here)) / self.pressure[k]
     }
 }
