@@ -91,12 +91,10 @@ fn both_motions_of_a_lateral_force_with_spin() {
                 let force =
                     PrescribedForces { y: Some(target * limit(&problem)), ..Default::default() };
                 let name = format!("{method:?} φ = {spin}, F_y = {target}, at rest {rest:.3}");
-                println!("{name}: {roots:?}");
                 let [low, high] = [Branch::LowSlip, Branch::HighSlip]
                     .map(|branch| found(method, &problem, force, branch));
                 let [low_at, high_at] =
                     [&low, &high].map(|solution| solution.kinematics.creepage_y);
-                println!("    {low_at} {high_at} {:?}", low.warnings);
                 let near = |one: f64, other: f64| (one - other).abs() < 1e-3 * other.abs() + 1e-6;
                 assert!(near(low_at, roots[0]), "{name}: {low_at}, not {roots:?}");
                 let is_told = |solution: &Solution| {
