@@ -297,3 +297,31 @@ fn bad_requests_are_refused() {
     assert!(run.stderr.contains("data.csv:2:1: force_ratio must be"), "{}", run.stderr);
     assert!(run.stderr.contains("neither in N nor in per cent"), "{}", run.stderr);
 }
+
+/// Forces that a fit would ignore are refused with their place: those of Polach's method, and those
+/// on a wheel with two profiles; without them both are fitted.
+#[test]
+fn forces_that_a_fit_does_not_hold_are_refused() {
+    let bench = bench();
+    let polach = "solver.method=polach";
+    for (field, value) in [("force_y", "0 N"), ("force_x", "-3 kN"), ("moment_z", "0 N m")] {
+        let force = format!("kinematics.{field}={value}");
+        let set = ["--set", polach, "--set", "elasticity.model=", "--set", &force];
+        let run = fit(&bench, "friction.coefficient", &set);
+        assert_eq!(run.code, Some(2), "{}", run.stderr);
+        let place = format!("--set {force}: kinematics.{field}: a fit of Polach's method needs");
+        assert!(run.stderr.contains(&place), "{}", run.stderr);
+    }
+    let wheel =
+        CASE.replace("model = \"ellipse\"", "model = \"wheel-rail\"").replace("semi_axis", "# ")
+            + "[wheel]\nprofile = \"S1002\"\n[rail]\nprofile = \"60E1\"\ncant = 0.025\n\
+           [kinematics]\ntraction_coefficient = 0.05\n";
+    bench.write("case.toml", &wheel);
+    let run = fit(&bench, "friction.coefficient", &[]);
+    assert_eq!(run.code, Some(2), "{}", run.stderr);
+    let told = "kinematics.traction_coefficient: a fit with normal.model = \"wheel-rail\"";
+    assert!(run.stderr.contains("case.toml:") && run.stderr.contains(told), "{}", run.stderr);
+    let given = ["--set", "kinematics.traction_coefficient="];
+    let run = fit(&bench, "friction.coefficient", &given);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+}

@@ -85,6 +85,7 @@ pub fn plan(file: &CaseFile, request: Request, watch: Watch) -> Result<Plan, Tas
     let doubt = other_loads(&data, load);
     let explain = |error: Error| request.explain(&case, &error, doubt.as_ref());
     case.require_steady("a creep curve is")?;
+    refuse_forces(file, &case)?;
     let model = Model::new(&case, &request).map_err(explain)?;
     let Some(mut model) = model else { return Err(no_model(case.method)) };
     identification::check(model.creep_forces(), &data).map_err(explain)?;
@@ -217,6 +218,33 @@ impl Model {
             Self::Polach(_) => None,
         }
     }
+}
+
+/// Forces in place of creepages, by their fields.
+const FORCES: [&str; 5] = [
+    "kinematics.force_x",
+    "kinematics.traction_coefficient",
+    "kinematics.wheel_torque",
+    "kinematics.force_y",
+    "kinematics.moment_z",
+];
+
+/// Refuses forces that a fit does not hold, but would ignore.
+fn refuse_forces(file: &CaseFile, case: &Case) -> Result<(), CaseError> {
+    let Some(field) = FORCES.into_iter().find(|field| file.given().any(|path| path == *field))
+    else {
+        return Ok(());
+    };
+    let reason = if case.wheel.is_some() {
+        "a fit with normal.model = \"wheel-rail\" is one of the largest contact with the creepages of \
+         the data, so a force on the wheel must be left out, but is given"
+    } else if matches!(case.method, Method::Fast(FastMethod::Polach(_))) {
+        "a fit of Polach's method needs creepages, so a force must be left out, but is given; with \
+         solver.method = \"full\" forces of other directions than that of the data are held"
+    } else {
+        return Ok(());
+    };
+    Err(case.contradiction(field, reason))
 }
 
 /// Only some methods can be fitted.

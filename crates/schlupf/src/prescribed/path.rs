@@ -24,6 +24,9 @@ pub(super) struct Path {
     pub is_complete: bool,
 }
 
+/// Force at rest relative to that prescribed which is none.
+const BESIDE_NOTHING: f64 = 1e-9;
+
 /// First length of a step, and least and largest; and how it grows where steps succeed at once.
 const FIRST: f64 = 0.3;
 const LEAST: f64 = 1e-4;
@@ -98,15 +101,54 @@ pub(super) fn follow(
         return Ok(Path { states, is_complete: is_single, products: 0.0, largest: start });
     }
     let mut follower = Follower { scaled, solver, watch, start, way, done: 0, products: 0.0 };
-    let path = follower.run(at_rest, is_single)?;
+    let mut path = follower.run(at_rest.clone(), Course::Forwards { is_single })?;
+    let has_force_at_rest = follower.start.norm() > BESIDE_NOTHING * scaled.target.norm();
+    let is_missed = match &path.states[..] {
+        [] => at_rest.falls(),
+        [only] => !is_single || only.falls(),
+        [first, ..] => first.falls(),
+    };
+    if is_missed && has_force_at_rest {
+        // Where the force at rest is the larger one, its peak and what lies beyond are behind it;
+        // where rest itself lies beyond the peak, the rising branch is.
+        path.states.extend(follower.run(at_rest, Course::Backwards)?.states);
+        path.states = lowest(path.states);
+        path.is_complete |= !path.states.is_empty();
+    }
     Ok(Path { products: follower.products, ..path })
 }
 
+/// Of several states the one of least creepages where the forces rise, and the one where they fall.
+fn lowest(mut states: Vec<Response>) -> Vec<Response> {
+    let size = |state: &Response| state.creepages.norm();
+    states.sort_by(|one, other| size(one).total_cmp(&size(other)));
+    let mut kept = Vec::new();
+    for falls in [false, true] {
+        // Where none is of the kind, the next one of the other stands for it.
+        let place = states.iter().position(|state| state.falls() == falls).unwrap_or(0);
+        if place < states.len() {
+            kept.push(states.remove(place));
+        }
+    }
+    kept
+}
+
+/// Which way a path is followed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Course {
+    /// With s growing at first: to the first state if `is_single`, otherwise to its end.
+    Forwards { is_single: bool },
+    /// With s falling at first: to its end.
+    Backwards,
+}
+
 impl Follower<'_> {
-    fn run(&mut self, at_rest: Response, is_single: bool) -> Result<Path, Error> {
-        let mut upwards = DVector::zeros(self.scaled.count() + 1);
-        upwards[self.scaled.count()] = 1.0;
-        let tangent = self.tangent(&at_rest, &upwards);
+    fn run(&mut self, at_rest: Response, course: Course) -> Result<Path, Error> {
+        let is_backwards = course == Course::Backwards;
+        let is_single = course == Course::Forwards { is_single: true };
+        let mut onwards = DVector::zeros(self.scaled.count() + 1);
+        onwards[self.scaled.count()] = if is_backwards { -1.0 } else { 1.0 };
+        let tangent = self.tangent(&at_rest, &onwards);
         let mut here = Point { response: at_rest, share: 0.0, tangent };
         let mut path = Path {
             states: Vec::new(),
@@ -155,7 +197,7 @@ impl Follower<'_> {
                     path.largest = point.response.forces.clone();
                 }
             }
-            if path.states.is_empty() && next.share < FALLEN * largest {
+            if !is_backwards && path.states.is_empty() && next.share < FALLEN * largest {
                 path.is_complete = true;
                 break;
             }

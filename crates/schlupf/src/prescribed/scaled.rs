@@ -38,6 +38,7 @@ pub(super) struct Scaled {
 }
 
 /// The state at some creepages.
+#[derive(Clone)]
 pub(super) struct Response {
     /// Dimensionless, as all of these.
     pub creepages: DVector<f64>,
@@ -46,6 +47,13 @@ pub(super) struct Response {
     /// ∂(forces)/∂(creepages), dimensionless.
     pub jacobian: DMatrix<f64>,
     pub solution: Solution,
+}
+
+impl Response {
+    /// Whether it lies on a falling branch: between it and those at rest the path has turned.
+    pub fn falls(&self) -> bool {
+        self.jacobian.determinant() < 0.0
+    }
 }
 
 /// Step of a central difference, relative to the creepage, where a method has no derivatives; and
