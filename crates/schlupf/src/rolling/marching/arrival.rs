@@ -16,6 +16,7 @@
 use crate::grid::{Grid, VectorField};
 use crate::interface::contact_law::Slide;
 use crate::kinematics::Kinematics;
+use crate::numerics::vector::dot;
 use crate::patch::{Cell, Patch, Strip};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::passage::pair;
@@ -178,6 +179,24 @@ pub(super) fn positions(patch: &Patch, elements: &[Element]) -> Vec<Option<usize
         at[element.index] = Some(e);
     }
     at
+}
+
+/// The places that the elements have passed and from which their sliding follows, with the mean
+/// motions of the step before and of this one: only the last place where the rigid slip has just
+/// fallen below half of what it was, or turned. What sticks from then on would otherwise slide on
+/// for half a step.
+pub(super) fn places_passed(
+    patch: &Patch,
+    arrivals: &[Arrival],
+    motions: [&Kinematics; 2],
+) -> Vec<Vec<TrackPoint>> {
+    let of = |(cell, arrival): (&Cell, &Arrival)| {
+        let [before, now] = motions.map(|motion| rigid_slip(cell, arrival.way, motion));
+        let along = dot(&before, &now);
+        let kept = if along < 0.5 * dot(&before, &before) { 1 } else { usize::MAX };
+        arrival.places.iter().take(kept).cloned().collect()
+    };
+    patch.cells.iter().zip(arrivals).map(of).collect()
 }
 
 /// Rigid slip (in m) along a path in contact (in m) into a cell, which is the whole path from its

@@ -25,7 +25,7 @@ use crate::summary::{
 };
 use crate::transient::Transient;
 
-use super::arrival::{Arrival, carry_over, positions, rigid_slip};
+use super::arrival::{Arrival, carry_over, places_passed, positions, rigid_slip};
 use super::change::{largest_change, relative_change};
 use super::force_control::ForceControl;
 use super::friction_heat::{Brought, FrictionPoint, remember, set_temperatures};
@@ -142,6 +142,8 @@ struct March<'a> {
     displacement_of_bodies: VectorField,
     time: f64,
     now: Snapshot,
+    /// Mean motion over the step before.
+    motion_before: Kinematics,
     /// The elements, in the order of the patch.
     elements: Vec<Element>,
     past: Past,
@@ -203,6 +205,7 @@ impl<'a> March<'a> {
             time,
             now: Snapshot::blank(kinematics, conduction, contact.patch.len()),
             elements: on_patch(&contact.patch, &state.elements),
+            motion_before: kinematics,
             past: Past::default(),
             moved: Vec::new(),
             newton: Newton::default(),
@@ -311,6 +314,7 @@ impl<'a> March<'a> {
         let spacing = self.contact.patch.grid.spacing_x;
         let (history, otherwise) = (self.history, &self.problem.kinematics);
         let duration = history.duration(self.time, spacing, otherwise);
+        self.motion_before = self.now.over_step;
         self.now.over_step = history.mean(self.time, self.time + duration, otherwise);
         self.time += duration;
         self.now.kinematics = history.kinematics(self.time, otherwise);
@@ -429,6 +433,8 @@ impl<'a> March<'a> {
     ) -> Result<Vec<Moved>, Error> {
         let (limits, watch) = (self.limits(), within(watch, self.progress()));
         let (prescribed, slides) = self.histories(arrivals);
+        let motions = [&self.motion_before, &self.now.over_step];
+        let places = places_passed(&self.contact.patch, arrivals, motions);
         let step = Step {
             contact: &mut self.contact,
             law: self.problem.contact_law.as_ref(),
@@ -436,7 +442,11 @@ impl<'a> March<'a> {
             bound,
             prescribed,
             slides,
+<<<<<<< HEAD
             places: arrivals.iter().map(|arrival| arrival.places).collect(),
+=======
+            places,
+>>>>>>> h19
             largest: self.largest_traction,
         };
         let traction = &mut self.now.traction;
