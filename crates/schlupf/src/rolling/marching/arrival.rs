@@ -189,12 +189,12 @@ pub(super) fn places_passed(
     patch: &Patch,
     arrivals: &[Arrival],
     motions: [&Kinematics; 2],
-) -> Vec<Vec<TrackPoint>> {
+) -> Vec<Places> {
     let of = |(cell, arrival): (&Cell, &Arrival)| {
         let [before, now] = motions.map(|motion| rigid_slip(cell, arrival.way, motion));
         let along = dot(&before, &now);
         let kept = if along < 0.5 * dot(&before, &before) { 1 } else { usize::MAX };
-        arrival.places.iter().take(kept).cloned().collect()
+        arrival.places.iter().take(kept).copied().collect()
     };
     patch.cells.iter().zip(arrivals).map(of).collect()
 }

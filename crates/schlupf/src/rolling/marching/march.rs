@@ -442,11 +442,7 @@ impl<'a> March<'a> {
             bound,
             prescribed,
             slides,
-<<<<<<< HEAD
-            places: arrivals.iter().map(|arrival| arrival.places).collect(),
-=======
             places,
->>>>>>> h19
             largest: self.largest_traction,
         };
         let traction = &mut self.now.traction;
