@@ -183,9 +183,9 @@ impl Fastsim {
         let Self { patch, traction, friction, flexibility, heat, .. } = self;
         let motion = &problem.kinematics;
         let conduction = problem.conduction(motion);
-        let mut slope = 0.0;
         for strip in &patch.strips {
             let mut last = [problem.friction.cold_coefficient(); 2];
+            let mut slope = 0.0;
             let mut carried = Carried::entering();
             let mut pressure_before = 0.0;
             let mut flowed = 0.0;
@@ -328,8 +328,10 @@ mod tests {
     use super::*;
     use crate::heat::Heat;
     use crate::heat::constant_source::ConstantSource;
+    use crate::interface::friction::exponential::Exponential;
     use crate::interface::friction::polach::Polach;
     use crate::interface::friction::product::Product;
+    use crate::interface::friction::slip_terms::SlipTerms;
     use crate::interface::friction::temperature_linear::TemperatureLinear;
     use crate::interface::friction::{FrictionLaw, FrictionResponse, FrictionState};
 
@@ -452,5 +454,28 @@ mod tests {
         assert!(!fastsim.is_linear);
         assert_relative_eq!(model, exact, max_relative = 0.1);
         assert!(model != exact);
+    }
+
+    /// Without creepage across rolling or spin there is no moment, however many rows there are and
+    /// however they come to be side by side; also where cells could stick as well as slide.
+    #[test]
+    fn strips_do_not_depend_on_those_beside_them() {
+        let steep = SlipTerms::new(0.4, 0.1, 0.1, None).unwrap();
+        for cells_y in [17, 21, 22, 23, 24] {
+            let law: Arc<dyn FrictionLaw> = Arc::new(Exponential(steep));
+            let (mut problem, ..) = set_up(Arc::clone(&law), (Brush::KALKER, None));
+            let options = Options { cells_x: 24, cells_y, ..Options::default() };
+            let normal = problem.normal.normal_contact(None).unwrap();
+            let contact = EllipticContact::of(&problem, normal.summary).unwrap();
+            let kind = (Brush::KALKER, None);
+            let mut fastsim = Fastsim::new(&problem, &options, kind, &normal).unwrap();
+            for creepage_x in [1e-3, 3e-3, 1e-2] {
+                problem.kinematics =
+                    Kinematics { speed: 40.0, creepage_x, creepage_y: 0.0, spin: 0.0 };
+                let force = fastsim.force(&problem, &contact);
+                let limit = 0.4 * 80e3 * contact.lever();
+                assert!(force.moment_z.unwrap().abs() < 1e-9 * limit, "{cells_y}: {force:?}");
+            }
+        }
     }
 }

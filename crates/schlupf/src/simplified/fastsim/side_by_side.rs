@@ -259,23 +259,30 @@ impl<'a> WithFriction<'a> {
     fn cells(&self, arrival: &Arrival, start: f64x4) -> Cells {
         let (zero, one) = (f64x4::from(0.0), f64x4::from(1.0));
         let mut mu = start;
+        // What becomes of a strip does not depend on those beside it: only cells for which Newton's
+        // method fails are solved otherwise.
+        let mut failed = zero;
+        let mut is_near = zero;
         for _ in 0..MOST_STEPS {
             let Tried { asked, slope, next, by_mu, heat, heat_by_mu } = self.tried(arrival, mu);
-            let excess = asked - mu;
-            if !slope.at_most(f64x4::from(STEEPEST)).all() {
+            failed = failed | !slope.at_most(f64x4::from(STEEPEST));
+            let newton = Lanes::max(mu + (asked - mu) / (one - slope), zero) - mu;
+            let step = Lanes::choose(failed, zero, newton);
+            is_near = step.abs().at_most(f64x4::from(SMALL) * Lanes::max(mu, asked));
+            mu += step;
+            if !is_near.all() {
+                continue;
+            }
+            if failed.any() {
                 break;
             }
-            let step = Lanes::max(mu + excess / (one - slope), zero) - mu;
-            let is_near = step.abs().at_most(f64x4::from(SMALL) * Lanes::max(mu, asked));
-            mu += step;
-            if is_near.all() {
-                // To first order, as the step is small.
-                let next = next.moved(scaled(step, by_mu), mu * arrival.station.pressure);
-                let heat = Lanes::max(heat + step * heat_by_mu, zero);
-                return Cells { mu, next, heat };
-            }
+            // To first order, as the step is small.
+            let next = next.moved(scaled(step, by_mu), mu * arrival.station.pressure);
+            let heat = Lanes::max(heat + step * heat_by_mu, zero);
+            return Cells { mu, next, heat };
         }
-        let mu = self.one_by_one(arrival, start);
+        let alone = self.one_by_one(arrival, start, failed | !is_near);
+        let mu = Lanes::choose(failed | !is_near, alone, mu);
         let Tried { next, heat, .. } = self.tried(arrival, mu);
         Cells { mu, next, heat }
     }
@@ -316,17 +323,20 @@ impl<'a> WithFriction<'a> {
         }
     }
 
-    /// The coefficients of friction (dimensionless), each by itself within a bracket.
+    /// The coefficients of friction (dimensionless) of some cells, each by itself within a bracket.
     #[cold]
     #[inline(never)]
-    fn one_by_one(&self, arrival: &Arrival, start: f64x4) -> f64x4 {
-        let start = start.to_array();
-        let lane_of = |lane: usize| {
+    fn one_by_one(&self, arrival: &Arrival, start: f64x4, which: f64x4) -> f64x4 {
+        let (start, which) = (start.to_array(), which.move_mask());
+        let alone = |lane: usize| {
+            if which & (1 << lane) == 0 {
+                return start[lane];
+            }
             fixed_point(start[lane], |tried| {
                 self.tried(arrival, f64x4::from(tried)).asked.to_array()[lane]
             })
         };
-        f64x4::from([0, 1, 2, 3].map(lane_of))
+        f64x4::from([0, 1, 2, 3].map(alone))
     }
 }
 
