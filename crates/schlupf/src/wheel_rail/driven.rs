@@ -1,10 +1,10 @@
 //! The angular velocity of a wheel under a force or a torque.
 //!
-//! With the share h of a longitudinal force in the normal force, positive in braking, and a creepage
-//! x of the whole wheel, h(x) rises through free rolling up to its peaks on both sides. The search
-//! goes from free rolling, or from a solution nearby, by secants until it has a bracket, and
-//! closes it. Where h falls on the way, the peak between the last three points is looked for: it
-//! is part of a bracket, or it is the largest share there is.
+//! With the share h of a longitudinal force in the normal force, positive in braking, and a
+//! creepage x of the whole wheel, h(x) rises through free rolling up to its peaks on both sides.
+//! The search goes from free rolling, or from a solution nearby, by secants until it has a bracket,
+//! and closes it. Where h falls on the way, the peak between the last three points is looked for:
+//! it is part of a bracket, or it is the largest share there is.
 
 use crate::error::{Error, require_finite};
 use crate::quantity::Quantity;

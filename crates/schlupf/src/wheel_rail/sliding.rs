@@ -60,7 +60,7 @@ pub(super) struct Sliding<'a> {
 
 /// A wheel that turns, with its contacts.
 pub(super) struct Turning {
-    /// In rad/s.
+    /// About the axle, in rad/s.
     pub angular_velocity: f64,
     pub contacts: Vec<Slid>,
 }
