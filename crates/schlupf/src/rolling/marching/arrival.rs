@@ -194,7 +194,7 @@ pub(super) fn places_passed(
         let [before, now] = motions.map(|motion| rigid_slip(cell, arrival.way, motion));
         let along = dot(&before, &now);
         let kept = if along < 0.5 * dot(&before, &before) { 1 } else { usize::MAX };
-        arrival.places.iter().take(kept).cloned().collect()
+        arrival.places.iter().take(kept).copied().collect()
     };
     patch.cells.iter().zip(arrivals).map(of).collect()
 }
