@@ -290,6 +290,14 @@ fn a_force_turns_the_wheel() {
         (format!("{text}[solver]\nbranch = \"high-slip\"\n"), "solver.branch must be \"low-slip\""),
         (text.replace("force_x =", "creepage_x = 0.0\nforce_x ="), "longitudinal force determines"),
         (format!("{text}force_axis = \"rail\"\n"), "wheelset.force_axis"),
+        (
+            format!("{}force_axis = \"track\"\n", other("traction_coefficient = 0.08")),
+            "wheelset.force_axis would be ignored: kinematics.force_x is not given",
+        ),
+        (
+            other("wheel_torque = \"-1 kN m\"\nwheel_radius = \"0.4 m\""),
+            "kinematics.wheel_radius would be ignored",
+        ),
     ] {
         let error = drive(&wrong).unwrap_err();
         assert!(error.contains(words), "{error}\n{words}");

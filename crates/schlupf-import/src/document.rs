@@ -163,7 +163,7 @@ fn quantity(value: f64, unit: &str) -> String {
     quoted(&format!("{} {unit}", number(value)))
 }
 
-fn quoted(text: &str) -> String {
+pub(crate) fn quoted(text: &str) -> String {
     let mut quoted = String::from('"');
     for character in text.chars() {
         match character {

@@ -189,9 +189,9 @@ pub struct Options {
     /// Whether to extrapolate the forces from this grid and one half as fine, too; only for steady
     /// states found directly.
     pub extrapolate: bool,
-    /// Whether a solution keeps the state of the material, from which a march can go on and the
-    /// temperatures away from the cells follow; of steady states found directly. Without it, that
-    /// of a series of forces takes a tenth less time.
+    /// Whether a steady state that is found directly keeps the state of the material, from which a
+    /// march can go on and the temperatures away from the cells follow. Leaving it out saves about
+    /// a sixth of the time of a point of a creep curve.
     pub keeps_state: bool,
 }
 

@@ -59,7 +59,7 @@ pub struct Element {
 #[cfg_attr(feature = "serde", serde(from = "Vec<HeatStep>", into = "Vec<HeatStep>"))]
 pub struct HeatRecord {
     shared: Arc<[HeatStep]>,
-    /// Number of steps at the front that are not of this record.
+    /// Number of steps at the front that came later and do not belong to it.
     later: usize,
 }
 

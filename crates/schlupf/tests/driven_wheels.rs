@@ -278,3 +278,39 @@ fn forces_beyond_friction_are_told() {
         assert!(0.0 < creepage && creepage < place, "{part}: {creepage}, peak at {place}");
     }
 }
+
+/// On an inclined contact the normal force follows friction, so the first rounds know another force
+/// than the last: what a scan of angular velocities reaches is found, and the largest force that is
+/// told does not depend on what was asked for.
+#[test]
+fn falling_friction_on_an_inclined_contact() {
+    let position = Position { lateral: -6e-3, yaw: 0.0, roll: 0.0 };
+    let pair = benchmark();
+    let falling: Friction = Friction::new(Arc::new(Polach::new(0.3, 0.4, 20.0).unwrap()), 20.0);
+    let solve = |drive: Drive, angular_velocity: f64| {
+        let mut wheel = wheel(&pair, Side::Left, position, drive);
+        wheel.support = Support::Force(80e3);
+        wheel.motion.angular_velocity = angular_velocity;
+        solve_with((82e9, falling.clone()), 16, |with| wheel.solve(with, &unwatched))
+    };
+    let free = 2.0 / 0.46;
+    let driven = |force: f64| solve(Drive::Force { force, along: Along::Track }, free);
+    let scan =
+        |creepage: f64| solve(Drive::AngularVelocity, (1.0 - creepage) * free).unwrap().force[0];
+    let lowest = |places: &mut dyn Iterator<Item = f64>| {
+        places.map(|place| (place, scan(place))).min_by(|a, b| a.1.total_cmp(&b.1)).unwrap()
+    };
+    let (near, _) = lowest(&mut (0..40).map(|k| 1e-3 * f64::from(k) - 5e-3));
+    let (_, peak) = lowest(&mut (-10..=10).map(|k| near + 1e-4 * f64::from(k)));
+    for part in [0.9, 0.97, 0.99] {
+        close("force", driven(part * peak).unwrap().force[0], part * peak, 1.0);
+    }
+    let largest = |error: Error| match error {
+        Error::Force { error: ForceError::Unreachable { largest, .. } } => largest,
+        other => panic!("{other}"),
+    };
+    for part in [1.02, 1.1, 2.0] {
+        let told = largest(driven(part * peak).unwrap_err());
+        close("the largest", told, peak, 5e-3 * peak.abs());
+    }
+}

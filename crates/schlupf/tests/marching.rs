@@ -227,3 +227,16 @@ fn very_high_slip_marches_to_the_steady_state() {
         assert!((marched.normalised.x - steady.normalised.x).abs() < 1e-5);
     }
 }
+
+/// A solution without a state is told from one at rest: nothing goes on from it.
+#[test]
+fn a_solution_without_a_state_is_refused() {
+    let problem = problem(rolling(0.002, 0.0, 0.0));
+    let options = Options { keeps_state: false, ..cells(12) };
+    let without = schlupf::rolling::steady::solve(&problem, &options, &unwatched).unwrap();
+    let with = schlupf::rolling::steady::solve(&problem, &cells(12), &unwatched).unwrap();
+    assert_eq!(without.force, with.force);
+    assert!(without.state.elements.is_empty());
+    let error = march(&from_state(&problem, without.state), &cells(12), &unwatched).unwrap_err();
+    assert!(matches!(error, schlupf::Error::NoState {}), "{error}");
+}

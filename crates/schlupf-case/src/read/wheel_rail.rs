@@ -180,7 +180,29 @@ fn drive(settings: &Settings) -> Result<Drive, CaseError> {
     let force = force?.map(|force| Drive::Force { force, along });
     let coefficient = coefficient?.map(Drive::OverLoad);
     let torque = torque?.map(Drive::Torque);
-    Ok(force.or(coefficient).or(torque).unwrap_or(Drive::AngularVelocity))
+    refuse_idle(
+        settings,
+        "wheelset.force_axis",
+        force.is_none(),
+        "kinematics.force_x is not given",
+    )?;
+    let drive = force.or(coefficient).or(torque).unwrap_or(Drive::AngularVelocity);
+    let reason = "the wheel turns as its force or torque makes it, with wheel.radius_x";
+    refuse_idle(settings, "kinematics.wheel_radius", drive.is_force(), reason)?;
+    Ok(drive)
+}
+
+/// An error if a field is given that would be ignored.
+fn refuse_idle(
+    settings: &Settings,
+    field: &str,
+    is_idle: bool,
+    reason: &str,
+) -> Result<(), CaseError> {
+    if is_idle && settings.is_given(field) {
+        return Err(settings.error(field, format!("{field} would be ignored: {reason}")));
+    }
+    Ok(())
 }
 
 /// The motion of the wheelset; the wheel turns at its angular velocity, or so that the creepage of

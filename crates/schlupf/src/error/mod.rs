@@ -389,8 +389,9 @@ messages! {
     } error.quantity(), |name, words| error.text(words);
 
     /// A solution that did not keep the state of the material.
-    "no-state" NoState {} Quantity::Method, |_name, _words| "temperatures below the surface need \
-         a solution that keeps the state of the material".to_owned();
+    "no-state" NoState {} Quantity::Method, |_name, _words| "a march that goes on from a \
+         solution, and temperatures below the surface, need a solution that keeps the state of the \
+         material".to_owned();
 
     /// A bound of FASTSIM that a pressure does not have.
     "no-paraboloid" NoParaboloid {} Quantity::TractionBound, |name, words| format!(

@@ -63,6 +63,17 @@ pub(super) struct Turning {
     /// About the axle, in rad/s.
     pub angular_velocity: f64,
     pub contacts: Vec<Slid>,
+    /// Why it does not have the prescribed force, if so; it is then the nearest one found.
+    pub missed: Option<ForceError>,
+}
+
+impl Turning {
+    /// Its angular velocity (in rad/s) as a place from which another one is sought: only where
+    /// friction does not fall, beyond whose peak the search would end.
+    pub fn nearby(&self) -> Option<f64> {
+        let rises = self.contacts.iter().all(|(_, problem, _)| problem.has_constant_bound());
+        (rises && self.missed.is_none()).then_some(self.angular_velocity)
+    }
 }
 
 impl Sliding<'_> {
@@ -75,7 +86,7 @@ impl Sliding<'_> {
             Drive::AngularVelocity => {
                 let angular_velocity = self.motion.angular_velocity;
                 let contacts = self.at(angular_velocity, &mut solvers)?;
-                return Ok(Turning { angular_velocity, contacts });
+                return Ok(Turning { angular_velocity, contacts, missed: None });
             }
             Drive::Force { force, .. } => (Quantity::ForceX, force),
             Drive::OverLoad(coefficient) => (Quantity::ForceOverLoad, coefficient),
@@ -94,19 +105,21 @@ impl Sliding<'_> {
             Ok((self.value(&contacts) / scale, contacts))
         })?;
         let nearest = |point: &Point<Vec<Slid>>| scale * point.share;
-        Err(match found {
-            Found::At(point) => {
-                let angular_velocity = free * (1.0 - point.x);
-                return Ok(Turning { angular_velocity, contacts: point.state });
-            }
+        let (point, missed) = match found {
+            Found::At(point) => (point, None),
             Found::Beyond(point) => {
                 let (largest, limit, has_others) = (nearest(&point), None, false);
-                ForceError::Unreachable { quantity, value, largest, limit, has_others }.into()
+                let missed =
+                    ForceError::Unreachable { quantity, value, largest, limit, has_others };
+                (point, Some(missed))
             }
             Found::Lost(point) => {
-                ForceError::NotFound { quantity, value, nearest: nearest(&point) }.into()
+                let missed = ForceError::NotFound { quantity, value, nearest: nearest(&point) };
+                (point, Some(missed))
             }
-        })
+        };
+        let angular_velocity = free * (1.0 - point.x);
+        Ok(Turning { angular_velocity, contacts: point.state, missed })
     }
 
     /// Solves all contacts at an angular velocity (in rad/s).

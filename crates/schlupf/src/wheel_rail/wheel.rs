@@ -130,6 +130,12 @@ impl WheelSolution {
         self.guess.depth
     }
 
+    /// See [`Turning::nearby`].
+    fn nearby(&self) -> Option<f64> {
+        let rises = self.contacts.iter().all(|contact| contact.problem.has_constant_bound());
+        rises.then_some(self.angular_velocity)
+    }
+
     /// Friction of its contacts as seen from the left.
     fn ratios(&self) -> Vec<FrictionRatio> {
         let sign = self.side.outwards();
@@ -308,7 +314,7 @@ impl WheelOnRail {
         };
         let mut ratios = near.map_or(Vec::new(), WheelSolution::ratios);
         let mut guess = near.map_or_else(|| first_guess(lowering, force), |near| near.guess);
-        let mut turned = near.map(|near| near.angular_velocity);
+        let mut turned = near.and_then(WheelSolution::nearby);
         let mut is_fine = near.is_some();
         let mut error = f64::INFINITY;
         for round in 0..MOST_ROUNDS {
@@ -322,12 +328,16 @@ impl WheelOnRail {
             let options = if is_fine { tangential.options } else { &coarse };
             let sliding = self.sliding((lowering, &lowered), (tangential, options), watch);
             let turning = sliding.solve(turned)?;
-            turned = Some(turning.angular_velocity);
+            turned = turning.nearby();
             let next = self.ratios(&turning.contacts);
             let carried: f64 =
                 lowered.contacts.iter().map(|contact| contact.force * weight(contact, &next)).sum();
             error = (carried / force - 1.0).abs();
             if is_fine && error <= SETTLED {
+                // Before that the forces are those of other normal forces.
+                if let Some(missed) = turning.missed {
+                    return Err(missed.into());
+                }
                 return Ok(self.solution(lowering, &lowered, turning, round + 1));
             }
             is_fine |= error <= NEARLY_SETTLED || round == 0 && is_flat(&lowered);
@@ -351,7 +361,7 @@ impl WheelOnRail {
         turning: Turning,
         rounds: usize,
     ) -> WheelSolution {
-        let Turning { angular_velocity, contacts: mut solved } = turning;
+        let Turning { angular_velocity, contacts: mut solved, .. } = turning;
         solved.sort_by(|one, two| two.0.force.total_cmp(&one.0.force));
         let contacts: Vec<Contact> =
             solved.into_iter().map(|solved| self.contact(lowering, lowered, solved)).collect();

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::all::ImportedCase;
-use crate::document::{Document, Field};
+use crate::document::{Document, Field, quoted};
 
 /// A study.
 #[derive(Debug, Clone)]
@@ -73,7 +73,8 @@ fn study(cases: &[ImportedCase]) -> Option<ImportedStudy> {
     let of = ranges(&numbers);
     let mut text = format!("# A row for each of the cases {of} of an input of CONTACT.\n");
     // Writing to a string cannot fail.
-    let _ = write!(text, "\ncase = {:?}\n\n[states]\nfile = {states:?}\n", case.name);
+    let [of_case, of_states] = [&case.name, &states].map(|name| quoted(name));
+    let _ = write!(text, "\ncase = {of_case}\n\n[states]\nfile = {of_states}\n");
     let states = (states, table(cases, &columns));
     Some(ImportedStudy { study: (study, text), case, numbers, states })
 }

@@ -50,6 +50,9 @@ pub(super) fn fitting(state: &State, grid: &Grid) -> Result<State, Error> {
                 .all(|v| v.is_finite())
     };
     check_grid(&state.grid, grid)?;
+    if state.elements.is_empty() {
+        return Err(Error::NoState {});
+    }
     if state.elements.iter().all(is_sound) {
         Ok(state.clone())
     } else {

@@ -46,12 +46,9 @@ impl Path<f64> {
 impl Path<f64x4> {
     /// The paths into four cells; standing still where there is none.
     pub fn into_cells(patch: &Patch, cells: [Option<usize>; FOUR]) -> Self {
-        let still = Path {
-            per_distance: 0.0,
-            ..Path::of(&Travel::default(), &StripSlip::default())
-        };
-        let paths =
-            cells.map(|k| k.map_or(still, |k| Path::into_cell(&patch.cells[k])));
+        let still =
+            Path { per_distance: 0.0, ..Path::of(&Travel::default(), &StripSlip::default()) };
+        let paths = cells.map(|k| k.map_or(still, |k| Path::into_cell(&patch.cells[k])));
         let lanes = |part: fn(&Path<f64>) -> f64| f64x4::from(paths.map(|path| part(&path)));
         Self {
             distance: lanes(|path| path.distance),
