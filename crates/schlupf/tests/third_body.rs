@@ -104,11 +104,11 @@ fn vollebregt_2022_eurosprinter_clean() {
 }
 
 /// Vollebregt 2022, Eurosprinter, an elastic layer with falling friction. The curve there is off by
-/// up to 2 % of μ0 N where most of the patch sticks, from the maximum on by up to 1 %: CONTACT takes
-/// the material to have slipped for a whole cell before the first one of each row, wherever the edge
-/// of the patch is. `data/eurosprinter_layer_grids.csv` has the same curve by an independent
-/// computation, on CONTACT's grid in its steps, which gives its forces, and on a finer one with the
-/// way from the edge.
+/// up to 2 % of μ0 N where most of the patch sticks, from the maximum on by up to 1 %: CONTACT
+/// takes the material to have slipped for a whole cell before the first one of each row, wherever
+/// the edge of the patch is. `data/eurosprinter_layer_grids.csv` has the same curve by an
+/// independent computation, on CONTACT's grid in its steps, which gives its forces, and on a finer
+/// one with the way from the edge.
 #[test]
 fn vollebregt_2022_eurosprinter_with_a_layer() {
     let layer = ThirdBodyLayer::new(1.25e-3, 8.2e9).unwrap();
@@ -306,8 +306,9 @@ fn the_derivative_by_the_layer() {
     }
 }
 
-/// Derivatives by the yield stress, the hardening and friction, against central differences: a layer
-/// that flows at one limit, hardens to what friction allows and softens, also together with heat.
+/// Derivatives by the yield stress, the hardening and friction, against central differences: a
+/// layer that flows at one limit, hardens to what friction allows and softens, also together with
+/// heat.
 #[test]
 fn the_derivatives_by_the_limit_of_the_layer() {
     let coulomb: Arc<dyn ContactLaw> = Arc::new(Coulomb);

@@ -202,9 +202,9 @@ fn farthest_from_turned(limit: [f64; 2], turning: [[f64; 2]; 4], across: usize) 
     largest
 }
 
-/// A creepage that turns round within a fraction of a step, at the end of one: what sticks from then
-/// on does not slide on. On 40 cells forces are off by 0.5 % of the range that they go through;
-/// sliding that goes on for half a step makes it 9 %.
+/// A creepage that turns round within a fraction of a step, at the end of one: what sticks from
+/// then on does not slide on. On 40 cells forces are off by 0.5 % of the range that they go
+/// through; sliding that goes on for half a step makes it 9 %.
 #[test]
 fn material_sticks_from_a_sudden_turn_on() {
     let sudden = [[0.0, 0.4], [0.5e-3, 0.4], [0.5001e-3, -0.4], [1.4e-3, -0.4]];

@@ -93,7 +93,7 @@ impl StripWeights {
         self.common[self.common.len() + from - (k + 1 - self.first[k])]
     }
 
-    /// The weights of equal cells, see [`Self::common`].
+    /// The weights of equal cells (in s^½), see [`Self::common`].
     pub fn all_common(&self) -> &[f64] {
         &self.common
     }

@@ -7,7 +7,7 @@ use crate::method::{Brush, Flexibilities, SlopeReduction};
 use crate::numerics::lanes::{Lanes, dot};
 use crate::simplified::EllipticContact;
 
-use super::passage::Path;
+use super::path::Path;
 
 /// L1, L2, L3 for longitudinal, lateral and spin creepage.
 #[derive(Debug, Clone, Copy, PartialEq)]

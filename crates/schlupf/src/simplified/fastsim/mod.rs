@@ -14,6 +14,7 @@
 //! η/L2), and the friction power differs from the creep power if there is spin; one flexibility
 //! avoids both, but its forces with spin are less accurate.
 
+mod path;
 mod cell;
 mod flexibility;
 mod passage;
@@ -39,7 +40,8 @@ use crate::summary::snapshot::Snapshot;
 use super::elliptic_contact::{EllipticContact, friction_limit};
 use cell::{Carried, Held};
 use flexibility::{Flexibility, slope_reduction};
-use passage::{Approach, Passage, Path};
+use passage::{Approach, Passage};
+use path::Path;
 use side_by_side::{Found, FourStrips, WithFriction, Workspace, four_by_four};
 
 /// Bristles, and their softening in modified FASTSIM.

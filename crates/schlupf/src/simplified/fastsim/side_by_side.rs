@@ -13,7 +13,8 @@ use crate::problem::Problem;
 
 use super::cell::{Carried, Held, Step};
 use super::flexibility::Flexibility;
-use super::passage::{Approach, Path};
+use super::passage::Approach;
+use super::path::Path;
 
 /// Four strips, or fewer if there are no more.
 #[derive(Debug)]
@@ -167,7 +168,7 @@ impl FourStrips {
 
 /// The fields that a pass with friction that depends on slip and heat writes, cell by cell.
 pub(super) struct Found<'a> {
-    /// In Pa.
+    /// Tractions on the rail, in Pa.
     pub traction: &'a mut [[f64; 2]],
     /// Coefficients of friction, dimensionless.
     pub friction: &'a mut [f64],
@@ -265,7 +266,7 @@ impl<'a> WithFriction<'a> {
         let mut is_near = zero;
         for _ in 0..MOST_STEPS {
             let Tried { asked, slope, next, by_mu, heat, heat_by_mu } = self.tried(arrival, mu);
-            failed = failed | !slope.at_most(f64x4::from(STEEPEST));
+            failed |= !slope.at_most(f64x4::from(STEEPEST));
             let newton = Lanes::max(mu + (asked - mu) / (one - slope), zero) - mu;
             let step = Lanes::choose(failed, zero, newton);
             is_near = step.abs().at_most(f64x4::from(SMALL) * Lanes::max(mu, asked));
