@@ -15,9 +15,10 @@ const NOISE: f64 = 1e-4;
 /// Largest and smallest peak pressure of a table, in Pa.
 const PEAK_RANGE: [f64; 2] = [1.0, 1e14];
 
-/// Normal pressure sampled on an equidistant rectangular lattice, bilinear in between, falling to
-/// zero within one spacing outside the lattice. Positions are relative to the centre of the patch,
-/// whatever the origin of the table.
+/// Normal pressure sampled on an equidistant rectangular lattice. In between, its square is
+/// bilinear, and extrapolated to the edge of the contact, which is within one spacing of the outer
+/// samples; it is scaled such that the load is that of the samples. Positions are relative to the
+/// centre of the patch, whatever the origin of the table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PressureTable {
     x: Axis,
@@ -151,22 +152,6 @@ impl PressureTable {
         &self.y
     }
 
-    /// Pressure along x, integrated across from `low` to `high` (in m), in N/m. Infinite bounds are
-    /// allowed.
-    pub(crate) fn integral_over(&self, low: f64, high: f64) -> Vec<f64> {
-        let mut integral = vec![0.0; self.x.count];
-        for j in 0..self.y.count {
-            let up_to = |y: f64| hat_integral((y - self.y.at(j)) / self.y.spacing);
-            let weight = (up_to(high) - up_to(low)) * self.y.spacing;
-            if weight != 0.0 {
-                for (i, value) in integral.iter_mut().enumerate() {
-                    *value += weight * self.at(i, j);
-                }
-            }
-        }
-        integral
-    }
-
     /// Pressure along x at a given y (in m), in Pa; the square is interpolated, because it is
     /// linear at the edge of a contact. Between a row in contact and one without, the square is
     /// extrapolated from inside, so that the edge between the two is in the right place.
@@ -199,46 +184,75 @@ impl PressureTable {
     }
 }
 
-/// Integral of the hat function from −∞ to `s`, both in spacings.
-pub(crate) fn hat_integral(s: f64) -> f64 {
-    let s = s.clamp(-1.0, 1.0);
-    if s < 0.0 { 0.5 * (1.0 + s).powi(2) } else { 1.0 - 0.5 * (1.0 - s).powi(2) }
+/// A run of positive samples.
+///
+/// Near its edge a contact pressure is proportional to the square root of the distance, so its
+/// square is taken to be linear between the samples, and the edge is where the line through the two
+/// outer squares vanishes, within one spacing.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Run {
+    /// Positions (in m) with the square of the pressure there (in Pa²), from one edge to the other.
+    nodes: Vec<[f64; 2]>,
 }
 
-/// A run of positive samples.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Run {
+impl Run {
+    fn new(samples: &[f64], range: std::ops::Range<usize>, axis: &Axis) -> Self {
+        let (first, last) = (range.start, range.end - 1);
+        let square = |k: usize| samples[k].powi(2);
+        // Where the pressure does not fall towards its end, it ends abruptly, halfway to the next
+        // sample. The minimum distance keeps the outermost sample within the contact.
+        let beyond = |outer: f64, inner: f64| {
+            if inner > outer {
+                ((outer / (inner - outer)).clamp(1e-3, 1.0), 0.0)
+            } else {
+                (0.5, outer)
+            }
+        };
+        let [behind, ahead] = if first == last {
+            [(0.5, square(first)); 2]
+        } else {
+            [(first, first + 1), (last, last - 1)]
+                .map(|(outer, inner)| beyond(square(outer), square(inner)))
+        };
+        let mut nodes = Vec::with_capacity(range.len() + 2);
+        nodes.push([axis.at(first) - behind.0 * axis.spacing, behind.1]);
+        nodes.extend(range.map(|k| [axis.at(k), square(k)]));
+        nodes.push([axis.at(last) + ahead.0 * axis.spacing, ahead.1]);
+        Self { nodes }
+    }
+
     /// Positions behind and ahead of it at which the pressure vanishes, in m.
-    pub edges: [f64; 2],
+    pub fn edges(&self) -> [f64; 2] {
+        [self.nodes[0][0], self.nodes[self.nodes.len() - 1][0]]
+    }
+
+    /// ∫ p dx from `low` to `high` (in m) within the run, in N/m.
+    pub fn integral(&self, low: f64, high: f64) -> f64 {
+        let between = |pair: &[[f64; 2]]| {
+            let [[start, at_start], [end, at_end]] = [pair[0], pair[1]];
+            let [from, to] = [low.max(start), high.min(end)];
+            if from >= to {
+                return 0.0;
+            }
+            let root = |x: f64| mix([at_start, at_end], (x - start) / (end - start)).sqrt();
+            let [p, q] = [root(from), root(to)];
+            let sum = p + q;
+            // ∫ of the root of a linear function.
+            if sum > 0.0 { (to - from) * 2.0 / 3.0 * (sum - p * q / sum) } else { 0.0 }
+        };
+        self.nodes.windows(2).map(between).sum()
+    }
 }
 
 /// The runs of positive samples in a line.
-///
-/// Near its edge a contact pressure is proportional to the square root of the distance, so its
-/// square is linear there: the edge is where the line through the two outer squares vanishes,
-/// within one spacing.
 pub(crate) fn positive_runs(samples: &[f64], axis: &Axis) -> Vec<Run> {
+    let is_positive = |k: &usize| samples[*k] > 0.0;
     let mut runs = Vec::new();
-    let mut k = 0;
-    while k < samples.len() {
-        if samples[k] <= 0.0 {
-            k += 1;
-            continue;
-        }
-        let first = k;
-        while k < samples.len() && samples[k] > 0.0 {
-            k += 1;
-        }
-        let last = k - 1;
-        let beyond = |outer: usize, inner: usize| {
-            let (p, q) = (samples[outer].powi(2), samples[inner].powi(2));
-            // The minimum distance keeps the outermost sample within the contact.
-            if q > p { (p / (q - p)).clamp(1e-3, 1.0) } else { 0.5 }
-        };
-        let ahead = if first == last { 0.5 } else { beyond(last, last - 1) };
-        let behind = if first == last { 0.5 } else { beyond(first, first + 1) };
-        let edges = [axis.at(first) - behind * axis.spacing, axis.at(last) + ahead * axis.spacing];
-        runs.push(Run { edges });
+    let mut start = 0;
+    while let Some(first) = (start..samples.len()).find(is_positive) {
+        let end = (first..samples.len()).find(|k| !is_positive(k)).unwrap_or(samples.len());
+        runs.push(Run::new(samples, first..end, axis));
+        start = end;
     }
     runs
 }
@@ -246,7 +260,8 @@ pub(crate) fn positive_runs(samples: &[f64], axis: &Axis) -> Vec<Run> {
 fn span(lines: impl Iterator<Item = Vec<f64>>, axis: &Axis) -> [f64; 2] {
     let mut extent = [f64::INFINITY, f64::NEG_INFINITY];
     for run in lines.flat_map(|line| positive_runs(&line, axis)) {
-        extent = [extent[0].min(run.edges[0]), extent[1].max(run.edges[1])];
+        let edges = run.edges();
+        extent = [extent[0].min(edges[0]), extent[1].max(edges[1])];
     }
     extent
 }

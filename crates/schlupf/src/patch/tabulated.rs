@@ -1,83 +1,50 @@
 //! A patch from a table of pressures, possibly with several separate parts.
 
 use crate::grid::Grid;
-use crate::normal::tabulated::{PressureTable, hat_integral, positive_runs};
+use crate::normal::tabulated::{PressureTable, positive_runs};
 
 use super::Patch;
-use super::coverage::{Chord, Integrals, append_strips, cover};
+use super::coverage::{Chord, Integrals, append_strips, cover, cut};
 
 /// Minimum number of chords in a row of cells.
 const CHORDS: f64 = 8.0;
 
-/// The patch of `table` × `factor`: cell means of its linear interpolant. The part of the
-/// interpolant beyond the edges of the patch is assigned to the nearest cell of the row, so that
-/// the load is preserved.
+/// The patch of `table` × `factor`: cell means of its interpolant, scaled to the load of the table.
 pub(super) fn patch(table: &PressureTable, factor: f64, grid: Grid) -> Patch {
     let mut patch = Patch::empty(grid);
     for row in 0..grid.rows {
-        let mut columns = vec![Integrals::default(); grid.columns];
-        for chord in chords(table, &grid, row) {
-            cover(&mut columns, &grid, &chord);
-        }
-        press(&mut columns, &row_force(table, &grid, row), factor, &grid);
-        append_strips(&mut patch, row, &columns);
+        append_strips(&mut patch, row, &columns(table, &grid, row));
     }
-    // A row reached only by the tails of the interpolant has no cell to take its force.
-    let kept = patch.load();
-    let scale = factor * table.load() / kept;
+    let scale = factor * table.load() / patch.load();
     patch.cells.iter_mut().for_each(|cell| cell.pressure *= scale);
     patch
 }
 
-/// Lines through a row, cut at the edges of the positive pressure. Gaps of less than a cell are
-/// closed.
-fn chords(table: &PressureTable, grid: &Grid, row: usize) -> Vec<Chord> {
+/// The columns of a row, covered and pressed along lines through it that end at the edges of the
+/// positive pressure. Gaps of less than a cell are closed.
+fn columns(table: &PressureTable, grid: &Grid, row: usize) -> Vec<Integrals> {
+    let mut columns = vec![Integrals::default(); grid.columns];
     let count = (2.0 * grid.spacing_y / table.axis_y().spacing).ceil().max(CHORDS) as usize;
     let width = grid.spacing_y / count as f64;
-    let mut chords: Vec<Chord> = Vec::new();
     for line in 0..count {
         let y = grid.edge_y(row) + (line as f64 + 0.5) * width;
-        let first = chords.len();
+        let mut chords: Vec<Chord> = Vec::new();
         for run in positive_runs(&table.line_at(y), table.axis_x()) {
-            let [trailing_edge, leading_edge] = run.edges;
-            match chords[first..].last_mut() {
+            let [trailing_edge, leading_edge] = run.edges();
+            let chord = Chord { y, width, trailing_edge, leading_edge };
+            cut(&chord, grid, |i, low, high| columns[i].force += width * run.integral(low, high));
+            match chords.last_mut() {
                 Some(previous) if trailing_edge - previous.leading_edge < grid.spacing_x => {
                     previous.leading_edge = leading_edge;
                 }
-                _ => chords.push(Chord { y, width, trailing_edge, leading_edge }),
+                _ => chords.push(chord),
             }
         }
-    }
-    chords
-}
-
-/// Force per column of a row, before scaling, in N. Force beyond the grid is assigned to its edge.
-fn row_force(table: &PressureTable, grid: &Grid, row: usize) -> Vec<f64> {
-    let low = if row == 0 { f64::NEG_INFINITY } else { grid.edge_y(row) };
-    let high = if row + 1 == grid.rows { f64::INFINITY } else { grid.edge_y(row + 1) };
-    let samples = table.integral_over(low, high);
-    let axis = table.axis_x();
-    let force_up_to = |x: f64| -> f64 {
-        let share = |k: usize| hat_integral((x - axis.at(k)) / axis.spacing);
-        (0..samples.len()).map(|k| samples[k] * share(k)).sum::<f64>() * axis.spacing
-    };
-    let edge = |i: usize| match i {
-        0 => f64::NEG_INFINITY,
-        i if i == grid.columns => f64::INFINITY,
-        i => grid.edge_x(i),
-    };
-    let cumulated: Vec<f64> = (0..=grid.columns).map(|i| force_up_to(edge(i))).collect();
-    cumulated.windows(2).map(|pair| pair[1] - pair[0]).collect()
-}
-
-/// Assigns every column's force to the nearest touched column.
-fn press(columns: &mut [Integrals], force: &[f64], factor: f64, grid: &Grid) {
-    let touched: Vec<usize> = (0..columns.len()).filter(|i| columns[*i].is_touched(grid)).collect();
-    for (i, force) in force.iter().enumerate().filter(|(_, force)| **force != 0.0) {
-        if let Some(&nearest) = touched.iter().min_by_key(|t| t.abs_diff(i)) {
-            columns[nearest].force += factor * force;
+        for chord in chords {
+            cover(&mut columns, grid, &chord);
         }
     }
+    columns
 }
 
 #[cfg(test)]

@@ -18,7 +18,7 @@ use crate::problem::Problem;
 use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::coulomb::{
-    CoulombContact, Matrix, Series, Slope, Stretch, reduced, saturation, through,
+    CoulombContact, Discretisation, Matrix, Series, Slope, Stretch, reduced, saturation, through,
 };
 use crate::rolling::shared::passage::pair;
 use crate::state::{Places, TrackPoint};
@@ -46,7 +46,7 @@ impl StickSlip {
     ) -> Result<Self, Error> {
         CoulombContact::interpolate(problem, contact);
         Ok(Self {
-            contact: CoulombContact::new(problem, normal, contact)?,
+            contact: CoulombContact::new(problem, normal, contact, Discretisation::Exact)?,
             length: problem.contact_law.relaxation().map_or(0.0, f64::recip),
             directions: Directions::default(),
             of: Default::default(),
@@ -107,7 +107,7 @@ pub(super) struct Track {
 impl Track {
     fn slip(&self) -> PathSlip {
         let Self { sliding, saturation, places } = self;
-        let (weights, count) = through(places.iter().map(|place| place.distance));
+        let weights = through(places.iter().map(|place| place.distance));
         let series = Series { weight: weights[0], ..Series::default() };
         let mut slip = PathSlip { series, ..PathSlip::default() };
         let Some(nearest) = places.first() else {
@@ -117,7 +117,7 @@ impl Track {
         };
         slip.way = nearest.distance;
         slip.known = sliding.map(|s| weights[0] * s);
-        for (weight, place) in weights[1..].iter().zip(places.iter()).take(count - 1) {
+        for (weight, place) in weights[1..].iter().zip(places.iter()) {
             slip.add(*weight, place);
         }
         slip

@@ -34,6 +34,15 @@ pub(crate) struct DiscreteContact {
 /// of them, in each direction, in m/Pa.
 pub(crate) type Row = [[f64; 2]; 6];
 
+/// Displacement at a distance of some columns (not a whole number of them) in a row, linear between
+/// the cells, in m/Pa; nothing beyond the last one.
+pub(in crate::rolling) fn at_distance(row: &[[f64; 2]], columns: f64) -> [f64; 2] {
+    let near = columns as usize;
+    let share = columns - near as f64;
+    let of = |n: usize| row.get(n).copied().unwrap_or_default();
+    [0, 1].map(|c| (1.0 - share) * of(near)[c] + share * of(near + 1)[c])
+}
+
 struct Workspace {
     traction: VectorField,
     /// That of the bodies.
@@ -273,12 +282,6 @@ impl DiscreteContact {
         let mut p = vec![0.0; 2 * self.patch.len()];
         (p[2 * middle], p[2 * middle + 1]) = (1.0, 1.0);
         (p, middle)
-    }
-
-    /// Ratio of displacement to traction of the middle cell in each direction, in m/Pa.
-    pub fn cell_compliances(&mut self) -> [f64; 2] {
-        let [own, ..] = self.row_compliances();
-        own
     }
 
     /// Displacement of the cells at a distance of 0, 1, … columns in a row under a unit traction in

@@ -8,7 +8,7 @@ use crate::numerics::vector::norm;
 use crate::patch::{Cell, Patch};
 use crate::problem::Problem;
 use crate::rolling::shared::contact::{DiscreteContact, StickShare};
-use crate::rolling::shared::coulomb::saturation;
+use crate::rolling::shared::coulomb::{Discretisation, saturation};
 use crate::rolling::shared::passage::pair;
 use crate::state::Element;
 
@@ -45,7 +45,7 @@ impl Blend {
         problem: &Problem,
         normal: &NormalContact,
         contact: &mut DiscreteContact,
-        finest_cell: f64,
+        (discretisation, finest_cell): (Discretisation, f64),
     ) -> Result<Self, Error> {
         let zeros = || vec![0.0; 2 * contact.patch.len()];
         Ok(Self {
@@ -55,7 +55,7 @@ impl Blend {
             share: StickShare::of(problem, normal.summary.peak_pressure, finest_cell),
             is_stuck: true,
             residuals: [zeros(), zeros()],
-            stick_slip: StickSlip::new(problem, normal, contact)?,
+            stick_slip: StickSlip::new(problem, normal, contact, discretisation)?,
         })
     }
 

@@ -6,6 +6,7 @@ use crate::normal::NormalContact;
 use crate::problem::{Options, Problem};
 use crate::progress::{Progress, Stage, Watch, tell};
 use crate::rolling::shared::contact::DiscreteContact;
+use crate::rolling::shared::coulomb::Discretisation;
 
 use super::blend::Blend;
 use super::bristles::Bristles;
@@ -64,12 +65,12 @@ const COARSEST: usize = 16;
 const COARSEST_SHORT_RANGED: usize = 8;
 
 /// The nested grids of a normal contact, the finest first; where the bristles are stiff, with stick
-/// and slip if `sticks`.
+/// and slip if there is a discretisation for them.
 pub(super) fn nested(
     problem: &Problem,
     normal: &NormalContact,
     options: &Options,
-    (sticks, watch): (bool, Watch),
+    (sticking, watch): (Option<Discretisation>, Watch),
 ) -> Result<Vec<Level>, Error> {
     let mut cells = [options.cells_x, options.cells_y];
     let mut levels: Vec<Level> = Vec::new();
@@ -77,7 +78,7 @@ pub(super) fn nested(
         let grid = Grid::across(&normal.extent(), cells[0], cells[1]);
         tell(watch, Progress::count(Stage::Steady, 0))?;
         let finest = levels.first().map(|finest| &finest.contact);
-        let level = Level::new(problem, normal, grid, (sticks, finest))?;
+        let level = Level::new(problem, normal, grid, (sticking, finest))?;
         if let Some(finer) = levels.last_mut() {
             let transfer = Transfer::new(&finer.contact.patch, &level.contact.patch);
             let (carried, known) = (vec![0.0; level.size()], vec![0.0; level.size()]);
@@ -95,23 +96,25 @@ pub(super) fn nested(
 }
 
 /// The contact law along the strips of a patch, as it is treated on the finest grid; where the
-/// bristles are stiff, with stick and slip if `sticks`.
+/// bristles are stiff, with stick and slip if there is a discretisation for them.
 fn strips(
     problem: &Problem,
     normal: &NormalContact,
     contact: &mut DiscreteContact,
-    (sticks, finest): (bool, Option<&DiscreteContact>),
+    (sticking, finest): (Option<Discretisation>, Option<&DiscreteContact>),
 ) -> Result<Box<dyn StripLaw>, Error> {
     let finest = finest.unwrap_or(contact);
     let (share, finest_cell) = (finest.stick_share(problem).value, finest.cell_stiffness());
     let has_slider = share > 0.0 || finest.is_held(problem);
-    if !has_slider || (!sticks && !problem.contact_law.is_coulomb()) {
+    let sticking =
+        sticking.or_else(|| problem.contact_law.is_coulomb().then_some(Discretisation::Exact));
+    let Some(discretisation) = sticking.filter(|_| has_slider) else {
         return Ok(Box::new(Bristles::new(problem, &contact.patch)));
-    }
+    };
     if share == 1.0 {
-        return Ok(Box::new(StickSlip::new(problem, normal, contact)?));
+        return Ok(Box::new(StickSlip::new(problem, normal, contact, discretisation)?));
     }
-    Ok(Box::new(Blend::new(problem, normal, contact, finest_cell)?))
+    Ok(Box::new(Blend::new(problem, normal, contact, (discretisation, finest_cell))?))
 }
 
 impl Level {
@@ -120,7 +123,7 @@ impl Level {
         problem: &Problem,
         normal: &NormalContact,
         grid: Grid,
-        treated: (bool, Option<&DiscreteContact>),
+        treated: (Option<Discretisation>, Option<&DiscreteContact>),
     ) -> Result<Self, Error> {
         let mut contact = DiscreteContact::new(problem, normal, grid)?;
         let unknowns = 2 * contact.patch.len();

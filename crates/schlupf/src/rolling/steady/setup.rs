@@ -11,6 +11,7 @@ use crate::method::Method;
 use crate::numerics::vector::{dot, norm};
 use crate::problem::{Branch, Options, Problem};
 use crate::progress::Watch;
+use crate::rolling::shared::coulomb::Discretisation;
 use crate::rolling::shared::passage::speed_of;
 use crate::rolling::shared::warnings::warnings;
 use crate::solution::{Extrapolation, Resultant, Solution, Status, Work};
@@ -44,6 +45,9 @@ pub(super) struct Setup {
     ///
     /// [`DiscreteContact::is_held`]: crate::rolling::shared::contact::DiscreteContact::is_held
     is_held: bool,
+    /// Whether stick and slip are discretised as exactly as possible. Otherwise it is for one
+    /// problem: the next one is not to depend on which it was.
+    is_exact: bool,
     /// Motions of the solutions stored in the levels, the latest first.
     pub earlier: Vec<Kinematics>,
 }
@@ -106,28 +110,41 @@ const FARTHEST: f64 = 2.5;
 
 impl Setup {
     pub fn new(problem: &Problem, options: &Options, watch: Watch) -> Result<Self, Error> {
-        Self::treated(problem, options, (true, watch))
+        Self::treated(problem, options, (Some(Discretisation::Exact), watch))
+    }
+
+    /// For edges and pressures on which the exact discretisation of stick and slip fails.
+    pub fn robust(problem: &Problem, options: &Options, watch: Watch) -> Result<Self, Error> {
+        Self::treated(problem, options, (Some(Discretisation::Robust), watch))
     }
 
     /// With bristles that are followed from cell to cell however stiff they are.
     pub fn of_bristles(problem: &Problem, options: &Options, watch: Watch) -> Result<Self, Error> {
-        Self::treated(problem, options, (false, watch))
+        Self::treated(problem, options, (None, watch))
     }
 
     fn treated(
         problem: &Problem,
         options: &Options,
-        treated: (bool, Watch),
+        treated: (Option<Discretisation>, Watch),
     ) -> Result<Self, Error> {
         let normal = problem.normal.normal_contact(None)?;
         let levels = level::nested(problem, &normal, options, treated)?;
         let stick_share = levels[0].strips.stick_share();
         let is_held = levels[0].contact.is_held(problem);
-        Ok(Self { problem: problem.clone(), levels, stick_share, is_held, earlier: Vec::new() })
+        Ok(Self {
+            problem: problem.clone(),
+            levels,
+            stick_share,
+            is_held,
+            is_exact: treated.0 == Some(Discretisation::Exact),
+            earlier: Vec::new(),
+        })
     }
 
     pub fn fits(&self, problem: &Problem) -> bool {
-        Arc::ptr_eq(&self.problem.normal, &problem.normal)
+        self.is_exact
+            && Arc::ptr_eq(&self.problem.normal, &problem.normal)
             && Arc::ptr_eq(&self.problem.elasticity, &problem.elasticity)
             && self.problem.layer == problem.layer
             && self.problem.contact_law.is_coulomb() == problem.contact_law.is_coulomb()
@@ -141,7 +158,7 @@ impl Setup {
     }
 
     /// Whether cells stick without sliding, at least in part.
-    fn sticks(&self) -> bool {
+    pub fn sticks(&self) -> bool {
         self.stick_share > 0.0
     }
 

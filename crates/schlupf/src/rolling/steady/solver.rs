@@ -205,6 +205,13 @@ impl SteadySolver {
             watch,
         };
         let mut outcome = setup.find(problem, &mut search)?;
+        let is_lost = |setup: &Setup, outcome: &Outcome| {
+            !outcome.converged && !branches::may_be_several(problem, &setup.levels[0], false)
+        };
+        if is_lost(&setup, &outcome) && setup.sticks() {
+            setup = Setup::robust(problem, &self.options, watch)?;
+            outcome = setup.find(problem, &mut search)?;
+        }
         if !outcome.converged && setup.has_stiff_bristles(problem) {
             setup = Setup::of_bristles(problem, &self.options, watch)?;
             outcome = setup.find(problem, &mut search)?;
@@ -252,6 +259,10 @@ impl SteadySolver {
         let is_warm = !setup.earlier.is_empty();
         let mut found = setup.find_together(&at.problem, &drives, &mut search)?;
         if is_warm && !found.0.converged {
+            found = setup.find_together(&at.problem, &drives, &mut search)?;
+        }
+        if !found.0.converged && setup.sticks() {
+            setup = Setup::robust(&at.problem, &self.options, watch)?;
             found = setup.find_together(&at.problem, &drives, &mut search)?;
         }
         let (outcome, kinematics) = found;

@@ -9,7 +9,7 @@ use crate::problem::Problem;
 use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::coulomb::{
-    CoulombContact, SlipStencil, Slope, reduced, saturation, slide,
+    CoulombContact, Discretisation, SlipStencil, Slope, reduced, saturation, slide,
 };
 use crate::rolling::shared::passage::pair;
 use crate::state::{Element, Places, TrackPoint};
@@ -54,13 +54,14 @@ impl StickSlip {
         problem: &Problem,
         normal: &NormalContact,
         discrete: &mut DiscreteContact,
+        discretisation: Discretisation,
     ) -> Result<Self, Error> {
         CoulombContact::interpolate(problem, discrete);
-        let contact = CoulombContact::new(problem, normal, discrete)?;
+        let contact = CoulombContact::new(problem, normal, discrete, discretisation)?;
         let row = discrete.row_compliances();
         let patch = &discrete.patch;
         let ratio = normal.summary.semi_axis_x / normal.summary.semi_axis_y;
-        let stencils = SlipStencil::of(patch, &contact.slivers.kept, ratio);
+        let stencils = SlipStencil::of(patch, &contact.slivers.kept, ratio, discretisation);
         let cells = patch.len();
         let mut is_first = vec![false; cells];
         for strip in &patch.strips {

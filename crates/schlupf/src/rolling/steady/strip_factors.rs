@@ -7,6 +7,7 @@
 use std::ops::Range;
 
 use crate::patch::Patch;
+use crate::rolling::shared::contact::at_distance;
 use crate::rolling::shared::coulomb::{CoulombContact, Matrix, SlipStencil, Slope};
 
 use super::block::{Block, Twice, image, reduced_by};
@@ -239,15 +240,11 @@ impl Local<'_> {
         }
     }
 
-    /// Displacement at a place along the strip (in m) due to a cell, linear between columns.
+    /// Displacement at a place along the strip (in m) due to a cell.
     fn at(&self, x: f64, k: usize) -> [f64; 2] {
         let grid = &self.patch.grid;
-        let columns =
-            ((x - grid.x(self.patch.cells[k].index % grid.columns)) / grid.spacing_x).abs();
-        let near = columns as usize;
-        let share = columns - near as f64;
-        let of = |n: usize| self.row.get(n).copied().unwrap_or_default();
-        [0, 1].map(|c| (1.0 - share) * of(near)[c] + share * of(near + 1)[c])
+        let away = x - grid.x(self.patch.cells[k].index % grid.columns);
+        at_distance(self.row, (away / grid.spacing_x).abs())
     }
 }
 

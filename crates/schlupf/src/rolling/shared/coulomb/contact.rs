@@ -2,12 +2,14 @@
 
 use crate::error::Error;
 use crate::normal::NormalContact;
+use crate::patch::Patch;
 use crate::problem::Problem;
-use crate::rolling::shared::contact::DiscreteContact;
+use crate::rolling::shared::contact::{DiscreteContact, Row, at_distance};
 
-use super::calibration::{Calibration, Missing};
+use super::Discretisation;
+use super::calibration::{Calibration, Missing, Symmetric};
 use super::reduction::Matrix;
-use super::slivers::Slivers;
+use super::slivers::{Slivers, Worth};
 
 /// Largest part of the cell's own compliance by which a calibration reduces it in the
 /// preconditioner, dimensionless.
@@ -39,15 +41,17 @@ impl CoulombContact {
         problem: &Problem,
         normal: &NormalContact,
         contact: &mut DiscreteContact,
+        discretisation: Discretisation,
     ) -> Result<Self, Error> {
-        let own = contact.cell_compliances();
+        let row = contact.row_compliances();
+        let [own, ..] = row;
         if own[0] <= 0.0 || own[1] <= 0.0 {
             return Err(Error::CoulombOfRigidBodies {});
         }
         let missing = Missing::new(problem, normal, contact)?;
         let patch = &contact.patch;
-        let smaller: Vec<f64> = missing.at_cells.iter().map(|u| u[0].min(u[1])).collect();
-        let slivers = Slivers::new(patch, &smaller, 0.5 * (own[0] + own[1]));
+        let worth: Vec<Worth> = (0..patch.len()).map(|k| worth(k, patch, &missing, &row)).collect();
+        let slivers = Slivers::new(patch, &worth, discretisation);
         let calibration = Calibration::new(&missing, patch, &slivers.kept);
         let local = calibration.at_cells.iter().map(|[xx, yy, xy]| {
             let along = |own: f64, missing: f64| own + missing.max(-MOST_REDUCED * own);
@@ -59,5 +63,20 @@ impl CoulombContact {
     /// The cells with equations of their own.
     pub fn kept(&self) -> impl Iterator<Item = usize> {
         self.slivers.kept.iter().flat_map(Clone::clone)
+    }
+}
+
+/// What the equation of cell `k` is worth, for the direction in which it is worth less.
+fn worth(k: usize, patch: &Patch, missing: &Missing, row: &Row) -> Worth {
+    let cell = &patch.cells[k];
+    let [own, ..] = row;
+    let at_entry = at_distance(row, cell.since_entry.distance / patch.grid.spacing_x);
+    let smaller = |of: [f64; 2]| of[0].min(of[1]);
+    let over = |missing: &[Symmetric], c: usize| missing[k][c] / (own[c] * cell.pressure);
+    Worth {
+        missing: smaller([0, 1].map(|c| over(&missing.at_cells, c))),
+        slid: smaller([0, 1].map(|c| {
+            1.0 + over(&missing.at_cells, c) - at_entry[c] / own[c] - over(&missing.at_entries, c)
+        })),
     }
 }

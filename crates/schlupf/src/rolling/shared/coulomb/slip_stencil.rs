@@ -5,12 +5,18 @@ use std::ops::Range;
 use crate::patch::Patch;
 use crate::state::MOST_PLACES;
 
+use super::Discretisation;
+
 /// Number of nodes of the polynomial, which is of third order: the cell and the places of a track.
 const NODES: usize = MOST_PLACES + 1;
 
 /// A node nearer than this part of the way into the cell is left out, dimensionless: its weight
 /// would be large.
-const NEAREST: f64 = 0.3;
+const NEAREST: f64 = 0.6;
+
+/// The same for a node downstream, which takes its weight from the cell itself: nearer ones would
+/// leave it less than a quarter.
+const NEAREST_AHEAD: f64 = 0.8;
 
 /// Number of cells of a stencil.
 const CELLS: usize = NODES + 1;
@@ -37,9 +43,15 @@ const LONG: [f64; 2] = [1.25, 2.5];
 impl SlipStencil {
     /// The stencil of every cell of a patch with a ratio of length to width (dimensionless),
     /// without any weight for those that are not in `kept`.
-    pub fn of(patch: &Patch, kept: &[Range<usize>], ratio: f64) -> Vec<Self> {
+    pub fn of(
+        patch: &Patch,
+        kept: &[Range<usize>],
+        ratio: f64,
+        discretisation: Discretisation,
+    ) -> Vec<Self> {
         let [round, long] = LONG;
-        let ahead = ((ratio / round).ln() / (long / round).ln()).clamp(0.0, 1.0);
+        let most = discretisation.most_ahead();
+        let ahead = ((ratio / round).ln() / (long / round).ln()).clamp(0.0, most);
         let mut stencils = vec![Self::default(); patch.len()];
         for cells in kept {
             let distances: Vec<f64> =
@@ -58,11 +70,12 @@ impl SlipStencil {
         let before = |back: usize| n.checked_sub(back).map_or(0.0, |at| distances[at]);
         let upstream = || (1..=n + 1).map(|back| own - before(back));
         let mut stencil = Self { weight: [0.0; CELLS], way: own - before(1) };
-        let inside = if 0 < n && n + 1 < distances.len() { ahead } else { 0.0 };
-        let behind = through(upstream()).0.map(|weight| (1.0 - inside) * weight);
+        let to_next = distances.get(n + 1).map_or(0.0, |next| next - own);
+        let inside = if n > 0 && to_next >= NEAREST_AHEAD * stencil.way { ahead } else { 0.0 };
+        let behind = through(upstream()).map(|weight| (1.0 - inside) * weight);
         stencil.weight[1..].copy_from_slice(&behind);
         if inside > 0.0 {
-            let mixed = around(distances[n + 1] - own, upstream());
+            let mixed = around(to_next, upstream());
             for (sum, weight) in stencil.weight.iter_mut().zip(mixed) {
                 *sum += inside * weight;
             }
@@ -114,51 +127,51 @@ pub(in crate::rolling) fn slide(stencils: &[SlipStencil], values: &mut [f64]) {
 /// upstream, of the polynomial through a node at a distance ahead of it (in m), the place itself,
 /// and the two nodes behind it, one after another.
 fn around(ahead: f64, backs: impl Iterator<Item = f64>) -> [f64; CELLS] {
-    let mut nodes = [0.0; NODES];
-    let count = behind(&mut nodes[..NODES - 1], backs);
-    let way = -nodes[1];
-    nodes.copy_within(1..count, 2);
-    nodes[1] = ahead;
-    let [own, next, rest @ ..] = derivative(&nodes[..=count]);
-    [next, own, rest[0], rest[1], 0.0].map(|weight| way * weight)
+    let [_, nearest, next, _] = behind(backs);
+    let way = nearest.map_or(0.0, |node| -node);
+    let [_, ahead, rest @ ..] = derivative([Some(0.0), Some(ahead), nearest, next]);
+    let own = -(ahead + rest[0] + rest[1]);
+    [ahead, own, rest[0], rest[1], 0.0].map(|weight| way * weight)
 }
 
 /// Weights (dimensionless) of the derivative at a place, times the way to the nearest node, of the
-/// polynomial through it and nodes at some distances behind it (in m), and their number. The nodes
-/// end where one is too near to the one before. Without a way it is the difference to the nearest.
-pub(in crate::rolling) fn through(backs: impl Iterator<Item = f64>) -> ([f64; NODES], usize) {
-    let mut nodes = [0.0; NODES];
-    let count = behind(&mut nodes, backs);
-    let way = -nodes[1];
-    if way <= 0.0 {
-        return ([1.0, -1.0, 0.0, 0.0], count.min(2));
+/// polynomial through it and nodes at some distances behind it (in m). A node that is too near to
+/// the one before has none. Without a way it is the difference to the nearest.
+pub(in crate::rolling) fn through(backs: impl Iterator<Item = f64>) -> [f64; NODES] {
+    let nodes = behind(backs);
+    match nodes[1] {
+        Some(nearest) if nearest < 0.0 => derivative(nodes).map(|weight| -nearest * weight),
+        _ => [1.0, -1.0, 0.0, 0.0],
     }
-    (derivative(&nodes[..count]).map(|weight| way * weight), count)
 }
 
-/// Puts nodes at some distances behind the first one, until one is too near to the one before;
-/// returns their number.
-fn behind(nodes: &mut [f64], backs: impl Iterator<Item = f64>) -> usize {
-    let mut count = 1;
-    for back in backs.take(nodes.len() - 1) {
-        if count > 1 && back + nodes[count - 1] < NEAREST * -nodes[1] {
-            break;
+/// A place and nodes at some distances behind it, less those that are too near to the one before.
+fn behind(backs: impl Iterator<Item = f64>) -> [Option<f64>; NODES] {
+    let mut nodes = [Some(0.0), None, None, None];
+    let mut way = 0.0;
+    let mut last = 0.0;
+    for (node, back) in nodes[1..].iter_mut().zip(backs) {
+        if way == 0.0 {
+            way = back;
+        } else if back - last < NEAREST * way {
+            continue;
         }
-        nodes[count] = -back;
-        count += 1;
+        *node = Some(-back);
+        last = back;
     }
-    count
+    nodes
 }
 
 /// Weights of the derivative at the first of some nodes of the polynomial through all of them.
-fn derivative(nodes: &[f64]) -> [f64; NODES] {
+fn derivative(nodes: [Option<f64>; NODES]) -> [f64; NODES] {
     let mut weights = [0.0; NODES];
-    for (j, node) in nodes.iter().enumerate().skip(1) {
-        let others = || nodes.iter().enumerate().skip(1).filter(|(m, _)| *m != j);
-        let above: f64 = others().map(|(_, other)| nodes[0] - other).product();
-        let below: f64 = others().map(|(_, other)| node - other).product();
-        weights[j] = above / (below * (node - nodes[0]));
-        weights[0] += (nodes[0] - node).recip();
+    let others = || nodes.iter().enumerate().skip(1).filter_map(|(j, node)| Some((j, (*node)?)));
+    for (j, node) in others() {
+        let rest = || others().filter(|(m, _)| *m != j).map(|(_, other)| other);
+        let above: f64 = rest().map(|other| -other).product();
+        let below: f64 = rest().map(|other| node - other).product();
+        weights[j] = above / (below * node);
+        weights[0] -= node.recip();
     }
     weights
 }

@@ -4,6 +4,8 @@ use std::ops::Range;
 
 use crate::patch::Patch;
 
+use super::Discretisation;
+
 /// Pressure relative to that of the neighbour towards the middle of the strip below which a cell is
 /// a sliver, dimensionless; anything from 0.25 to 0.5 does.
 const LEAST_PRESSURE: f64 = 0.35;
@@ -14,6 +16,17 @@ const MOST_EXCESS: f64 = 0.12;
 
 /// Covered part above which a cell is not partly covered, dimensionless.
 const COVERED: f64 = 0.999;
+
+/// What the equation of a cell is worth, relative to the displacement of the cell under its own
+/// traction, dimensionless.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::rolling) struct Worth {
+    /// Displacement that the discrete one under p = pₙ falls short of the exact one.
+    pub missing: f64,
+    /// Displacement under its own traction relative to that at its entry, if it is the first cell
+    /// of its strip.
+    pub slid: f64,
+}
 
 /// A cell that takes the traction over the pressure of another cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,22 +48,22 @@ pub(in crate::rolling) struct Slivers {
 }
 
 impl Slivers {
-    /// Of a patch, where `missing` is the displacement (in m) that the discrete one under p = pₙ
-    /// falls short of the exact one, the smaller of both components, and `own` the compliance of a
-    /// cell (in m/Pa).
-    pub fn new(patch: &Patch, missing: &[f64], own: f64) -> Self {
+    /// Of a patch, and of what the equations of its cells are worth.
+    pub fn new(patch: &Patch, worth: &[Worth], discretisation: Discretisation) -> Self {
         let pressure = |k: usize| patch.cells[k].pressure;
         let is_sliver = |k: usize, next: usize| {
-            let is_stiff = missing[k] < -MOST_EXCESS * own * pressure(k);
+            let is_stiff = worth[k].missing < -MOST_EXCESS;
             pressure(k) < LEAST_PRESSURE * pressure(next)
                 || (is_stiff && patch.cells[k].covered < COVERED)
         };
+        let least_slid = discretisation.least_slid();
+        let slides_along = |k: usize| worth[k].slid < least_slid;
         let mut all = Vec::new();
         let mut kept = Vec::with_capacity(patch.strips.len());
         let mut leads = vec![false; patch.len()];
         for strip in &patch.strips {
             let (mut first, mut last) = (strip.cells.start, strip.cells.end - 1);
-            while first < last && is_sliver(first, first + 1) {
+            while first < last && (is_sliver(first, first + 1) || slides_along(first)) {
                 first += 1;
             }
             while last > first && is_sliver(last, last - 1) {
