@@ -53,6 +53,18 @@ pub trait HeatModel: Debug + Send + Sync {
     }
 }
 
+/// Whether both are the same model, or both none.
+pub(crate) fn is_same(
+    one: Option<&Arc<dyn HeatModel>>,
+    other: Option<&Arc<dyn HeatModel>>,
+) -> bool {
+    match (one, other) {
+        (None, None) => true,
+        (Some(one), Some(other)) => Arc::ptr_eq(one, other),
+        _ => false,
+    }
+}
+
 /// How friction heats the bodies.
 ///
 /// ```

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use crate::patch::{Patch, Strip};
 
 use super::strip_weights::StripWeights;
-use super::{HeatModel, HeatStep};
+use super::{HeatModel, HeatStep, is_same};
 
 /// Relative difference of the times in which cells are passed that only comes from rounding.
 const ROUNDING: f64 = 1e-12;
@@ -56,7 +56,7 @@ impl StripHeat {
         durations: impl Iterator<Item = [f64; 2]>,
     ) {
         self.flux.fill(0.0);
-        let mut is_new = !self.is_of(model) || self.is_replaced;
+        let mut is_new = !is_same(self.model.as_ref(), model) || self.is_replaced;
         for (own, duration) in self.durations.iter_mut().zip(durations) {
             is_new |= *own != duration;
             *own = duration;
@@ -80,15 +80,6 @@ impl StripHeat {
             // Without heat all cells have the same weights, zero.
             let is_cold = self.model.is_none();
             self.weights.lay_out(|_| is_cold);
-        }
-    }
-
-    /// Whether it has this model.
-    fn is_of(&self, model: Option<&Arc<dyn HeatModel>>) -> bool {
-        match (&self.model, model) {
-            (None, None) => true,
-            (Some(own), Some(other)) => Arc::ptr_eq(own, other),
-            _ => false,
         }
     }
 

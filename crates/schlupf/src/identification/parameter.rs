@@ -36,7 +36,7 @@ pub(super) enum Scale {
 }
 
 /// The unit of a hardening, in Pa/m: layers of Hou et al. (1997) have 0.02 to 0.4 of it.
-const OF_HARDENING: f64 = 1e12;
+const HARDENING_UNIT: f64 = 1e12;
 
 /// Smallest reference size of a parameter that may be zero, in its unit of absolute changes.
 const NEXT_TO_NOTHING: f64 = 0.1;
@@ -105,7 +105,7 @@ impl Parameter {
     pub(super) fn scale(self) -> Scale {
         match self {
             _ if self.bounds()[0] > 0.0 => Scale::Logarithmic,
-            Self::LayerHardening => Scale::Linear { unit: OF_HARDENING },
+            Self::LayerHardening => Scale::Linear { unit: HARDENING_UNIT },
             _ => Scale::Linear { unit: 1.0 },
         }
     }

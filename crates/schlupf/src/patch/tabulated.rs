@@ -51,6 +51,7 @@ fn columns(table: &PressureTable, grid: &Grid, row: usize) -> Vec<Integrals> {
 mod tests {
     use approx::assert_relative_eq;
 
+    use super::super::Cell;
     use super::*;
     use crate::normal::ellipse::Ellipse;
     use crate::normal::tabulated::Tabulated;
@@ -96,6 +97,25 @@ mod tests {
                 patch.cells.iter().map(|c| c.pressure * (c.x.powi(2) + c.y.powi(2))).sum()
             };
             assert_relative_eq!(moment(&patch), moment(&exact), max_relative = 0.02);
+        }
+    }
+
+    /// Where the patch covers a cell only in part, the pressure on that part is no more than the
+    /// largest of the table, on whatever grid: on grids finer than the table, too.
+    #[test]
+    fn cells_at_the_edge_are_not_overloaded() {
+        let root = |square: f64| 1e9 * (1.0 - square).max(0.0).sqrt();
+        let shapes: [&dyn Fn(f64, f64) -> f64; 2] =
+            [&|x, y| root((x / 6e-3).powi(2) + (y / 4e-3).powi(2)), &|x, y| {
+                root((x / 6e-3).abs().powi(4) + (y / 4e-3).abs().powi(4) * (1.0 + 60.0 * x))
+            }];
+        for shape in shapes {
+            let contact = contact(&axis(6.6e-3, 24), &axis(4.5e-3, 31), shape);
+            for cells in [10, 24, 36, 50] {
+                let patch = Patch::new(&contact, Grid::across(&contact.extent(), cells, cells));
+                let most = patch.cells.iter().map(Cell::pressure_where_covered).fold(0.0, f64::max);
+                assert!(most < 1.01 * contact.summary.peak_pressure, "{cells}: {most}");
+            }
         }
     }
 

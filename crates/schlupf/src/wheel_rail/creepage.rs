@@ -63,8 +63,8 @@ impl Moving {
         }
     }
 
-    /// The angular velocity about the axle at which that point has no velocity along the track,
-    /// over that it has, dimensionless.
+    /// Ratio of the angular velocity about the axle at which that point has no velocity along the
+    /// track to the present one, dimensionless.
     pub fn free_rolling(&self) -> f64 {
         1.0 - self.at_origin[0] / self.rolling
     }

@@ -7,6 +7,7 @@
 //! it is part of a bracket, or it is the largest share there is.
 
 use crate::error::{Error, require_finite};
+use crate::numerics::root::GOLDEN;
 use crate::quantity::Quantity;
 
 /// What turns a wheel.
@@ -82,10 +83,10 @@ pub(super) enum Found<T> {
 /// 50 kN (Kalker 1967), dimensionless.
 pub(super) const SLOPE: f64 = 200.0;
 
-/// Largest creepages: of a wheel that turns at 0.4 times its free angular velocity (over the mean
-/// of both speeds, to which creepages of contacts refer, 0.86), and of one that turns eleven times
-/// as fast as it rolls.
-const LOCKED: f64 = 0.6;
+/// Largest creepages: of a wheel that turns at 0.34 times its free angular velocity (over the mean
+/// of both speeds, to which creepages of contacts refer, 0.985; contacts slide with less than one),
+/// and of one that turns eleven times as fast as it rolls.
+const LOCKED: f64 = 0.66;
 const SPINNING: f64 = -10.0;
 
 /// Most evaluations on the way to a bracket, in it, and around a peak.
@@ -99,8 +100,6 @@ const FLATTEST: f64 = 1e-6;
 const ROUNDING: f64 = 1e-12;
 /// Factor of the tolerance within which a bracket that cannot be narrowed counts as found.
 const NEARLY: f64 = 100.0;
-/// Part of a width by which a peak is narrowed: 2 − (1 + √5)/2.
-const GOLDEN: f64 = 0.381_966_011_250_105_1;
 /// Width of a peak, relative to its place, below which it is known.
 const NARROW: f64 = 1e-3;
 
@@ -210,7 +209,7 @@ impl Search {
             }
             let is_upper = (high - best.x).abs() > (best.x - low).abs();
             let end = if is_upper { high } else { low };
-            let next = at(best.x + GOLDEN * (end - best.x))?;
+            let next = at(best.x + (1.0 - GOLDEN) * (end - best.x))?;
             if self.is_met(&next) {
                 return Ok(Found::At(next));
             }

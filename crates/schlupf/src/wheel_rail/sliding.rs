@@ -100,8 +100,10 @@ impl Sliding<'_> {
             start: near.map_or(0.0, |near| 1.0 - near / free),
             slope: SLOPE,
         };
+        let mut work = Vec::new();
         let found = search.run(|x| {
-            let contacts = self.at(free * (1.0 - x), &mut solvers)?;
+            let mut contacts = self.at(free * (1.0 - x), &mut solvers)?;
+            count_together(&mut contacts, &mut work);
             Ok((self.value(&contacts) / scale, contacts))
         })?;
         let nearest = |point: &Point<Vec<Slid>>| scale * point.share;
@@ -175,10 +177,11 @@ impl Sliding<'_> {
     /// Angular velocity at which the largest contact has no longitudinal creepage, in rad/s.
     fn free_turning(&self) -> f64 {
         let largest = self.lowered.contacts.iter().max_by(|a, b| a.force.total_cmp(&b.force));
-        let motion = self.motion;
-        largest.map_or(motion.angular_velocity, |pressed| {
+        let nominal = self.motion.speed / self.lowering.pair.nominal_radius;
+        let motion = Motion { angular_velocity: nominal, ..self.motion };
+        largest.map_or(nominal, |pressed| {
             let moving = Moving::new(&self.pose(), &pressed.plane, pressed.approach, &motion);
-            motion.angular_velocity * moving.free_rolling()
+            nominal * moving.free_rolling()
         })
     }
 
@@ -219,6 +222,17 @@ impl Sliding<'_> {
             Drive::OverLoad(_) => -force[0] / force[2],
             Drive::Torque(_) => -torque,
         }
+    }
+}
+
+/// Adds the work that contacts took at earlier places of a search to that of theirs, and notes the
+/// sum for the next ones.
+fn count_together(contacts: &mut [Slid], earlier: &mut Vec<(usize, f64)>) {
+    earlier.resize(contacts.len(), (0, 0.0));
+    for ((_, _, Solution { work, .. }), earlier) in contacts.iter_mut().zip(earlier) {
+        work.newton_iterations += earlier.0;
+        work.operator_products += earlier.1;
+        *earlier = (work.newton_iterations, work.operator_products);
     }
 }
 

@@ -198,7 +198,9 @@ impl WheelOnRail {
         require_positive(Quantity::Speed, speed)?;
         require_finite(Quantity::LateralVelocity, lateral_velocity)?;
         require_finite(Quantity::VerticalVelocity, vertical_velocity)?;
-        require_positive(Quantity::AngularVelocity, angular_velocity)?;
+        if !self.drive.is_force() {
+            require_positive(Quantity::AngularVelocity, angular_velocity)?;
+        }
         require_finite(Quantity::RollRate, self.motion.roll_rate)?;
         require_finite(Quantity::YawRate, self.motion.yaw_rate)?;
         self.drive.check()?;

@@ -55,6 +55,6 @@ section! {
         "angular velocity about the longitudinal axis", shaping(),
         with(NORMAL_MODEL, WHEEL_RAIL);
     "force_axis" [] Kind::Choice(ForceAxis::CHOICES), Finite, Text("track"),
-        "along what kinematics.force_x on the wheel is", shaping(),
+        "axis of kinematics.force_x on the wheel: along the track, or along the wheelset", shaping(),
         with(NORMAL_MODEL, WHEEL_RAIL);
 }

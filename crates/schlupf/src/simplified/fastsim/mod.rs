@@ -25,6 +25,7 @@ use std::sync::Arc;
 
 use crate::error::Error;
 use crate::grid::Grid;
+use crate::heat::is_same;
 use crate::heat::strip_heat::StripHeat;
 use crate::heat::{HeatModel, HeatStep};
 use crate::interface::third_body::Flow;
@@ -142,12 +143,7 @@ impl Fastsim {
     /// Sets the heat model and the speed, if they have changed.
     fn prepare_heat(&mut self, problem: &Problem) {
         let (model, speed) = (problem.heat.model.as_ref(), problem.kinematics.speed);
-        let is_same_model = match (&self.heated.0, model) {
-            (None, None) => true,
-            (Some(one), Some(other)) => Arc::ptr_eq(one, other),
-            _ => false,
-        };
-        if is_same_model && self.heated.1 == speed {
+        if is_same(self.heated.0.as_ref(), model) && self.heated.1 == speed {
             return;
         }
         self.heated = (model.map(Arc::clone), speed);

@@ -12,7 +12,7 @@ const NODES: usize = MOST_PLACES + 1;
 
 /// A node nearer than this part of the way into the cell is left out, dimensionless: its weight
 /// would be large.
-const NEAREST: f64 = 0.6;
+const NEAREST: f64 = 0.4;
 
 /// The same for a node downstream, which takes its weight from the cell itself: nearer ones would
 /// leave it less than a quarter.

@@ -17,14 +17,13 @@ const MOST_EXCESS: f64 = 0.12;
 /// Covered part above which a cell is not partly covered, dimensionless.
 const COVERED: f64 = 0.999;
 
-/// What the equation of a cell is worth, relative to the displacement of the cell under its own
-/// traction, dimensionless.
+/// What the equation of a cell is worth, relative to its displacement under its own traction.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::rolling) struct Worth {
-    /// Displacement that the discrete one under p = pₙ falls short of the exact one.
+    /// Displacement that the discrete one under p = pₙ falls short of the exact one, dimensionless.
     pub missing: f64,
     /// Displacement under its own traction relative to that at its entry, if it is the first cell
-    /// of its strip.
+    /// of its strip; dimensionless.
     pub slid: f64,
 }
 
