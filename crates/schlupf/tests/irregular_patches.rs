@@ -4,6 +4,7 @@
 
 mod common;
 
+use std::f64::consts::TAU;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -157,7 +158,7 @@ fn coarse_angular_and_noisy_tables_are_solved_directly() {
         for number in 0..40 {
             let normal = Arc::new(table(&mut random, noise));
             let size = 10_f64.powf(random.between(-3.5, -2.2));
-            let (sin, cos) = random.between(0.0, 6.28).sin_cos();
+            let (sin, cos) = random.between(0.0, TAU).sin_cos();
             let spin = [0.0, 90.0 * size, -300.0 * size][number % 3];
             let motion = rolling(size * cos, size * sin, spin);
             let across = random.between(16.0, 70.0) as usize;
