@@ -149,10 +149,11 @@ fn table(random: &mut Random, noise: f64) -> Tabulated {
     Tabulated::new(PressureTable::new(&x, &y, pressure).unwrap(), Some(60e3)).unwrap()
 }
 
-/// Tables without noise, and with 3 % of it.
+/// Tables without noise, and with 3 % of it. With 20 % some need the robust discretisation, after
+/// the exact one has failed.
 #[test]
 fn coarse_angular_and_noisy_tables_are_solved_directly() {
-    for noise in [0.0, 0.03] {
+    for noise in [0.0, 0.03, 0.2] {
         let mut random = Random(7);
         let mut products = Vec::new();
         for number in 0..40 {
@@ -170,6 +171,10 @@ fn coarse_angular_and_noisy_tables_are_solved_directly() {
         }
         let found = quantiles(products);
         println!("tables with a noise of {noise}: products {found:.1?}");
-        assert_few(found);
+        if noise < 0.1 {
+            assert_few(found);
+        } else {
+            assert!(found[0] <= 30.0 && found[1] <= 50.0 && found[2] <= 2000.0, "{found:?}");
+        }
     }
 }
