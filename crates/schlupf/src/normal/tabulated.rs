@@ -240,7 +240,9 @@ impl Run {
             // ∫ of the root of a linear function.
             if sum > 0.0 { (to - from) * 2.0 / 3.0 * (sum - p * q / sum) } else { 0.0 }
         };
-        self.nodes.windows(2).map(between).sum()
+        let first = self.nodes.partition_point(|node| node[0] <= low).saturating_sub(1);
+        let end = self.nodes.partition_point(|node| node[0] < high) + 1;
+        self.nodes[first..end.min(self.nodes.len())].windows(2).map(between).sum()
     }
 }
 

@@ -56,13 +56,13 @@ impl Slivers {
                 || (is_stiff && patch.cells[k].covered < COVERED)
         };
         let least_slid = discretisation.least_slid();
-        let slides_along = |k: usize| worth[k].slid < least_slid;
+        let hardly_slides = |k: usize| worth[k].slid < least_slid;
         let mut all = Vec::new();
         let mut kept = Vec::with_capacity(patch.strips.len());
         let mut leads = vec![false; patch.len()];
         for strip in &patch.strips {
             let (mut first, mut last) = (strip.cells.start, strip.cells.end - 1);
-            while first < last && (is_sliver(first, first + 1) || slides_along(first)) {
+            while first < last && (is_sliver(first, first + 1) || hardly_slides(first)) {
                 first += 1;
             }
             while last > first && is_sliver(last, last - 1) {
