@@ -334,11 +334,13 @@ impl Convolution {
         let last = (first + COLUMNS_AT_ONCE).min(nx / 2 + 1);
         let count = last - first;
         // Column i is at place i − first, column nx − i at the same place of the mirror images.
+        let opposite: [usize; COLUMNS_AT_ONCE] =
+            std::array::from_fn(|place| (nx - first - place) % nx);
         let Self { lines, pairs: [columns, mirrored], across, scratch, .. } = self;
         for (j, line) in lines.chunks_exact(nx).enumerate() {
-            for (place, i) in (first..last).enumerate() {
-                columns[place * ny + j] = line[i];
-                mirrored[place * ny + j] = line[(nx - i) % nx];
+            for (place, (there, here)) in opposite.iter().zip(&line[first..last]).enumerate() {
+                columns[place * ny + j] = *here;
+                mirrored[place * ny + j] = line[*there];
             }
         }
         let (columns, mirrored) = (&mut columns[..count * ny], &mut mirrored[..count * ny]);
@@ -355,10 +357,10 @@ impl Convolution {
         across[1].process_with_scratch(columns, scratch);
         across[1].process_with_scratch(mirrored, scratch);
         for (j, line) in lines.chunks_exact_mut(nx).enumerate() {
-            for (place, i) in (first..last).enumerate() {
+            for (place, there) in opposite[..count].iter().enumerate() {
                 // Columns that are their own mirror images are there twice, both the same.
-                line[i] = columns[place * ny + j];
-                line[(nx - i) % nx] = mirrored[place * ny + j];
+                line[first + place] = columns[place * ny + j];
+                line[*there] = mirrored[place * ny + j];
             }
         }
     }

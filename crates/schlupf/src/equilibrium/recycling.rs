@@ -8,7 +8,7 @@
 
 use super::{Continues, Equilibrium, LARGE};
 use crate::error::Error;
-use crate::numerics::vector::{add_scaled, dot, norm};
+use crate::numerics::vector::{add_combination, add_scaled, dot, dots, gram, norm};
 
 /// Directions with their responses, the oldest first, and the workspace of a solution: kept, so
 /// that only more directions than ever before allocate.
@@ -36,6 +36,10 @@ const MOST_NEW: usize = 120;
 /// Part of J z that must be new for the direction to count, dimensionless.
 const LEAST_NEW: f64 = 1e-6;
 
+/// The same for all recycled directions at once, from products of pairs, which hold half as many
+/// digits; the others are added one by one.
+const LEAST_CERTAIN: f64 = 1e-3;
+
 /// Length of what is new in J z, relative to J z, below which it is made orthogonal once more:
 /// cancellation has then made it inaccurate.
 const INACCURATE: f64 = 0.5;
@@ -45,21 +49,31 @@ const INACCURATE: f64 = 0.5;
 struct Projection {
     /// What is left of −F.
     rest: Vec<f64>,
-    /// Orthonormal basis of all J z, followed by room for more.
+    /// J z of the recycled directions, and then what is orthogonal to all before of that of each
+    /// further one, at unit length; followed by room for more. With the triangle this stands for an
+    /// orthonormal basis of all J z: W R⁻¹ for the recycled ones.
     basis: Vec<Vec<f64>>,
+    /// Number of recycled directions.
+    recycled: usize,
     /// The direction of each vector of the basis.
     numbers: Vec<usize>,
-    /// J z of these directions in terms of the basis: the columns of a triangular matrix, one after
-    /// another, each one longer than the previous one.
+    /// J z of these directions in terms of the orthonormal basis: the columns of a triangular
+    /// matrix, one after another, each one longer than the previous one.
     triangle: Vec<f64>,
-    /// −F in terms of the basis, and then the weight of each direction.
+    /// −F in terms of that basis, and then the weight of each direction.
     weights: Vec<f64>,
+    /// Products of all pairs of J z.
+    gram: Vec<f64>,
+    /// Products with the vectors of the basis, and then their factors in a sum.
+    factors: Vec<f64>,
 }
 
 impl Projection {
+    /// A system with the right-hand side −`residual`.
     fn start(&mut self, residual: &[f64]) {
         self.rest.clear();
         self.rest.extend(residual.iter().map(|r| -r));
+        self.recycled = 0;
         self.numbers.clear();
         self.triangle.clear();
         self.weights.clear();
@@ -69,29 +83,80 @@ impl Projection {
         self.numbers.len()
     }
 
+    /// Room for J z at a place of the basis.
+    fn room(&mut self, place: usize, length: usize) -> &mut [f64] {
+        if self.basis.len() == place {
+            self.basis.push(Vec::new());
+        }
+        self.basis[place].resize(length, 0.0);
+        &mut self.basis[place]
+    }
+
+    /// Adds J z of all recycled directions at once, and removes their part of the rest: by the
+    /// triangle from the products of all pairs (Cholesky), each vector being read once.
+    fn recycle(&mut self, directions: &[Direction], system: &mut impl Equilibrium) {
+        for (place, Direction { z, response }) in directions.iter().enumerate() {
+            system.tangent_product(z, response, self.room(place, z.len()));
+        }
+        gram(&self.basis[..directions.len()], &mut self.gram);
+        let mut doubtful = Vec::new();
+        for number in 0..directions.len() {
+            if self.take(number) {
+                self.basis.swap(self.recycled, number);
+                self.recycled += 1;
+            } else {
+                doubtful.push(number);
+            }
+        }
+        let taken = &self.basis[..self.recycled];
+        self.weights.resize(self.recycled, 0.0);
+        dots(&self.rest, taken, &mut self.weights);
+        solve_transposed(&self.triangle, &mut self.weights);
+        self.factors.clear();
+        self.factors.extend(self.weights.iter().map(|weight| -weight));
+        solve(&self.triangle, &mut self.factors);
+        add_combination(&mut self.rest, &self.factors, taken);
+        for number in doubtful {
+            self.add(number, &directions[number], system);
+        }
+    }
+
+    /// Adds the column of a recycled direction to the triangle, unless too little of it is new for
+    /// the products of pairs to tell.
+    fn take(&mut self, number: usize) -> bool {
+        let products = &self.gram[number * (number + 1) / 2..];
+        let square = products[number];
+        self.factors.clear();
+        self.factors.extend(self.numbers.iter().map(|taken| products[*taken]));
+        solve_transposed(&self.triangle, &mut self.factors);
+        let new = square - dot(&self.factors, &self.factors);
+        let is_certain = new > LEAST_CERTAIN * LEAST_CERTAIN * square;
+        if is_certain {
+            self.triangle.extend_from_slice(&self.factors);
+            self.triangle.push(new.sqrt());
+            self.numbers.push(number);
+        }
+        is_certain
+    }
+
     /// Adds J z of a direction, and removes its part of the rest.
     fn add(&mut self, number: usize, direction: &Direction, system: &mut impl Equilibrium) {
         let dimension = self.dimension();
-        if self.basis.len() == dimension {
-            self.basis.push(Vec::new());
-        }
-        let (basis, room) = self.basis.split_at_mut(dimension);
-        let Some(w) = room.first_mut() else { return };
-        w.resize(direction.z.len(), 0.0);
+        let w = self.room(dimension, direction.z.len());
         system.tangent_product(&direction.z, &direction.response, w);
         let before = norm(w);
         let start = self.triangle.len();
         self.triangle.resize(start + dimension, 0.0);
-        let column = &mut self.triangle[start..];
-        let mut length = remove(w, basis, column);
+        let mut length = self.remove_known();
         if length < INACCURATE * before {
-            length = remove(w, basis, column);
+            length = self.remove_known();
         }
         if length.is_nan() || length <= LEAST_NEW * before {
             self.triangle.truncate(start);
             return;
         }
         let over = length.recip();
+        let w = &mut self.basis[dimension];
         for w in w.iter_mut() {
             *w *= over;
         }
@@ -102,28 +167,56 @@ impl Projection {
         self.weights.push(part);
     }
 
+    /// Removes what is along the basis from the vector after it, adds it to the last column of the
+    /// triangle, and returns the length of what is left.
+    fn remove_known(&mut self) -> f64 {
+        let dimension = self.dimension();
+        let (basis, room) = self.basis.split_at_mut(dimension);
+        let Some(w) = room.first_mut() else { return 0.0 };
+        self.factors.clear();
+        self.factors.resize(dimension, 0.0);
+        dots(w, basis, &mut self.factors);
+        let (triangle, column) = self.triangle.split_at_mut(size_of_triangle(dimension));
+        let (of_recycled, _) = self.factors.split_at_mut(self.recycled);
+        solve_transposed(triangle, of_recycled);
+        for (entry, part) in column.iter_mut().zip(&self.factors) {
+            *entry += part;
+        }
+        solve(triangle, &mut self.factors[..self.recycled]);
+        for factor in &mut self.factors {
+            *factor = -*factor;
+        }
+        add_combination(w, &self.factors, basis);
+        norm(w)
+    }
+
     /// Turns −F in terms of the basis into the weights of the directions.
     fn weigh(&mut self) {
-        for i in (0..self.dimension()).rev() {
-            let start = i * (i + 1) / 2;
-            let weight = self.weights[i] / self.triangle[start + i];
-            self.weights[i] = weight;
-            for (earlier, entry) in self.weights[..i].iter_mut().zip(&self.triangle[start..]) {
-                *earlier -= entry * weight;
-            }
-        }
+        solve(&self.triangle, &mut self.weights);
     }
 }
 
-/// Removes the components along the vectors of an orthonormal basis, adds them to `column`, and
-/// returns the length of what is left.
-fn remove(w: &mut [f64], basis: &[Vec<f64>], column: &mut [f64]) -> f64 {
-    for (entry, q) in column.iter_mut().zip(basis) {
-        let part = dot(w, q);
-        *entry += part;
-        add_scaled(w, -part, q);
+/// Entries of a triangular matrix.
+fn size_of_triangle(dimension: usize) -> usize {
+    dimension * (dimension + 1) / 2
+}
+
+/// Solves R x = b in place, with as many columns of a triangular matrix as b has numbers.
+fn solve(triangle: &[f64], b: &mut [f64]) {
+    for i in (0..b.len()).rev() {
+        let column = &triangle[size_of_triangle(i)..];
+        let value = b[i] / column[i];
+        b[i] = value;
+        add_scaled(&mut b[..i], -value, &column[..i]);
     }
-    norm(w)
+}
+
+/// Solves Rᵀ x = b in place, with as many columns of a triangular matrix as b has numbers.
+fn solve_transposed(triangle: &[f64], b: &mut [f64]) {
+    for i in 0..b.len() {
+        let column = &triangle[size_of_triangle(i)..];
+        b[i] = (b[i] - dot(&b[..i], &column[..i])) / column[i];
+    }
 }
 
 impl Directions {
@@ -144,9 +237,7 @@ impl Directions {
         let goal = forcing * norm(residual);
         let Self { all, known, projection } = self;
         projection.start(residual);
-        for (number, direction) in all[..*known].iter().enumerate() {
-            projection.add(number, direction, system);
-        }
+        projection.recycle(&all[..*known], system);
         let mut products = 0;
         while norm(&projection.rest) > goal && products < MOST_NEW {
             if system.size() > LARGE {
