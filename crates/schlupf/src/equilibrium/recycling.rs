@@ -40,6 +40,11 @@ const LEAST_NEW: f64 = 1e-6;
 /// digits; the others are added one by one.
 const LEAST_CERTAIN: f64 = 1e-3;
 
+/// Part of J z that is new below which the recycled directions make the next ones useless: what is
+/// left of −F is hard to reach by what they leave of the preconditioned Jacobian, but not by the
+/// whole.
+const STAGNANT: f64 = 0.05;
+
 /// Length of what is new in J z, relative to J z, below which it is made orthogonal once more:
 /// cancellation has then made it inaccurate.
 const INACCURATE: f64 = 0.5;
@@ -64,6 +69,8 @@ struct Projection {
     weights: Vec<f64>,
     /// Products of all pairs of J z.
     gram: Vec<f64>,
+    /// Part of the last J z that was not known before.
+    new: f64,
     /// Products with the vectors of the basis, and then their factors in a sum.
     factors: Vec<f64>,
 }
@@ -73,10 +80,7 @@ impl Projection {
     fn start(&mut self, residual: &[f64]) {
         self.rest.clear();
         self.rest.extend(residual.iter().map(|r| -r));
-        self.recycled = 0;
-        self.numbers.clear();
-        self.triangle.clear();
-        self.weights.clear();
+        self.begin_anew();
     }
 
     fn dimension(&self) -> usize {
@@ -151,6 +155,7 @@ impl Projection {
         if length < INACCURATE * before {
             length = self.remove_known();
         }
+        self.new = length / before;
         if length.is_nan() || length <= LEAST_NEW * before {
             self.triangle.truncate(start);
             return;
@@ -190,9 +195,26 @@ impl Projection {
         norm(w)
     }
 
-    /// Turns −F in terms of the basis into the weights of the directions.
-    fn weigh(&mut self) {
+    /// Whether the recycled directions are in the way: they hold most of the last one.
+    fn stagnates(&self) -> bool {
+        self.recycled > 0 && self.new < STAGNANT
+    }
+
+    /// Adds what the directions make of d and L d.
+    fn add_to(&mut self, step: &mut [f64], response: &mut [f64], directions: &[Direction]) {
         solve(&self.triangle, &mut self.weights);
+        for (number, weight) in self.numbers.iter().zip(&self.weights) {
+            add_scaled(step, *weight, &directions[*number].z);
+            add_scaled(response, *weight, &directions[*number].response);
+        }
+    }
+
+    /// Forgets all directions, but not what is left of −F.
+    fn begin_anew(&mut self) {
+        self.recycled = 0;
+        self.numbers.clear();
+        self.triangle.clear();
+        self.weights.clear();
     }
 }
 
@@ -238,6 +260,9 @@ impl Directions {
         let Self { all, known, projection } = self;
         projection.start(residual);
         projection.recycle(&all[..*known], system);
+        step.fill(0.0);
+        response.fill(0.0);
+        let first_new = *known;
         let mut products = 0;
         while norm(&projection.rest) > goal && products < MOST_NEW {
             if system.size() > LARGE {
@@ -251,17 +276,17 @@ impl Directions {
             projection.add(*known, &all[*known], system);
             *known += 1;
             products += 1;
-            if projection.dimension() == dimension {
+            if projection.stagnates() {
+                projection.add_to(step, response, all);
+                projection.begin_anew();
+                for (number, direction) in all[..*known].iter().enumerate().skip(first_new) {
+                    projection.add(number, direction, system);
+                }
+            } else if projection.dimension() == dimension {
                 break;
             }
         }
-        projection.weigh();
-        step.fill(0.0);
-        response.fill(0.0);
-        for (number, weight) in projection.numbers.iter().zip(&projection.weights) {
-            add_scaled(step, *weight, &all[*number].z);
-            add_scaled(response, *weight, &all[*number].response);
-        }
+        projection.add_to(step, response, all);
         Ok(products)
     }
 
@@ -297,5 +322,99 @@ impl Direction {
         system.precondition(z);
         response.resize(system.response_size(), 0.0);
         system.compliance_product(z, response);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Directions, Equilibrium, KEPT};
+    use crate::numerics::vector::norm;
+
+    /// Diffusion and convection along a line, L, and a local part that changes from system to
+    /// system, with the latter's inverse as preconditioner.
+    struct Line {
+        local: Vec<f64>,
+    }
+
+    impl Line {
+        fn new(number: usize) -> Self {
+            let local = |i: usize| 1.0 + ((i * i + number * i) % 7) as f64;
+            Self { local: (0..SIZE).map(local).collect() }
+        }
+    }
+
+    const SIZE: usize = 150;
+
+    impl Equilibrium for Line {
+        fn size(&self) -> usize {
+            SIZE
+        }
+
+        fn scale(&self, _p: &[f64]) -> f64 {
+            1.0
+        }
+
+        fn compliance_product(&mut self, p: &[f64], u: &mut [f64]) {
+            for i in 0..SIZE {
+                let before = if i > 0 { p[i - 1] } else { 0.0 };
+                let after = p.get(i + 1).copied().unwrap_or(0.0);
+                u[i] = 2.0 * p[i] - 1.3 * before - 0.7 * after;
+            }
+        }
+
+        fn defect(&mut self, _p: &[f64], _u: &[f64]) -> f64 {
+            0.0
+        }
+
+        fn residual(&mut self, _p: &[f64], _u: &[f64], _residual: &mut [f64]) {}
+
+        fn tangent_product(&mut self, v: &[f64], response: &[f64], product: &mut [f64]) {
+            for i in 0..SIZE {
+                product[i] = response[i] + self.local[i] * v[i];
+            }
+        }
+
+        fn precondition(&mut self, v: &mut [f64]) {
+            for (v, local) in v.iter_mut().zip(&self.local) {
+                *v /= local + 2.0;
+            }
+        }
+    }
+
+    /// Solves J d = −F, and checks that it is solved: what is left, and that L d is that of d.
+    fn solve(directions: &mut Directions, line: &mut Line, rhs: &[f64], forcing: f64) -> usize {
+        let (mut step, mut response) = (vec![0.0; SIZE], vec![0.0; SIZE]);
+        let target = [step.as_mut_slice(), response.as_mut_slice()];
+        let products = directions.solve(line, rhs, forcing, (target, &|| Ok(()))).unwrap();
+        let (mut again, mut product) = (vec![0.0; SIZE], vec![0.0; SIZE]);
+        line.compliance_product(&step, &mut again);
+        for (one, two) in response.iter().zip(&again) {
+            assert!((one - two).abs() < 1e-12 * norm(&again), "{one} {two}");
+        }
+        line.tangent_product(&step, &again, &mut product);
+        let rest: Vec<_> = product.iter().zip(rhs).map(|(product, rhs)| product + rhs).collect();
+        let allowed = forcing * (1.0 + 1e-6) * norm(rhs);
+        assert!(norm(&rest) < allowed, "{} {allowed}", norm(&rest));
+        products
+    }
+
+    /// Systems that differ by less and less: their directions depend on each other nearly, then
+    /// entirely, and are more than are kept.
+    #[test]
+    fn systems_are_solved_with_whatever_is_known() {
+        let mut directions = Directions::default();
+        let rhs = |change: f64| -> Vec<f64> {
+            (0..SIZE).map(|i| 1.0 + change * (i as f64).sin()).collect()
+        };
+        let first = solve(&mut directions, &mut Line::new(0), &rhs(0.0), 1e-8);
+        for (number, change) in [1.0, 1e-2, 1e-4, 1e-8, 1e-12, 0.0].into_iter().enumerate() {
+            let mut line = Line::new(number / 3);
+            solve(&mut directions, &mut line, &rhs(change), 1e-8);
+            assert!(directions.known < 2 * KEPT + first);
+        }
+        let mut line = Line::new(1);
+        assert_eq!(solve(&mut directions, &mut line, &rhs(0.0), 1e-6), 0);
+        directions.clear();
+        assert_eq!(solve(&mut directions, &mut Line::new(0), &rhs(0.0), 1e-8), first);
     }
 }

@@ -120,3 +120,50 @@ pub(crate) fn add_scaled(v: &mut [f64], factor: f64, w: &[f64]) {
         *v += factor * w;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{IN_CACHE, add_combination, dots, gram};
+
+    /// Vectors of small whole numbers, whose sums have no rounding.
+    fn vectors(count: usize, length: usize) -> Vec<Vec<f64>> {
+        let number = |k: usize, i: usize| ((7 * k + 3 * i + k * i) % 11) as f64 - 5.0;
+        (0..count).map(|k| (0..length).map(|i| number(k, i)).collect()).collect()
+    }
+
+    fn product(v: &[f64], w: &[f64]) -> f64 {
+        v.iter().zip(w).map(|(v, w)| v * w).sum()
+    }
+
+    /// Any number of vectors, and lengths that leave something over everywhere.
+    #[test]
+    fn blocks_of_vectors_as_one_by_one() {
+        for length in [0, 1, 6, IN_CACHE, 2 * IN_CACHE + 7] {
+            for count in 0..10 {
+                let vectors = vectors(count + 1, length);
+                let (v, vectors) = (&vectors[count], &vectors[..count]);
+                let expected: Vec<_> = vectors.iter().map(|w| product(v, w)).collect();
+                let mut products = vec![f64::NAN; count];
+                dots(v, vectors, &mut products);
+                assert_eq!(products, expected);
+
+                let pairs = vectors.iter().enumerate();
+                let expected: Vec<_> =
+                    pairs.flat_map(|(k, v)| vectors[..=k].iter().map(|w| product(v, w))).collect();
+                gram(vectors, &mut products);
+                assert_eq!(products, expected);
+
+                let factors: Vec<_> = (0..count).map(|k| k as f64 - 2.0).collect();
+                let mut expected = v.clone();
+                for (factor, w) in factors.iter().zip(vectors) {
+                    for (sum, w) in expected.iter_mut().zip(w) {
+                        *sum += factor * w;
+                    }
+                }
+                let mut sum = v.clone();
+                add_combination(&mut sum, &factors, vectors);
+                assert_eq!(sum, expected);
+            }
+        }
+    }
+}
