@@ -4,7 +4,8 @@
 //! z and its response L z, J z costs no product, whatever the tangent is now. So each system first
 //! minimises its residual over the directions of those before it, and only then asks for new ones,
 //! the preconditioned residuals (generalised conjugate residuals, Eisenstat, Elman and Schultz
-//! 1983; recycling: Parks et al. 2006). Without earlier directions this is GMRES.
+//! 1983; recycling: Parks et al. 2006). Without earlier directions this is GMRES. Where the earlier ones
+//! leave next to nothing of the new ones, the minimisation begins anew from what is left.
 
 use super::{Continues, Equilibrium, LARGE};
 use crate::error::Error;
@@ -40,10 +41,12 @@ const LEAST_NEW: f64 = 1e-6;
 /// digits; the others are added one by one.
 const LEAST_CERTAIN: f64 = 1e-3;
 
-/// Part of J z that is new below which the recycled directions make the next ones useless: what is
-/// left of −F is hard to reach by what they leave of the preconditioned Jacobian, but not by the
-/// whole.
-const STAGNANT: f64 = 0.05;
+/// Part of J z that is new below which a direction is nearly useless.
+const LITTLE: f64 = 0.05;
+
+/// Number of such directions in a row after which the recycled ones are in the way: what is left of
+/// −F is hard to reach by what they leave of the preconditioned Jacobian, but not by the whole.
+const IN_THE_WAY: usize = 2;
 
 /// Length of what is new in J z, relative to J z, below which it is made orthogonal once more:
 /// cancellation has then made it inaccurate.
@@ -69,8 +72,8 @@ struct Projection {
     weights: Vec<f64>,
     /// Products of all pairs of J z.
     gram: Vec<f64>,
-    /// Part of the last J z that was not known before.
-    new: f64,
+    /// Number of the last directions, in a row, of which little was new.
+    useless: usize,
     /// Products with the vectors of the basis, and then their factors in a sum.
     factors: Vec<f64>,
 }
@@ -155,7 +158,7 @@ impl Projection {
         if length < INACCURATE * before {
             length = self.remove_known();
         }
-        self.new = length / before;
+        self.useless = if length < LITTLE * before { self.useless + 1 } else { 0 };
         if length.is_nan() || length <= LEAST_NEW * before {
             self.triangle.truncate(start);
             return;
@@ -195,9 +198,9 @@ impl Projection {
         norm(w)
     }
 
-    /// Whether the recycled directions are in the way: they hold most of the last one.
+    /// Whether the recycled directions are in the way of new ones.
     fn stagnates(&self) -> bool {
-        self.recycled > 0 && self.new < STAGNANT
+        self.recycled > 0 && self.useless >= IN_THE_WAY
     }
 
     /// Adds what the directions make of d and L d.
@@ -212,6 +215,7 @@ impl Projection {
     /// Forgets all directions, but not what is left of −F.
     fn begin_anew(&mut self) {
         self.recycled = 0;
+        self.useless = 0;
         self.numbers.clear();
         self.triangle.clear();
         self.weights.clear();
