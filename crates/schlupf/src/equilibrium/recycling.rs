@@ -4,8 +4,8 @@
 //! z and its response L z, J z costs no product, whatever the tangent is now. So each system first
 //! minimises its residual over the directions of those before it, and only then asks for new ones,
 //! the preconditioned residuals (generalised conjugate residuals, Eisenstat, Elman and Schultz
-//! 1983; recycling: Parks et al. 2006). Without earlier directions this is GMRES. Where the earlier ones
-//! leave next to nothing of the new ones, the minimisation begins anew from what is left.
+//! 1983; recycling: Parks et al. 2006). Without earlier directions this is GMRES. Where the earlier
+//! ones leave next to nothing of the new ones, the minimisation begins anew from what is left.
 
 use super::{Continues, Equilibrium, LARGE};
 use crate::error::Error;
