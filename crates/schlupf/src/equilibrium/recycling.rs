@@ -5,7 +5,8 @@
 //! minimises its residual over the directions of those before it, and only then asks for new ones,
 //! the preconditioned residuals (generalised conjugate residuals, Eisenstat, Elman and Schultz
 //! 1983; recycling: Parks et al. 2006). Without earlier directions this is GMRES. Where the earlier
-//! ones leave next to nothing of the new ones, the minimisation begins anew from what is left.
+//! ones leave little of a new one, the next ones follow the residuals that the new ones alone would
+//! leave: those of GMRES, begun from what the earlier ones left.
 
 use super::{Continues, Equilibrium, LARGE};
 use crate::error::Error;
@@ -18,7 +19,9 @@ pub struct Directions {
     /// Those that are known, followed by room for more.
     all: Vec<Direction>,
     known: usize,
-    projection: Projection,
+    whole: Projection,
+    /// Over the new directions alone, once the recycled ones are in their way.
+    alone: Projection,
 }
 
 #[derive(Debug, Default)]
@@ -41,12 +44,9 @@ const LEAST_NEW: f64 = 1e-6;
 /// digits; the others are added one by one.
 const LEAST_CERTAIN: f64 = 1e-3;
 
-/// Part of J z that is new below which a direction is nearly useless.
-const LITTLE: f64 = 0.05;
-
-/// Number of such directions in a row after which the recycled ones are in the way: what is left of
-/// −F is hard to reach by what they leave of the preconditioned Jacobian, but not by the whole.
-const IN_THE_WAY: usize = 2;
+/// Part of J z that is new below which the recycled directions are in the way: what is left of −F
+/// is hard to reach by what they leave of the preconditioned Jacobian, but not by the whole.
+const LITTLE: f64 = 0.1;
 
 /// Length of what is new in J z, relative to J z, below which it is made orthogonal once more:
 /// cancellation has then made it inaccurate.
@@ -72,18 +72,21 @@ struct Projection {
     weights: Vec<f64>,
     /// Products of all pairs of J z.
     gram: Vec<f64>,
-    /// Number of the last directions, in a row, of which little was new.
-    useless: usize,
+    /// Whether little of the last J z was new.
+    is_nearly_known: bool,
     /// Products with the vectors of the basis, and then their factors in a sum.
     factors: Vec<f64>,
 }
 
 impl Projection {
-    /// A system with the right-hand side −`residual`.
-    fn start(&mut self, residual: &[f64]) {
+    /// A system with the right-hand side −F.
+    fn start(&mut self, rhs: impl Iterator<Item = f64>) {
         self.rest.clear();
-        self.rest.extend(residual.iter().map(|r| -r));
-        self.begin_anew();
+        self.rest.extend(rhs);
+        self.recycled = 0;
+        self.numbers.clear();
+        self.triangle.clear();
+        self.weights.clear();
     }
 
     fn dimension(&self) -> usize {
@@ -158,7 +161,7 @@ impl Projection {
         if length < INACCURATE * before {
             length = self.remove_known();
         }
-        self.useless = if length < LITTLE * before { self.useless + 1 } else { 0 };
+        self.is_nearly_known = length < LITTLE * before;
         if length.is_nan() || length <= LEAST_NEW * before {
             self.triangle.truncate(start);
             return;
@@ -200,7 +203,7 @@ impl Projection {
 
     /// Whether the recycled directions are in the way of new ones.
     fn stagnates(&self) -> bool {
-        self.recycled > 0 && self.useless >= IN_THE_WAY
+        self.recycled > 0 && self.is_nearly_known
     }
 
     /// Adds what the directions make of d and L d.
@@ -210,15 +213,6 @@ impl Projection {
             add_scaled(step, *weight, &directions[*number].z);
             add_scaled(response, *weight, &directions[*number].response);
         }
-    }
-
-    /// Forgets all directions, but not what is left of −F.
-    fn begin_anew(&mut self) {
-        self.recycled = 0;
-        self.useless = 0;
-        self.numbers.clear();
-        self.triangle.clear();
-        self.weights.clear();
     }
 }
 
@@ -261,36 +255,39 @@ impl Directions {
     ) -> Result<usize, Error> {
         self.forget(system);
         let goal = forcing * norm(residual);
-        let Self { all, known, projection } = self;
-        projection.start(residual);
-        projection.recycle(&all[..*known], system);
-        step.fill(0.0);
-        response.fill(0.0);
+        let Self { all, known, whole, alone } = self;
+        whole.start(residual.iter().map(|r| -r));
+        whole.recycle(&all[..*known], system);
+        alone.start(whole.rest.iter().copied());
         let first_new = *known;
         let mut products = 0;
-        while norm(&projection.rest) > goal && products < MOST_NEW {
+        while norm(&whole.rest) > goal && products < MOST_NEW {
             if system.size() > LARGE {
                 continues()?;
             }
             if all.len() == *known {
                 all.push(Direction::default());
             }
-            let dimension = projection.dimension();
-            all[*known].lead_along(system, &projection.rest);
-            projection.add(*known, &all[*known], system);
+            let (dimension, are_alone) = (whole.dimension(), alone.dimension() > 0);
+            let leading = if are_alone { &alone.rest } else { &whole.rest };
+            let number = *known;
+            all[number].lead_along(system, leading);
+            whole.add(number, &all[number], system);
             *known += 1;
             products += 1;
-            if projection.stagnates() {
-                projection.add_to(step, response, all);
-                projection.begin_anew();
-                for (number, direction) in all[..*known].iter().enumerate().skip(first_new) {
-                    projection.add(number, direction, system);
+            if !are_alone && whole.stagnates() {
+                for number in first_new..*known {
+                    alone.add(number, &all[number], system);
                 }
-            } else if projection.dimension() == dimension {
+            } else if whole.dimension() == dimension {
                 break;
+            } else if are_alone {
+                alone.add(number, &all[number], system);
             }
         }
-        projection.add_to(step, response, all);
+        step.fill(0.0);
+        response.fill(0.0);
+        whole.add_to(step, response, all);
         Ok(products)
     }
 
