@@ -276,8 +276,8 @@ impl Directions {
             *known += 1;
             products += 1;
             if !are_alone && whole.stagnates() {
-                for number in first_new..*known {
-                    alone.add(number, &all[number], system);
+                for (number, new) in all.iter().enumerate().take(*known).skip(first_new) {
+                    alone.add(number, new, system);
                 }
             } else if whole.dimension() == dimension {
                 break;
