@@ -4,9 +4,11 @@
 //! z and its response L z, J z costs no product, whatever the tangent is now. So each system first
 //! minimises its residual over the directions of those before it, and only then asks for new ones,
 //! the preconditioned residuals (generalised conjugate residuals, Eisenstat, Elman and Schultz
-//! 1983; recycling: Parks et al. 2006). Without earlier directions this is GMRES. Where the earlier
-//! ones leave little of a new one, the next ones follow the residuals that the new ones alone would
-//! leave: those of GMRES, begun from what the earlier ones left.
+//! 1983; recycling: Parks et al. 2006). Where the earlier ones leave little of a new one, the next
+//! ones follow the residuals that the new ones alone would leave, those of the same method begun
+//! from what the earlier ones left; the residual is still minimised over all. A residual that leads
+//! to nothing new (both methods stand still where GMRES only waits) is followed by another one, and
+//! at last by the newest response, as in GMRES.
 
 use super::{Continues, Equilibrium, LARGE};
 use crate::error::Error;
@@ -149,8 +151,9 @@ impl Projection {
         is_certain
     }
 
-    /// Adds J z of a direction, and removes its part of the rest.
-    fn add(&mut self, number: usize, direction: &Direction, system: &mut impl Equilibrium) {
+    /// Adds J z of a direction, removes its part of the rest, and returns whether anything of it was
+    /// new.
+    fn add(&mut self, number: usize, direction: &Direction, system: &mut impl Equilibrium) -> bool {
         let dimension = self.dimension();
         let w = self.room(dimension, direction.z.len());
         system.tangent_product(&direction.z, &direction.response, w);
@@ -164,7 +167,7 @@ impl Projection {
         self.is_nearly_known = length < LITTLE * before;
         if length.is_nan() || length <= LEAST_NEW * before {
             self.triangle.truncate(start);
-            return;
+            return false;
         }
         let over = length.recip();
         let w = &mut self.basis[dimension];
@@ -176,6 +179,7 @@ impl Projection {
         self.triangle.push(length);
         self.numbers.push(number);
         self.weights.push(part);
+        true
     }
 
     /// Removes what is along the basis from the vector after it, adds it to the last column of the
@@ -199,6 +203,12 @@ impl Projection {
         }
         add_combination(w, &self.factors, basis);
         norm(w)
+    }
+
+    /// The newest vector of the basis, if it is of a new direction.
+    fn newest(&self) -> Option<&Vec<f64>> {
+        let dimension = self.dimension();
+        (dimension > self.recycled).then(|| &self.basis[dimension - 1])
     }
 
     /// Whether the recycled directions are in the way of new ones.
@@ -241,8 +251,10 @@ fn solve_transposed(triangle: &[f64], b: &mut [f64]) {
 
 impl Directions {
     /// Solves J d = −`residual` until the linear residual falls below `forcing` times its initial
-    /// value. Writes d and L d, and returns the number of products. `continues` is asked before
-    /// each product of a large system.
+    /// value, or no direction brings anything new, or there are too many: Newton's method, which
+    /// sees the true residual, decides what a step that is less exact is worth. Writes d and L d,
+    /// and returns the number of products. `continues` is asked before each product of a large
+    /// system.
     ///
     /// # Errors
     /// That of `continues`.
@@ -259,30 +271,31 @@ impl Directions {
         whole.start(residual.iter().map(|r| -r));
         whole.recycle(&all[..*known], system);
         alone.start(whole.rest.iter().copied());
-        let first_new = *known;
+        let (first_new, mut useless) = (*known, 0);
         let mut products = 0;
         while norm(&whole.rest) > goal && products < MOST_NEW {
             if system.size() > LARGE {
                 continues()?;
             }
-            if all.len() == *known {
+            let are_alone = alone.dimension() > 0;
+            let leaders = [are_alone.then_some(&alone.rest), Some(&whole.rest), whole.newest()];
+            let Some(leading) = leaders.into_iter().flatten().nth(useless) else { break };
+            let number = *known;
+            if all.len() == number {
                 all.push(Direction::default());
             }
-            let (dimension, are_alone) = (whole.dimension(), alone.dimension() > 0);
-            let leading = if are_alone { &alone.rest } else { &whole.rest };
-            let number = *known;
             all[number].lead_along(system, leading);
-            whole.add(number, &all[number], system);
-            *known += 1;
             products += 1;
-            if !are_alone && whole.stagnates() {
-                for (number, new) in all.iter().enumerate().take(*known).skip(first_new) {
+            let is_new = whole.add(number, &all[number], system);
+            *known += usize::from(is_new);
+            useless = if is_new { 0 } else { useless + 1 };
+            if are_alone {
+                alone.add(number, &all[number], system);
+            } else if whole.stagnates() {
+                for (number, new) in all.iter().enumerate().take(number + 1).skip(first_new) {
                     alone.add(number, new, system);
                 }
-            } else if whole.dimension() == dimension {
-                break;
-            } else if are_alone {
-                alone.add(number, &all[number], system);
+                useless = 0;
             }
         }
         step.fill(0.0);
@@ -311,7 +324,7 @@ impl Directions {
 }
 
 impl Direction {
-    /// Makes it what the preconditioner gives for the residual, scaled to unit length.
+    /// Makes it what the preconditioner gives for a residual that is scaled to unit length.
     fn lead_along(&mut self, system: &mut impl Equilibrium, residual: &[f64]) {
         let Self { z, response } = self;
         z.clear();
@@ -331,24 +344,51 @@ mod tests {
     use super::{Directions, Equilibrium, KEPT};
     use crate::numerics::vector::norm;
 
-    /// Diffusion and convection along a line, L, and a local part that changes from system to
-    /// system, with the latter's inverse as preconditioner.
-    struct Line {
+    /// J = L + a local part, and a diagonal preconditioner.
+    #[derive(Clone)]
+    struct Matrix {
+        /// Rows of L.
+        linear: Vec<Vec<f64>>,
         local: Vec<f64>,
+        preconditioner: Vec<f64>,
     }
 
-    impl Line {
-        fn new(number: usize) -> Self {
+    impl Matrix {
+        /// L of so many numbers, without a local part and a preconditioner.
+        fn new(size: usize, entry: impl Fn(usize, usize) -> f64) -> Self {
+            let row = |i: usize| (0..size).map(|j| entry(i, j)).collect();
+            Self {
+                linear: (0..size).map(row).collect(),
+                local: vec![0.0; size],
+                preconditioner: vec![1.0; size],
+            }
+        }
+
+        /// Diffusion and convection along a line, and a local part that changes with a number.
+        fn line(number: usize) -> Self {
+            let entry = |i: usize, j: usize| match (i, j) {
+                _ if i == j => 2.0,
+                _ if i == j + 1 => -1.3,
+                _ if i + 1 == j => -0.7,
+                _ => 0.0,
+            };
             let local = |i: usize| 1.0 + ((i * i + number * i) % 7) as f64;
-            Self { local: (0..SIZE).map(local).collect() }
+            let local: Vec<_> = (0..SIZE).map(local).collect();
+            let preconditioner = local.iter().map(|local| (local + 2.0).recip()).collect();
+            Self { local, preconditioner, ..Self::new(SIZE, entry) }
+        }
+
+        fn with_local(mut self, local: impl Fn(usize) -> f64) -> Self {
+            self.local = (0..self.size()).map(local).collect();
+            self
         }
     }
 
     const SIZE: usize = 150;
 
-    impl Equilibrium for Line {
+    impl Equilibrium for Matrix {
         fn size(&self) -> usize {
-            SIZE
+            self.local.len()
         }
 
         fn scale(&self, _p: &[f64]) -> f64 {
@@ -356,10 +396,8 @@ mod tests {
         }
 
         fn compliance_product(&mut self, p: &[f64], u: &mut [f64]) {
-            for i in 0..SIZE {
-                let before = if i > 0 { p[i - 1] } else { 0.0 };
-                let after = p.get(i + 1).copied().unwrap_or(0.0);
-                u[i] = 2.0 * p[i] - 1.3 * before - 0.7 * after;
+            for (u, row) in u.iter_mut().zip(&self.linear) {
+                *u = row.iter().zip(p).map(|(l, p)| l * p).sum();
             }
         }
 
@@ -370,52 +408,168 @@ mod tests {
         fn residual(&mut self, _p: &[f64], _u: &[f64], _residual: &mut [f64]) {}
 
         fn tangent_product(&mut self, v: &[f64], response: &[f64], product: &mut [f64]) {
-            for i in 0..SIZE {
-                product[i] = response[i] + self.local[i] * v[i];
+            for (i, product) in product.iter_mut().enumerate() {
+                *product = response[i] + self.local[i] * v[i];
             }
         }
 
         fn precondition(&mut self, v: &mut [f64]) {
-            for (v, local) in v.iter_mut().zip(&self.local) {
-                *v /= local + 2.0;
+            for (v, over) in v.iter_mut().zip(&self.preconditioner) {
+                *v *= over;
             }
         }
     }
 
-    /// Solves J d = −F, and checks that it is solved: what is left, and that L d is that of d.
-    fn solve(directions: &mut Directions, line: &mut Line, rhs: &[f64], forcing: f64) -> usize {
-        let (mut step, mut response) = (vec![0.0; SIZE], vec![0.0; SIZE]);
+    /// Solves J d = −F, checks that L d is that of d, and returns the number of products and the
+    /// part of F that is left.
+    fn attempt(
+        directions: &mut Directions,
+        matrix: &mut Matrix,
+        residual: &[f64],
+        forcing: f64,
+    ) -> (usize, f64) {
+        let zeros = vec![0.0; residual.len()];
+        let [mut step, mut response, mut again, mut product] = [0; 4].map(|_| zeros.clone());
         let target = [step.as_mut_slice(), response.as_mut_slice()];
-        let products = directions.solve(line, rhs, forcing, (target, &|| Ok(()))).unwrap();
-        let (mut again, mut product) = (vec![0.0; SIZE], vec![0.0; SIZE]);
-        line.compliance_product(&step, &mut again);
+        let products = directions.solve(matrix, residual, forcing, (target, &|| Ok(()))).unwrap();
+        matrix.compliance_product(&step, &mut again);
         for (one, two) in response.iter().zip(&again) {
-            assert!((one - two).abs() < 1e-12 * norm(&again), "{one} {two}");
+            assert!((one - two).abs() <= 1e-12 * norm(&again), "{one} {two}");
         }
-        line.tangent_product(&step, &again, &mut product);
-        let rest: Vec<_> = product.iter().zip(rhs).map(|(product, rhs)| product + rhs).collect();
-        let allowed = forcing * (1.0 + 1e-6) * norm(rhs);
-        assert!(norm(&rest) < allowed, "{} {allowed}", norm(&rest));
+        matrix.tangent_product(&step, &again, &mut product);
+        let rest: Vec<_> = product.iter().zip(residual).map(|(product, r)| product + r).collect();
+        (products, norm(&rest) / norm(residual))
+    }
+
+    /// The same of a system that must be solved; returns the number of products.
+    fn solve(
+        directions: &mut Directions,
+        matrix: &mut Matrix,
+        residual: &[f64],
+        forcing: f64,
+    ) -> usize {
+        let (products, left) = attempt(directions, matrix, residual, forcing);
+        assert!(left < forcing * (1.0 + 1e-6), "{left} {forcing}");
         products
     }
 
+    fn unit(size: usize, place: usize) -> Vec<f64> {
+        (0..size).map(|i| f64::from(u8::from(i == place))).collect()
+    }
+
     /// Systems that differ by less and less: their directions depend on each other nearly, then
-    /// entirely, and are more than are kept.
+    /// entirely.
     #[test]
     fn systems_are_solved_with_whatever_is_known() {
         let mut directions = Directions::default();
         let rhs = |change: f64| -> Vec<f64> {
             (0..SIZE).map(|i| 1.0 + change * (i as f64).sin()).collect()
         };
-        let first = solve(&mut directions, &mut Line::new(0), &rhs(0.0), 1e-8);
+        let first = solve(&mut directions, &mut Matrix::line(0), &rhs(0.0), 1e-8);
         for (number, change) in [1.0, 1e-2, 1e-4, 1e-8, 1e-12, 0.0].into_iter().enumerate() {
-            let mut line = Line::new(number / 3);
-            solve(&mut directions, &mut line, &rhs(change), 1e-8);
-            assert!(directions.known < 2 * KEPT + first);
+            solve(&mut directions, &mut Matrix::line(number / 3), &rhs(change), 1e-8);
         }
-        let mut line = Line::new(1);
-        assert_eq!(solve(&mut directions, &mut line, &rhs(0.0), 1e-6), 0);
+        assert_eq!(solve(&mut directions, &mut Matrix::line(1), &rhs(0.0), 1e-6), 0);
         directions.clear();
-        assert_eq!(solve(&mut directions, &mut Line::new(0), &rhs(0.0), 1e-8), first);
+        assert_eq!(solve(&mut directions, &mut Matrix::line(0), &rhs(0.0), 1e-8), first);
+    }
+
+    /// The oldest directions are forgotten: what only they solve needs products again, and what the
+    /// latest solve does not.
+    #[test]
+    fn the_latest_directions_are_kept() {
+        let size = 2 * KEPT;
+        let mut identity = Matrix::new(size, |i, j| f64::from(u8::from(i == j)));
+        let mut directions = Directions::default();
+        for place in 0..size {
+            assert_eq!(solve(&mut directions, &mut identity, &unit(size, place), 1e-8), 1);
+        }
+        assert_eq!(directions.known, KEPT + 1);
+        for place in KEPT..size {
+            assert_eq!(solve(&mut directions, &mut identity, &unit(size, place), 1e-8), 0);
+        }
+        assert_eq!(solve(&mut directions, &mut identity, &unit(size, 0), 1e-8), 1);
+    }
+
+    /// Pairs of directions of which all but 10⁻⁵ is the same once the local part is small: products
+    /// of pairs cannot tell them apart to 10⁻⁸, but they are all that the next system needs.
+    #[test]
+    fn nearly_equal_recycled_directions_count() {
+        let size = 10;
+        let pairs = Matrix::new(size, |i, j| f64::from(u8::from(i / 2 == j / 2)));
+        let mut directions = Directions::default();
+        let mut begin = pairs.clone().with_local(|_| 100.0);
+        for place in 0..size {
+            solve(&mut directions, &mut begin, &unit(size, place), 1e-8);
+        }
+        let mut system = pairs.with_local(|i| 1e-5 * (1.0 + i as f64));
+        let rhs: Vec<_> = (0..size).map(|i| 1.0 + (i as f64).sin()).collect();
+        assert_eq!(solve(&mut directions, &mut system, &rhs, 1e-8), 0);
+    }
+
+    /// Rotations of planes by a right angle and a little: from one direction in each plane what is
+    /// left of the system is small, of both signs and spread, while all planes together are solved
+    /// in a few products.
+    #[test]
+    fn recycled_directions_in_the_way_of_new_ones_do_not_lead() {
+        let (planes, size) = (20, 40);
+        let rotation = Matrix::new(size, |i, j| match (i % 2, j % 2) {
+            (1, 0) if i == j + 1 => 1.0,
+            (0, 1) if j == i + 1 => -1.0,
+            _ => 0.0,
+        });
+        let mut directions = Directions::default();
+        let mut begin = rotation.clone().with_local(|_| 10.0);
+        for plane in 0..planes {
+            assert_eq!(solve(&mut directions, &mut begin, &unit(size, 2 * plane), 0.5), 1);
+        }
+        let mut system =
+            rotation.with_local(|i| 0.05 * ((i / 2) as f64 + 0.5 - 0.5 * planes as f64) / 10.0);
+        let rhs: Vec<_> = (0..size).map(|i| 1.0 + (i as f64).sin()).collect();
+        let products = solve(&mut directions, &mut system, &rhs, 1e-6);
+        assert!(directions.alone.dimension() > 0);
+        let fresh = solve(&mut Directions::default(), &mut system, &rhs, 1e-6);
+        assert!(products <= fresh + 1, "{products} {fresh}");
+        assert!(products < planes / 2, "{products}");
+    }
+
+    /// What is new lies in what a recycled direction made small: of the residual of the new one
+    /// nothing is left but what is known.
+    #[test]
+    fn a_residual_that_leads_nowhere_gives_way_to_another() {
+        let columns = [[1.0, 0.0, 0.0], [1.0, 5e-4, 5e-4], [0.0, 0.0, 1.0]];
+        let mut system = Matrix::new(3, |i, j| columns[j][i]);
+        let mut directions = Directions::default();
+        solve(&mut directions, &mut system, &unit(3, 0), 1e-8);
+        solve(&mut directions, &mut system, &unit(3, 1), 1e-6);
+    }
+
+    /// A cyclic shift: residuals stay as they are until the last direction.
+    #[test]
+    fn residuals_that_stand_still_do_not_end_the_search() {
+        let size = 20;
+        let mut shift = Matrix::new(size, |i, j| f64::from(u8::from(i == (j + 1) % size)));
+        let products = solve(&mut Directions::default(), &mut shift, &unit(size, 0), 1e-8);
+        assert!(products <= 2 * size, "{products}");
+    }
+
+    /// A system that has no solution ends, and so does one with numbers that are none; what was
+    /// found before and comes afterwards does not suffer.
+    #[test]
+    fn what_cannot_be_solved_ends_and_spoils_nothing() {
+        let size = 10;
+        let mut system = Matrix::new(size, |i, j| f64::from(u8::from(i == j && i > 0)));
+        let mut directions = Directions::default();
+        let (products, left) = attempt(&mut directions, &mut system, &[1.0; 10], 1e-8);
+        assert!(products <= 5, "{products}");
+        assert!((left - 0.1_f64.sqrt()).abs() < 1e-12, "{left}");
+
+        let mut broken = system.clone().with_local(|_| f64::NAN);
+        let (mut step, mut response) = ([0.0; 10], [0.0; 10]);
+        let target = [step.as_mut_slice(), response.as_mut_slice()];
+        directions.solve(&mut broken, &[1.0; 10], 1e-8, (target, &|| Ok(()))).unwrap();
+
+        let mut good = system.with_local(|_| 1.0);
+        solve(&mut directions, &mut good, &[1.0; 10], 1e-8);
     }
 }

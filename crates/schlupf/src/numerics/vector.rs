@@ -6,8 +6,8 @@ const LANES: usize = 8;
 /// Number of vectors that are worked on at once.
 const FOUR: usize = 4;
 
-/// Numbers of each of some vectors that are worked on before the next ones: as many as the nearest
-/// cache holds.
+/// Numbers of each of some vectors that are worked on before the next ones: those of one vector,
+/// the sum, and of four others fit into the nearest cache.
 const IN_CACHE: usize = 512;
 
 /// v · w of vectors of equal length.
@@ -60,17 +60,17 @@ pub(crate) fn gram(vectors: &[Vec<f64>], products: &mut Vec<f64>) {
 /// Adds the products of the first numbers of `w` with those of some vectors from `start` on.
 fn add_dots(w: &[f64], vectors: &[Vec<f64>], start: usize, products: &mut [f64]) {
     let w = &w[..IN_CACHE.min(w.len())];
-    let of = |vector: &'_ Vec<f64>| start..start + w.len().min(vector.len());
+    let these = start..start + w.len();
     let (fours, sums) = (vectors.chunks_exact(FOUR), products.chunks_exact_mut(FOUR));
     for (four, sums) in fours.zip(sums) {
-        let four: [&[f64]; FOUR] = std::array::from_fn(|n| &four[n][of(&four[n])]);
+        let four: [&[f64]; FOUR] = std::array::from_fn(|n| &four[n][these.clone()]);
         for (sum, product) in sums.iter_mut().zip(four_dots(w, four)) {
             *sum += product;
         }
     }
     let done = vectors.len() - vectors.len() % FOUR;
     for (vector, sum) in vectors[done..].iter().zip(&mut products[done..]) {
-        *sum += dot(w, &vector[of(vector)]);
+        *sum += dot(w, &vector[these.clone()]);
     }
 }
 
