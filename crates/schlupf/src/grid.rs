@@ -92,6 +92,11 @@ impl Grid {
         }
     }
 
+    /// Number of cells along x without the border.
+    pub fn columns_within(&self) -> usize {
+        self.columns - 2 * BORDER
+    }
+
     /// Number of cells, border included.
     pub fn len(&self) -> usize {
         self.columns * self.rows

@@ -27,7 +27,7 @@ use schlupf::normal::ellipse::Ellipse;
 use schlupf::normal::tabulated::{PressureTable, Tabulated};
 use schlupf::rolling::steady::SteadySolver;
 use schlupf::solution::Resultant;
-use schlupf::{Error, Options, Problem, Solution, Status, unwatched};
+use schlupf::{Error, Options, Problem, Solution, Status, Transient, unwatched};
 
 /// Creepages and spin (in 1/m) with which about half of the patch sticks.
 const MOTION: [f64; 3] = [0.0015, 0.001, 0.4];
@@ -264,6 +264,45 @@ fn kalker_1967_initial_slope() {
     let exact = creep_coefficients(1.0, Material::STEEL.poisson_ratio).unwrap().c11;
     assert_relative_eq!(fine, exact, max_relative = 0.02);
     assert_relative_eq!(2.0 * fine - coarse, exact, max_relative = 0.005);
+}
+
+/// On a patch with these semi-axes, in m.
+fn on_ellipse(mut problem: Problem, [a, b]: [f64; 2]) -> Problem {
+    problem.normal = Arc::new(Ellipse::from_peak_pressure(a, b, 1e9).unwrap());
+    problem
+}
+
+/// Cells that are wider than long where the edge runs through many of them: on as few across as are
+/// allowed the force is nearly that of a square grid; on fewer, which have wrong solutions, Coulomb's
+/// law is refused, and stiff bristles are followed from cell to cell.
+#[test]
+fn cells_that_are_too_wide_are_refused() {
+    for (b, cells_y) in [(5e-3, 4), (25e-3, 9), (100e-3, 18), (1e-3, 3)] {
+        let problem = on_ellipse(coulomb([1e-3, 1e-3, 0.0]), [5e-3, b]);
+        let on = |cells_y| Options { cells_x: 40, cells_y, ..Options::default() };
+        let (wide, square) = (solve(&problem, &on(cells_y)), solve(&problem, &on(40)));
+        assert!(gap(&wide, &square) < 0.01, "{b}: {}", gap(&wide, &square));
+        let products = wide.work.operator_products;
+        assert!(products < 60.0, "{b}: {products}");
+
+        let [fewest, columns, count] = [cells_y, 40, cells_y - 1];
+        if fewest > 3 {
+            let refusal = Error::TooFewAcross { fewest, columns, count };
+            let refused = schlupf::rolling::steady::solve(&problem, &on(count), &unwatched);
+            assert_eq!(refused.unwrap_err(), refusal);
+            let transient = Transient::to_steady_state(&problem);
+            let refused = schlupf::rolling::marching::march(&transient, &on(count), &unwatched);
+            assert_eq!(refused.unwrap_err(), refusal);
+
+            let mut stiff = problem;
+            stiff.contact_law = Arc::new(Incremental::new(1e8).unwrap());
+            let followed = solve(&stiff, &on(count));
+            assert!(followed.warnings.is_empty(), "{:?}", followed.warnings);
+            assert!(gap(&followed, &square) < 0.05, "{b}: {}", gap(&followed, &square));
+            let products = followed.work.operator_products;
+            assert!(products < 150.0, "{b}: {products}");
+        }
+    }
 }
 
 /// Nothing but elasticity determines the traction where bodies stick, so rigid ones are refused.

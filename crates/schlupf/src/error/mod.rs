@@ -407,6 +407,21 @@ messages! {
         words.word(Quantity::ContactLaw)
     );
 
+    /// Coulomb's law on cells that are much wider than long.
+    "too-few-across" TooFewAcross {
+        /// How many cells are needed across rolling.
+        fewest: usize,
+        /// How many there are along rolling.
+        columns: usize,
+        /// How many there are across.
+        count: usize,
+    } Quantity::CellsY, |name, words| format!(
+        "{name} must be at least {fewest} for {columns} cells along rolling on this patch, but is \
+         {count}: with Coulomb's law ({}), cells must not be much wider than long where the edge of \
+         the patch runs through them",
+        words.word(Quantity::ContactLaw)
+    );
+
     /// A look-up table for bodies with a layer between them.
     "layer-with-table" LayerWithTable {} Quantity::LookUpTable, |name, words| format!(
         "{name}: a look-up table holds for surfaces without a layer between them; choose another {} \

@@ -182,6 +182,7 @@ impl<'a> March<'a> {
         let (grid, peak_pressure) = grid_over_history(transient, options)?;
         let normal = problem.normal.normal_contact(history.load(start))?;
         let mut contact = DiscreteContact::new(problem, &normal, grid)?;
+        contact.require_rows(problem)?;
         let creepage_x = history.largest_creepage_x(&problem.kinematics);
         let fastest = Problem {
             kinematics: Kinematics { creepage_x, ..problem.kinematics },

@@ -43,6 +43,12 @@ pub(in crate::rolling) fn at_distance(row: &[[f64; 2]], columns: f64) -> [f64; 2
     [0, 1].map(|c| (1.0 - share) * of(near)[c] + share * of(near + 1)[c])
 }
 
+/// Largest ratio of width to length of a cell times that of the number of cells along rolling to
+/// that across, dimensionless. Beyond it the edge of the patch runs through so many cells of a strip
+/// that are wider than long that the equations of stick and slip have several solutions, wrong ones
+/// among them; up to it solutions take few products (`cells_that_are_too_wide_are_refused`).
+const WIDEST: f64 = 100.0;
+
 struct Workspace {
     traction: VectorField,
     /// That of the bodies.
@@ -225,16 +231,43 @@ impl DiscreteContact {
 
     /// The same for another peak pressure, in Pa.
     pub fn stick_share_under(&self, problem: &Problem, peak_pressure: f64) -> StickShare {
-        if problem.contact_law.is_coulomb() || self.compliance.couples_cells() {
+        let is_suited = self.compliance.couples_cells() && self.fewest_rows().is_none();
+        if problem.contact_law.is_coulomb() || is_suited {
             return StickShare::of(problem, peak_pressure, self.cell_stiffness());
         }
         StickShare::default()
     }
 
+    /// Whether the grid is one for stick and slip under Coulomb's law.
+    ///
+    /// # Errors
+    /// Too few cells across.
+    pub fn require_rows(&self, problem: &Problem) -> Result<(), Error> {
+        match self.fewest_rows().filter(|_| problem.contact_law.is_coulomb()) {
+            Some(fewest) => Err(Error::TooFewAcross {
+                fewest,
+                columns: self.patch.grid.columns_within(),
+                count: self.patch.grid.rows,
+            }),
+            None => Ok(()),
+        }
+    }
+
+    /// Number of rows that stick and slip need, if the grid has fewer.
+    fn fewest_rows(&self) -> Option<usize> {
+        let grid = &self.patch.grid;
+        let columns = grid.columns_within() as f64;
+        let length = columns * grid.spacing_x;
+        let width = grid.rows as f64 * grid.spacing_y;
+        let fewest = (columns * (width / (length * WIDEST)).sqrt()).ceil() as usize;
+        (self.compliance.couples_cells() && grid.rows < fewest).then_some(fewest)
+    }
+
     /// Whether bristles are not soft, and a motion is so slow that the cells of a strip move each
     /// other more than they slide.
     pub fn is_held(&self, problem: &Problem) -> bool {
-        if !StickShare::is_for(problem) || !self.compliance.couples_cells() {
+        let is_suited = self.compliance.couples_cells() && self.fewest_rows().is_none();
+        if !StickShare::is_for(problem) || !is_suited {
             return false;
         }
         let slip = |k: &Cell| {

@@ -104,6 +104,7 @@ fn strips(
     (sticking, finest): (Option<Discretisation>, Option<&DiscreteContact>),
 ) -> Result<Box<dyn StripLaw>, Error> {
     let finest = finest.unwrap_or(contact);
+    finest.require_rows(problem)?;
     let (share, finest_cell) = (finest.stick_share(problem).value, finest.cell_stiffness());
     let has_slider = share > 0.0 || finest.is_held(problem);
     let sticking =
