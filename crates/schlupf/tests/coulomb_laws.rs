@@ -272,9 +272,9 @@ fn on_ellipse(mut problem: Problem, [a, b]: [f64; 2]) -> Problem {
     problem
 }
 
-/// Cells that are wider than long where the edge runs through many of them: on as few across as are
-/// allowed the force is nearly that of a square grid; on fewer, which have wrong solutions, Coulomb's
-/// law is refused, and stiff bristles are followed from cell to cell.
+/// Cells that are wider than long where the edge runs through many of them: on as few across as
+/// are allowed the force is nearly that of a square grid; on fewer, which have wrong solutions,
+/// Coulomb's law is refused, and stiff bristles are followed from cell to cell.
 #[test]
 fn cells_that_are_too_wide_are_refused() {
     for (b, cells_y) in [(5e-3, 4), (25e-3, 9), (100e-3, 18), (1e-3, 3)] {

@@ -151,8 +151,8 @@ impl Projection {
         is_certain
     }
 
-    /// Adds J z of a direction, removes its part of the rest, and returns whether anything of it was
-    /// new.
+    /// Adds J z of a direction, removes its part of the rest, and returns whether anything of it
+    /// was new.
     fn add(&mut self, number: usize, direction: &Direction, system: &mut impl Equilibrium) -> bool {
         let dimension = self.dimension();
         let w = self.room(dimension, direction.z.len());

@@ -44,9 +44,10 @@ pub(in crate::rolling) fn at_distance(row: &[[f64; 2]], columns: f64) -> [f64; 2
 }
 
 /// Largest ratio of width to length of a cell times that of the number of cells along rolling to
-/// that across, dimensionless. Beyond it the edge of the patch runs through so many cells of a strip
-/// that are wider than long that the equations of stick and slip have several solutions, wrong ones
-/// among them; up to it solutions take few products (`cells_that_are_too_wide_are_refused`).
+/// that across, dimensionless. Beyond it the edge of the patch runs through so many cells of a
+/// strip that are wider than long that the equations of stick and slip have several solutions,
+/// wrong ones among them; up to it solutions take few products
+/// (`cells_that_are_too_wide_are_refused`).
 const WIDEST: f64 = 100.0;
 
 struct Workspace {
