@@ -277,7 +277,7 @@ fn on_ellipse(mut problem: Problem, [a, b]: [f64; 2]) -> Problem {
 /// Coulomb's law is refused, and stiff bristles are followed from cell to cell.
 #[test]
 fn cells_that_are_too_wide_are_refused() {
-    for (b, cells_y) in [(5e-3, 4), (25e-3, 9), (100e-3, 18), (1e-3, 3)] {
+    for (b, cells_y) in [(5e-3, 6), (25e-3, 13), (100e-3, 26), (1e-3, 3)] {
         let problem = on_ellipse(coulomb([1e-3, 1e-3, 0.0]), [5e-3, b]);
         let on = |cells_y| Options { cells_x: 40, cells_y, ..Options::default() };
         let (wide, square) = (solve(&problem, &on(cells_y)), solve(&problem, &on(40)));

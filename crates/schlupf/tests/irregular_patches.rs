@@ -19,7 +19,7 @@ use schlupf::wheel_rail::{
     Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side, Support,
     Tangential, Track, WheelOnRail, WheelShape,
 };
-use schlupf::{Method, Options, Problem, Quantity, Solution, Warning, unwatched};
+use schlupf::{Error, Method, Options, Problem, Quantity, Solution, Warning, unwatched};
 
 /// Numbers between 0 and 1 (Park and Miller 1988).
 struct Random(u64);
@@ -177,4 +177,60 @@ fn coarse_angular_and_noisy_tables_are_solved_directly() {
             assert!(found[0] <= 30.0 && found[1] <= 50.0 && found[2] <= 2000.0, "{found:?}");
         }
     }
+}
+
+/// Circles of a radius of 1 mm at some places along y (in m), 1 GPa under each, on a lattice.
+fn circles(at: &[f64], farthest: f64, spacing: f64) -> Tabulated {
+    let axis = |farthest: f64| -> Vec<f64> {
+        let count = (farthest / spacing).round() as i32;
+        (-count..=count).map(|k| f64::from(k) * spacing).collect()
+    };
+    let (x, y) = (axis(1.2e-3), axis(farthest));
+    let under = |x: f64, y: f64| (1.0 - (x * x + y * y) * 1e6).max(0.0).sqrt();
+    let sum = |x: f64, y: f64| at.iter().map(|at| under(x, y - at)).sum::<f64>();
+    let pressure: Vec<_> =
+        y.iter().flat_map(|y| x.iter().map(move |x| 1e9 * sum(*x, *y))).collect();
+    let load = at.len() as f64 * 2e3;
+    Tabulated::new(PressureTable::new(&x, &y, pressure).unwrap(), Some(load)).unwrap()
+}
+
+/// Two circles far apart, twenty samples across each: some motions are found only from faster ones.
+/// Each circle has the force of one alone.
+#[test]
+fn a_state_that_is_not_found_is_approached_from_faster_motions() {
+    let solve = |normal: Tabulated, creepage: f64, options: &Options| {
+        let motion = rolling(creepage, creepage, 0.0);
+        let problem = Problem { normal: Arc::new(normal), ..coulomb(problem(motion)) };
+        let solution = schlupf::rolling::steady::solve(&problem, options, &unwatched).unwrap();
+        assert!(!is_marched(&solution), "{creepage}");
+        solution
+    };
+    let mut products = Vec::new();
+    for k in 0..12 {
+        let creepage = 1e-5 * f64::from(20 + 2 * k);
+        let on = Options { cells_x: 36, cells_y: 90, ..Options::default() };
+        let two = solve(circles(&[-8e-3, 8e-3], 9.2e-3, 1e-4), creepage, &on);
+        let one = solve(circles(&[0.0], 1.2e-3, 1e-4), creepage, &cells(36));
+        let gap = (two.normalised.x - one.normalised.x).abs();
+        assert!(gap < 2e-3, "{creepage}: {gap}");
+        products.push(two.work.operator_products);
+    }
+    let [median, _, largest] = quantiles(products);
+    assert!(median < 100.0 && largest < 400.0, "{median} {largest}");
+}
+
+/// Cells that are too wide are those of each part: two circles on rows that would be many on one
+/// patch of their width, but are three on each.
+#[test]
+fn each_part_needs_its_cells_across() {
+    let normal = Arc::new(circles(&[-8e-3, 8e-3], 9.2e-3, 2.5e-5));
+    let problem = Problem { normal, ..coulomb(problem(rolling(1e-3, 1e-3, 0.0))) };
+    let on = |cells_y| Options { cells_x: 40, cells_y, ..Options::default() };
+    let solve = |cells_y| schlupf::rolling::steady::solve(&problem, &on(cells_y), &unwatched);
+    let refused = solve(27).unwrap_err();
+    let Error::TooFewAcross { fewest, columns: 40, count: 27 } = refused else {
+        panic!("{refused:?}")
+    };
+    let products = solve(fewest).unwrap().work.operator_products;
+    assert!(products < 100.0, "{fewest}: {products}");
 }

@@ -205,7 +205,7 @@ impl Projection {
         norm(w)
     }
 
-    /// The newest vector of the basis, if it is of a new direction.
+    /// The newest vector of the basis that was added by itself.
     fn newest(&self) -> Option<&Vec<f64>> {
         let dimension = self.dimension();
         (dimension > self.recycled).then(|| &self.basis[dimension - 1])

@@ -418,7 +418,7 @@ messages! {
     } Quantity::CellsY, |name, words| format!(
         "{name} must be at least {fewest} for {columns} cells along rolling on this patch, but is \
          {count}: with Coulomb's law ({}), cells must not be much wider than long where the edge of \
-         the patch runs through them",
+         the patch runs through many of them; take more across or fewer along",
         words.word(Quantity::ContactLaw)
     );
 

@@ -8,6 +8,7 @@
 mod coverage;
 mod elliptic;
 mod interpolation;
+mod parts;
 mod tabulated;
 
 use std::ops::Range;

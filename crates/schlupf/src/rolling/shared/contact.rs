@@ -43,12 +43,11 @@ pub(in crate::rolling) fn at_distance(row: &[[f64; 2]], columns: f64) -> [f64; 2
     [0, 1].map(|c| (1.0 - share) * of(near)[c] + share * of(near + 1)[c])
 }
 
-/// Largest ratio of width to length of a cell times that of the number of cells along rolling to
-/// that across, dimensionless. Beyond it the edge of the patch runs through so many cells of a
-/// strip that are wider than long that the equations of stick and slip have several solutions,
-/// wrong ones among them; up to it solutions take few products
-/// (`cells_that_are_too_wide_are_refused`).
-const WIDEST: f64 = 100.0;
+/// Largest ratio of width to length of a cell times that of the number of cells of a part of the
+/// contact along rolling to that across, dimensionless. Beyond it the edge runs through so many
+/// cells of a strip that are wider than long that stick and slip take more and more products; from
+/// twice as much on, the equations have wrong solutions, too.
+const WIDEST: f64 = 50.0;
 
 struct Workspace {
     traction: VectorField,
@@ -256,12 +255,15 @@ impl DiscreteContact {
 
     /// Number of rows that stick and slip need, if the grid has fewer.
     fn fewest_rows(&self) -> Option<usize> {
+        if !self.compliance.couples_cells() {
+            return None;
+        }
         let grid = &self.patch.grid;
-        let columns = grid.columns_within() as f64;
-        let length = columns * grid.spacing_x;
-        let width = grid.rows as f64 * grid.spacing_y;
-        let fewest = (columns * (width / (length * WIDEST)).sqrt()).ceil() as usize;
-        (self.compliance.couples_cells() && grid.rows < fewest).then_some(fewest)
+        let cell = grid.spacing_y / grid.spacing_x;
+        let ratio = |[columns, rows]: [usize; 2]| cell * columns as f64 / rows as f64;
+        let largest = self.patch.sizes_of_parts().into_iter().map(ratio).fold(0.0, f64::max);
+        let fewest = (grid.rows as f64 * (largest / WIDEST).sqrt()).ceil() as usize;
+        (grid.rows < fewest).then_some(fewest)
     }
 
     /// Whether bristles are not soft, and a motion is so slow that the cells of a strip move each

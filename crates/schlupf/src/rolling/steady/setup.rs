@@ -80,6 +80,24 @@ fn stiffened(problem: &Problem) -> Vec<Problem> {
     std::iter::once(coulomb).chain(stiffer).map(with).collect()
 }
 
+/// Multiples of a motion through which a state under Coulomb's law is approached that is not found
+/// otherwise: the more of the contact slides, the fewer cells change between stick and slip.
+const FASTER: [f64; 3] = [3.0, 1.8, 1.3];
+
+/// Largest creepage of such a motion, dimensionless.
+const FASTEST: f64 = 0.5;
+
+/// The same problem with all creepages and the spin larger, the largest first.
+fn quickened(problem: &Problem) -> impl Iterator<Item = Problem> {
+    let quicken = |times: f64| {
+        let Kinematics { creepage_x, creepage_y, spin, .. } = problem.kinematics;
+        let [creepage_x, creepage_y, spin] = [creepage_x, creepage_y, spin].map(|of| times * of);
+        let kinematics = Kinematics { creepage_x, creepage_y, spin, ..problem.kinematics };
+        (creepage_x.hypot(creepage_y) < FASTEST).then(|| Problem { kinematics, ..problem.clone() })
+    };
+    FASTER.into_iter().filter_map(quicken)
+}
+
 /// Whether two shares of stick and slip are both none, both all, or both between.
 fn is_alike(one: f64, other: f64) -> bool {
     (one == 0.0, one == 1.0) == (other == 0.0, other == 1.0)
@@ -164,7 +182,7 @@ impl Setup {
 
     /// The steady state, starting from previous solutions; if that fails, from none; and then
     /// through softer bristles, with which the problem is smoother, or, if they are stiff, from the
-    /// state without any.
+    /// state without any; under Coulomb's law from faster motions.
     pub fn find(&mut self, problem: &Problem, search: &mut Search) -> Result<Outcome, Error> {
         if !self.earlier.is_empty() {
             let outcome = self.find_equilibrium(problem, search)?;
@@ -175,6 +193,9 @@ impl Setup {
         let outcome = self.find_equilibrium(problem, search)?;
         if outcome.converged {
             return Ok(outcome);
+        }
+        if problem.contact_law.is_coulomb() {
+            return Ok(self.find_from_faster(problem, search)?.unwrap_or(outcome));
         }
         let easier = if self.sticks() { stiffened(problem) } else { softened(problem) };
         if easier.is_empty() {
@@ -187,6 +208,25 @@ impl Setup {
             }
         }
         self.find_equilibrium(problem, search)
+    }
+
+    /// The steady state, starting from those of faster motions; if there is one, and if any of those
+    /// is found.
+    fn find_from_faster(
+        &mut self,
+        problem: &Problem,
+        search: &mut Search,
+    ) -> Result<Option<Outcome>, Error> {
+        if branches::may_be_several(problem, &self.levels[0], false) {
+            return Ok(None);
+        }
+        for faster in quickened(problem) {
+            self.find_equilibrium(&faster, search)?;
+        }
+        if self.earlier.is_empty() {
+            return Ok(None);
+        }
+        self.find_equilibrium(problem, search).map(Some)
     }
 
     /// Newton's method for the whole patch, from the coarsest grid to the finest.
