@@ -210,8 +210,8 @@ impl Setup {
         self.find_equilibrium(problem, search)
     }
 
-    /// The steady state, starting from those of faster motions; if there is one, and if any of those
-    /// is found.
+    /// The steady state, starting from those of faster motions; none if there may be several, or
+    /// none of those is found.
     fn find_from_faster(
         &mut self,
         problem: &Problem,
