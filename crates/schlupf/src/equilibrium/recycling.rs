@@ -5,10 +5,9 @@
 //! minimises its residual over the directions of those before it, and only then asks for new ones,
 //! the preconditioned residuals (generalised conjugate residuals, Eisenstat, Elman and Schultz
 //! 1983; recycling: Parks et al. 2006). Where the earlier ones leave little of a new one, the next
-//! ones follow the residuals that the new ones alone would leave, those of the same method begun
-//! from what the earlier ones left; the residual is still minimised over all. A residual that leads
-//! to nothing new (both methods stand still where GMRES only waits) is followed by another one, and
-//! at last by the newest response, as in GMRES.
+//! ones follow the residuals that the new ones alone would leave, as if the method had begun from
+//! what the earlier ones left; the residual is still minimised over all. Where a residual leads to
+//! nothing new, another one takes its place, and in the end the newest response, as in GMRES.
 
 use super::{Continues, Equilibrium, LARGE};
 use crate::error::Error;
@@ -93,6 +92,10 @@ impl Projection {
 
     fn dimension(&self) -> usize {
         self.numbers.len()
+    }
+
+    fn is_used(&self) -> bool {
+        self.dimension() > 0
     }
 
     /// Room for J z at a place of the basis.
@@ -249,6 +252,16 @@ fn solve_transposed(triangle: &[f64], b: &mut [f64]) {
     }
 }
 
+/// What the next direction follows, after so many that led to nothing new.
+fn leading<'a>(
+    whole: &'a Projection,
+    alone: &'a Projection,
+    useless: usize,
+) -> Option<&'a Vec<f64>> {
+    let leaders = [alone.is_used().then_some(&alone.rest), Some(&whole.rest), whole.newest()];
+    leaders.into_iter().flatten().nth(useless)
+}
+
 impl Directions {
     /// Solves J d = −`residual` until the linear residual falls below `forcing` times its initial
     /// value, or no direction brings anything new, or there are too many: Newton's method, which
@@ -277,9 +290,7 @@ impl Directions {
             if system.size() > LARGE {
                 continues()?;
             }
-            let are_alone = alone.dimension() > 0;
-            let leaders = [are_alone.then_some(&alone.rest), Some(&whole.rest), whole.newest()];
-            let Some(leading) = leaders.into_iter().flatten().nth(useless) else { break };
+            let Some(leading) = leading(whole, alone, useless) else { break };
             let number = *known;
             if all.len() == number {
                 all.push(Direction::default());
@@ -289,7 +300,7 @@ impl Directions {
             let is_new = whole.add(number, &all[number], system);
             *known += usize::from(is_new);
             useless = if is_new { 0 } else { useless + 1 };
-            if are_alone {
+            if alone.is_used() {
                 alone.add(number, &all[number], system);
             } else if whole.stagnates() {
                 for (number, new) in all.iter().enumerate().take(number + 1).skip(first_new) {
@@ -527,14 +538,14 @@ mod tests {
             rotation.with_local(|i| 0.05 * ((i / 2) as f64 + 0.5 - 0.5 * planes as f64) / 10.0);
         let rhs: Vec<_> = (0..size).map(|i| 1.0 + (i as f64).sin()).collect();
         let products = solve(&mut directions, &mut system, &rhs, 1e-6);
-        assert!(directions.alone.dimension() > 0);
+        assert!(directions.alone.is_used());
         let fresh = solve(&mut Directions::default(), &mut system, &rhs, 1e-6);
         assert!(products <= fresh + 1, "{products} {fresh}");
         assert!(products < planes / 2, "{products}");
     }
 
-    /// What is new lies in what a recycled direction made small: of the residual of the new one
-    /// nothing is left but what is known.
+    /// The residual that the new direction alone leaves leads back into what is known already,
+    /// while that over all directions leads on.
     #[test]
     fn a_residual_that_leads_nowhere_gives_way_to_another() {
         let columns = [[1.0, 0.0, 0.0], [1.0, 5e-4, 5e-4], [0.0, 0.0, 1.0]];
@@ -553,10 +564,10 @@ mod tests {
         assert!(products <= 2 * size, "{products}");
     }
 
-    /// A system that has no solution ends, and so does one with numbers that are none; what was
-    /// found before and comes afterwards does not suffer.
+    /// A system without a solution ends, and so does one with NaN; the systems after them are
+    /// solved.
     #[test]
-    fn what_cannot_be_solved_ends_and_spoils_nothing() {
+    fn what_cannot_be_solved_ends_and_harms_no_later_system() {
         let size = 10;
         let mut system = Matrix::new(size, |i, j| f64::from(u8::from(i == j && i > 0)));
         let mut directions = Directions::default();

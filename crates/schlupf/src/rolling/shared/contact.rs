@@ -231,8 +231,7 @@ impl DiscreteContact {
 
     /// The same for another peak pressure, in Pa.
     pub fn stick_share_under(&self, problem: &Problem, peak_pressure: f64) -> StickShare {
-        let is_suited = self.compliance.couples_cells() && self.fewest_rows().is_none();
-        if problem.contact_law.is_coulomb() || is_suited {
+        if problem.contact_law.is_coulomb() || self.suits_stick_and_slip() {
             return StickShare::of(problem, peak_pressure, self.cell_stiffness());
         }
         StickShare::default()
@@ -253,6 +252,11 @@ impl DiscreteContact {
         }
     }
 
+    /// Whether bristles may be solved for stick and slip.
+    fn suits_stick_and_slip(&self) -> bool {
+        self.compliance.couples_cells() && self.fewest_rows().is_none()
+    }
+
     /// Number of rows that stick and slip need, if the grid has fewer.
     fn fewest_rows(&self) -> Option<usize> {
         if !self.compliance.couples_cells() {
@@ -269,8 +273,7 @@ impl DiscreteContact {
     /// Whether bristles are not soft, and a motion is so slow that the cells of a strip move each
     /// other more than they slide.
     pub fn is_held(&self, problem: &Problem) -> bool {
-        let is_suited = self.compliance.couples_cells() && self.fewest_rows().is_none();
-        if !StickShare::is_for(problem) || !is_suited {
+        if !StickShare::is_for(problem) || !self.suits_stick_and_slip() {
             return false;
         }
         let slip = |k: &Cell| {
