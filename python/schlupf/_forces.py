@@ -12,7 +12,7 @@ from ._fields import FIELDS
 from ._laws import in_law
 from ._result import Result
 from ._tables import attributes
-from ._units import plain, refused
+from ._units import plain
 from .warnings import emit
 
 if TYPE_CHECKING:
@@ -20,54 +20,69 @@ if TYPE_CHECKING:
 
     from ._case import Case
 
-#: Conditions that need no other case, with their fields.
+#: Conditions that have a short name, with their fields.
 CONDITIONS = dict(_core.conditions())
 
 #: Kinds of fields that are numbers.
 NUMBERS = ("quantity", "number", "count", "number-or-choice")
 
-#: Variables of the results.
-RESULTS = ("force_x", "force_y", "moment_z", "traction_coefficient")
-
 #: Values of ``status``.
-STATUS = ("converged", "not-converged")
+STATUS = tuple(_core.condition_status())
+
+#: The dimension of the contacts of a wheel.
+CONTACT = "contact"
 
 
-def forces(case: Case, *, warn: bool = True, **conditions: ArrayLike | xr.DataArray) -> xr.Dataset:
+def forces(
+    case: Case,
+    *,
+    strict: bool = False,
+    warn: bool = True,
+    **conditions: ArrayLike | xr.DataArray,
+) -> xr.Dataset:
     """Forces on the wheel under many conditions, on all cores.
+
+    Each condition is that of ``case.with_(…).solve()``.
 
     Parameters
     ----------
     case : Case
         Everything that does not vary; its method may be a fast one.
+    strict : bool, default False
+        Whether to raise the error of the first condition that fails.
     warn : bool, default True
         Whether to issue the warnings of the results.
     **conditions : array or DataArray
-        ``creepage_x``, ``creepage_y`` (dimensionless), ``spin`` (1/m), ``speed`` (m/s), ``load``
-        (N), which change as in a history of the case; or any number of the case by its path with
-        ``__`` for the dot, such as ``friction__coefficient``, which is as in a case with that
-        field. Numbers are in SI units; text and quantities of pint have theirs. They are
-        broadcast: arrays as in NumPy, with dimensions ``dim_0``
-        …, data arrays by the names of their dimensions.
+        Any number of the case by its path with ``__`` for the dot, such as
+        ``friction__coefficient``; ``creepage_x``, ``creepage_y``, ``spin``, ``speed`` stand for those
+        of ``kinematics``, ``load`` for ``normal__load``. Numbers are in SI units; text and quantities
+        of pint have theirs. They are broadcast: arrays as in NumPy, with dimensions ``dim_0`` …,
+        data arrays by the names of their dimensions.
 
     Returns
     -------
     xarray.Dataset
         ``force_x``, ``force_y`` (N), ``moment_z`` (N m; not a number if the method has none),
-        ``traction_coefficient`` and ``status`` (0: converged, 1: not), with the conditions as
-        coordinates.
+        ``traction_coefficient`` and ``status`` (0: converged, 1: not converged, 2: no contact, 3:
+        failed), with the conditions as coordinates. Without a normal load, or where a wheel does not
+        touch the rail, forces are zero; where a condition fails they are not numbers. Of a wheel
+        with profiles also ``wheel_force_x``, ``wheel_force_y``, ``wheel_force_z`` (N, in the track)
+        and, along ``contact``, all that is known of up to three contacts: ``contact_position_y``,
+        ``contact_angle``, ``contact_rolling_radius``, ``contact_normal_load``, ``contact_force_x``
+        …; the other forces are then those of the first contact, which has the largest normal force.
 
     Raises
     ------
     CaseError
-        If a condition is not allowed; it tells which one.
+        If all conditions fail, or `strict` and one does; it tells which one.
 
     Notes
     -----
     Solutions of the full method start from that of the condition before, so neighbours should be
     alike. Fixed blocks of conditions have a solver each: results do not depend on the number of
-    cores. Other numbers than those named need a solver for each value. A warning that several
-    conditions have is issued once; conditions are counted from 0.
+    cores. Conditions other than creepages, spin, speed and load need a solver for each value, and so
+    do all of a wheel with profiles. A warning that several conditions have is issued once;
+    conditions are counted from 0.
 
     Examples
     --------
@@ -78,71 +93,57 @@ def forces(case: Case, *, warn: bool = True, **conditions: ArrayLike | xr.DataAr
     >>> table["force_x"].shape
     (5, 2)
     """
-    paths = {name: name.replace("__", ".") for name in conditions}
-    for name, path in paths.items():
-        if name not in CONDITIONS and (path not in FIELDS or FIELDS[path].kind not in NUMBERS):
-            known = ", ".join(CONDITIONS)
-            raise TypeError(f"no condition {name}; there are {known} and the fields of the case")
-        case._check_varied(CONDITIONS.get(name, path))
-        _check_motion(case, name)
-    given = {
-        name if name in CONDITIONS else paths[name]: _in_si(case, name, value)
-        for name, value in conditions.items()
-    }
-    fields = {name: CONDITIONS.get(name, name) for name in given}
-    if len(set(fields.values())) < len(fields):
-        raise TypeError(f"a condition must be given once, but there are {', '.join(conditions)}")
-    arrays = _broadcast(given)
-    flat: dict[str, NDArray[np.float64]] = {
-        name: np.ravel(array.values) for name, array in arrays.items()
-    }
+    paths = _paths(case, conditions)
+    given = {name: _in_si(case, paths[name], value) for name, value in conditions.items()}
+    named = {name if name in CONDITIONS else paths[name]: value for name, value in given.items()}
+    arrays, dims = _broadcast(named)
     template = next(iter(arrays.values()), xr.DataArray(np.array(0.0)))
     if template.size == 0:
         raise ValueError(f"there must be conditions, but there are none: {', '.join(conditions)}")
     coordinates = {
-        name: _coordinate(name, fields[name], given[name], arrays[name]) for name in given
+        name: _coordinate(path, value, arrays[name], dims[name])
+        for (name, value), path in zip(named.items(), paths.values(), strict=True)
     }
     # Whether they fit is known before the work.
     _empty_table(template, coordinates)
-    columns, converged, messages = _found(case, flat, template.size)
-    shaped = {
-        name: (template.dims, column["values"].reshape(template.shape), attributes(column))
-        for name, column in columns.items()
+    flat = {
+        path: np.ascontiguousarray(np.ravel(arrays[name].values))
+        for name, path in zip(named, paths.values(), strict=True)
     }
-    status = {"flag_values": [0, 1], "flag_meanings": " ".join(STATUS), "long_name": "status"}
-    if warn and not converged.all():
-        failed = f"{np.count_nonzero(~converged)} of {converged.size} conditions have not converged"
-        emit([("not-converged", "status", f"status: {failed}")], stacklevel=2)
+    columns, numbers, messages = _core.batch(case._file, flat, strict)
     if warn:
-        emit(_of_conditions(messages, template.size), stacklevel=2)
-    numbers = np.where(converged, 0, 1).astype(np.int8).reshape(template.shape)
-    dataset = xr.Dataset({**shaped, "status": (template.dims, numbers, status)})
-    return dataset.assign_coords(coordinates)
+        _warn(numbers, messages)
+    shaped = {}
+    for name, column in columns.items():
+        width = column["values"].size // template.size
+        of_contact = ([CONTACT], [width]) if width > 1 else ([], [])
+        shape = (*template.shape, *of_contact[1])
+        own = (*template.dims, *of_contact[0])
+        shaped[name] = (own, column["values"].reshape(shape), attributes(column))
+    meanings = " ".join(STATUS)
+    attrs = {
+        "flag_values": list(range(len(STATUS))), "flag_meanings": meanings, "long_name": "status"
+    }
+    shaped["status"] = (template.dims, numbers.reshape(template.shape), attrs)
+    return xr.Dataset(shaped).assign_coords(coordinates)
 
 
-#: Fields from which others follow, by the conditions that would contradict them.
-_FROM = {
-    "speed": "kinematics.angular_velocity",
-    "creepage_x": "kinematics.angular_velocity",
-    "creepage_y": "kinematics.yaw_angle",
-}
-
-
-def _check_motion(case: Case, name: str) -> None:
-    """Refuses a condition that would contradict what the case gives in place of creepages."""
-    source = _FROM.get(name)
-    if source is not None and source in case.given():
-        field = CONDITIONS[name]
-        raise refused(
-            field,
-            f"{name} cannot vary where the case gives {source}, from which its creepage follows; "
-            f"vary {field.replace('.', '__')}, as a field of the case, or give creepages",
-        )
+def _paths(case: Case, conditions: dict[str, Any]) -> dict[str, str]:
+    """The fields of conditions, by their names."""
+    paths = {name: CONDITIONS.get(name, name.replace("__", ".")) for name in conditions}
+    for name, path in paths.items():
+        if path not in FIELDS or FIELDS[path].kind not in NUMBERS:
+            known = ", ".join(CONDITIONS)
+            raise TypeError(f"no condition {name}; there are {known} and the fields of the case")
+        case._check_varied(path)
+    if len(set(paths.values())) < len(paths):
+        raise TypeError(f"a condition must be given once, but there are {', '.join(conditions)}")
+    return paths
 
 
 def _empty_table(template: xr.DataArray, coordinates: dict[str, xr.DataArray]) -> None:
     """Refuses dimensions and coordinates of which no table can be made."""
-    own = [name for name in template.dims if name in (*RESULTS, "status")]
+    own = [name for name in template.dims if name in (*_core.force_names(), "status", CONTACT)]
     if own:
         raise ValueError(f"a dimension must not have the name of a result: {own[0]}")
     try:
@@ -153,23 +154,23 @@ def _empty_table(template: xr.DataArray, coordinates: dict[str, xr.DataArray]) -
         ) from error
 
 
-def _of_conditions(
-    messages: list[tuple[str, str, str, int, int]], size: int
-) -> list[tuple[str, str, str]]:
-    """Warnings with the conditions that they are about, where not all have them."""
-    return [
-        (code, quantity, text)
-        if count == size
-        else (code, quantity, f"{text} ({count} of {size} conditions; this is number {first})")
-        for code, quantity, text, count, first in messages
-    ]
+def _warn(numbers: NDArray[np.uint8], messages: list[tuple[str, str, str, int, int]]) -> None:
+    """Issues warnings, each with the conditions that it is about, where not all have it."""
+    size = numbers.size
+    found = []
+    unconverged = np.count_nonzero(numbers == STATUS.index("not-converged"))
+    if unconverged:
+        text = f"status: {unconverged} of {size} conditions have not converged"
+        found.append(("not-converged", "status", text))
+    for code, quantity, text, count, first in messages:
+        of_some = "" if count == size else f" ({count} of {size} conditions; this is number {first})"
+        found.append((code, quantity, f"{text}{of_some}"))
+    emit(found, stacklevel=3)
 
 
-def _in_si(case: Case, name: str, value: Any) -> Any:
-    """Values of a condition in the SI unit of its field; text is read as a case reads it."""
-    path = CONDITIONS.get(name, name.replace("__", "."))
-    field = FIELDS[path]
-    value = plain(value, field, name)
+def _in_si(case: Case, path: str, value: Any) -> Any:
+    """Values of a field in its SI unit; text is read as a case reads it."""
+    value = plain(value, FIELDS[path], path)
     if isinstance(value, xr.DataArray) or np.asarray(value).dtype.kind != "U":
         return value
     texts = np.asarray(value)
@@ -177,80 +178,32 @@ def _in_si(case: Case, name: str, value: Any) -> Any:
     return np.reshape(np.asarray(read, float), texts.shape)
 
 
-def _broadcast(given: dict[str, Any]) -> dict[str, xr.DataArray]:
-    """All conditions with the same shape."""
+def _broadcast(given: dict[str, Any]) -> tuple[dict[str, xr.DataArray], dict[str, list[str]]]:
+    """All conditions with the same shape, and the dimensions along which each varies."""
     plain = {k: np.asarray(v, float) for k, v in given.items() if not isinstance(v, xr.DataArray)}
     shape = np.broadcast_shapes(*(array.shape for array in plain.values()))
-    dims = [f"dim_{k}" for k in range(len(shape))]
-    named = {
-        name: xr.DataArray(np.broadcast_to(array, shape), dims=dims)
-        for name, array in plain.items()
-    }
-    named |= {k: v.astype(float).drop_vars(v.coords) for k, v in given.items() if k not in named}
-    return dict(zip(named, xr.broadcast(*named.values()), strict=True))
+    names = [f"dim_{k}" for k in range(len(shape))]
+    named = {}
+    dims = {}
+    for name, value in given.items():
+        if name not in plain:
+            named[name] = value.astype(float).drop_vars(value.coords)
+            dims[name] = [str(dim) for dim in value.dims]
+            continue
+        array = plain[name]
+        named[name] = xr.DataArray(np.broadcast_to(array, shape), dims=names)
+        own = names[len(names) - array.ndim :]
+        dims[name] = [dim for dim, size in zip(own, array.shape, strict=True) if size > 1]
+    return dict(zip(named, xr.broadcast(*named.values()), strict=True)), dims
 
 
-def _coordinate(name: str, path: str, given: Any, array: xr.DataArray) -> xr.DataArray:
-    field = FIELDS[path]
-    attrs = {"units": field.units, "long_name": field.doc}
+def _coordinate(path: str, given: Any, array: xr.DataArray, dims: list[str]) -> xr.DataArray:
+    """The values of a field along the dimensions over which it varies."""
     if isinstance(given, xr.DataArray):
         return given.astype(float).drop_vars([c for c in given.coords if c not in given.dims])
-    own = np.asarray(given, float)
-    # Only along the dimensions over which it varies.
-    dims = enumerate(reversed(array.dims))
-    kept = [dim for k, dim in dims if k < own.ndim and own.shape[-1 - k] > 1]
-    index = {dim: 0 for dim in array.dims if dim not in kept}
+    attrs = {"units": FIELDS[path].units, "long_name": FIELDS[path].doc}
+    index = {dim: 0 for dim in array.dims if dim not in dims}
     return array.isel(index, drop=True).assign_attrs(attrs)
-
-
-def _found(
-    case: Case, flat: dict[str, NDArray[np.float64]], size: int
-) -> tuple[dict[str, dict[str, Any]], NDArray[np.bool_], list[tuple[str, str, str, int, int]]]:
-    """Columns, whether each condition has converged, and warnings."""
-    own = {name: np.ascontiguousarray(flat[name]) for name in flat if name in CONDITIONS}
-    others = {name: values for name, values in flat.items() if name not in CONDITIONS}
-    load = own.get("load", np.zeros(0))
-    is_sorted = bool(np.all(load[1:] >= load[:-1]))
-    if not others and is_sorted:
-        return _core.batch([case._file], [size], None, own)
-    if not others:
-        # A change of the load is a new contact.
-        return _in_order(np.argsort(load, kind="stable"), [case._file], [size], own)
-    # A case for each combination of numbers that are no conditions, with its conditions in a row.
-    rows, which = np.unique(np.stack(list(others.values()), axis=1), axis=0, return_inverse=True)
-    members = []
-    for row in rows:
-        member = case
-        for path, value in zip(others, row, strict=True):
-            member = member.with_(**_nested(path, float(value)))
-        members.append(member._file)
-    which = which.ravel()
-    keys = (which,) if is_sorted else (load, which)
-    counts = np.bincount(which, minlength=len(rows)).tolist()
-    return _in_order(np.lexsort(keys), members, counts, own)
-
-
-def _in_order(
-    order: NDArray[np.int64],
-    members: list[_core.CaseFile],
-    counts: list[int],
-    own: dict[str, NDArray[np.float64]],
-) -> tuple[dict[str, dict[str, Any]], NDArray[np.bool_], list[tuple[str, str, str, int, int]]]:
-    """Solves conditions in another order than that in which they are given."""
-    sorted_ = {name: values[order] for name, values in own.items()}
-    columns, converged, messages = _core.batch(members, counts, order.tolist(), sorted_)
-    back = np.argsort(order)
-    for column in columns.values():
-        column["values"] = column["values"][back]
-    return columns, converged[back], messages
-
-
-def _nested(path: str, value: float) -> dict[str, Any]:
-    section, _, name = path.partition(".")
-    kind = FIELDS[path].kind
-    # What is no whole number is refused by the case.
-    number: float = int(value) if kind == "count" and value.is_integer() else value
-    return {section: {name: number} if "." not in name else _nested(name, value)}
 
 
 class Solver:
@@ -271,7 +224,7 @@ class Solver:
         self._solver = _core.BatchSolver(case._file)
 
     def solve(self, *, strict: bool = True, warn: bool = True, **conditions: float) -> Result:
-        """The steady state under other conditions, named as in `forces`; the rest is the case's.
+        """The steady state of ``case.with_(…)`` with other numbers, named as in `forces`.
 
         Raises
         ------
@@ -283,13 +236,11 @@ class Solver:
         several = [name for name, value in conditions.items() if np.ndim(value) > 0]
         if several:
             raise ValueError(f"{several[0]} must be one number: `schlupf.forces` takes arrays")
-        unknown = [name for name in conditions if name not in CONDITIONS]
-        if unknown:
-            raise TypeError(f"no condition {unknown[0]}; there are {', '.join(CONDITIONS)}")
+        paths = _paths(self._case, conditions)
         if in_law():
             raise RuntimeError("a law must not use a solver: the solver waits for the law")
-        for name in conditions:
-            _check_motion(self._case, name)
-        given = {name: _in_si(self._case, name, value) for name, value in conditions.items()}
-        values = {name: np.array([float(value)]) for name, value in given.items()}
+        values = {
+            path: np.array([float(_in_si(self._case, path, conditions[name]))])
+            for name, path in paths.items()
+        }
         return Result._new(self._solver.solve(values), strict=strict, warn=warn)

@@ -6,12 +6,13 @@ use std::sync::Arc;
 use schlupf::bulk_temperature::Cooling;
 use schlupf::damage::Laws;
 use schlupf::history::History;
+use schlupf::kinematics::Kinematics;
 use schlupf::material::Material;
 use schlupf::message::Message;
 use schlupf::normal::NormalContact;
 use schlupf::state::State;
 use schlupf::wheel_rail::WheelSolution;
-use schlupf::{Method, Options, Problem, Solver, Transient, Watch};
+use schlupf::{Method, Options, Problem, Quantity, Solver, Transient, Watch};
 
 use crate::case_file::{CaseFile, Overrides};
 use crate::edited;
@@ -20,10 +21,11 @@ use crate::fields;
 use crate::fields::choice::{Driver, ElasticityModel};
 use crate::files::Folder;
 use crate::law_stiffness::{LawStiffness, MicroContact, StiffnessOrigin};
+use crate::names;
 use crate::notice::Notice;
 use crate::place::{Place, Source};
 use crate::profiles;
-use crate::read::{self, Posed};
+use crate::read::{self, Posed, WheelSolver};
 use crate::setting::Setting;
 use crate::subsurface::SubsurfaceRequest;
 
@@ -31,8 +33,14 @@ use crate::subsurface::SubsurfaceRequest;
 const HISTORY: [&str; 4] = ["history.file", "history.time", "history.shift_x", "history.shift_y"];
 
 /// Fields behind the laws of damage that are not its own.
-const FOR_DAMAGE: [&str; 5] =
-    ["title", "kinematics.wheel_radius", "wheel.radius_x", "wheel.density", "rail.density"];
+const FOR_DAMAGE: [&str; 6] = [
+    "title",
+    "kinematics.speed",
+    "kinematics.wheel_radius",
+    "wheel.radius_x",
+    "wheel.density",
+    "rail.density",
+];
 
 /// A case with its problem.
 #[derive(Debug, Clone)]
@@ -55,11 +63,15 @@ pub struct Case {
     pub cooling: Option<Cooling>,
     /// k_c of the contact law, and where it comes from.
     pub law_stiffness: LawStiffness,
+    /// Speed and creepages that the case gives, or those found for its forces: those of the problem,
+    /// but of a wheel with profiles those of its nominal radius.
+    pub motion: Kinematics,
     /// The wheel with all its contacts, if the case has profiles; the contact is then the one with
     /// the largest normal force.
     pub wheel: Option<Arc<WheelSolution>>,
     /// What was given without effect, each with its place, and what to know about a roughness.
     pub notices: Vec<Message>,
+    wheel_solver: Option<WheelSolver>,
     pub(crate) file: CaseFile,
 }
 
@@ -103,8 +115,9 @@ impl CaseFile {
         solved: Option<&Arc<MicroContact>>,
         watch: Watch,
     ) -> Result<Case, CaseErrors> {
-        let Posed { problem, stiffness: law_stiffness, wheel } =
+        let Posed { problem, stiffness: law_stiffness, motion, wheel } =
             self.parts.pose(&self.settings, solved, watch)?;
+        let (wheel, wheel_solver) = wheel.unzip();
         let caveats = law_stiffness.caveats().into_iter();
         let caveats = caveats.map(|notice| Message::from(notice).about("contact_law.roughness"));
         Ok(Case {
@@ -117,10 +130,40 @@ impl CaseFile {
             options: self.options()?,
             cooling: read::cooling(&self.settings)?,
             law_stiffness,
+            motion,
             wheel,
+            wheel_solver,
             notices: self.notices().into_iter().chain(caveats).collect(),
             file: self.clone(),
         })
+    }
+
+    /// The part of the problem that a field is, where it is that and nothing else: with another
+    /// value the problem differs in its creepages, its speed, or by [`AtLoad`] only.
+    ///
+    /// [`AtLoad`]: schlupf::normal::at_load::AtLoad
+    pub fn condition(&self, path: &str) -> Option<Quantity> {
+        /// From which, with the speed, other creepages follow.
+        const TURNING: [&str; 2] = ["kinematics.angular_velocity", "kinematics.yaw_angle"];
+        const CONDITIONS: [Quantity; 5] = [
+            Quantity::CreepageX,
+            Quantity::CreepageY,
+            Quantity::Spin,
+            Quantity::Speed,
+            Quantity::Load,
+        ];
+        let quantity = CONDITIONS.into_iter().find(|of| names::quantity_field(*of) == path)?;
+        let is_one = match quantity {
+            Quantity::Load => {
+                self.laws().pressure.is_some()
+                    || self.parts.scales_with_load(&self.settings).unwrap_or(false)
+            }
+            Quantity::Spin => true,
+            _ => !self.settings.any_given(&TURNING),
+        };
+        let is_used = fields::find(path).is_some_and(|field| self.settings.is_used(field));
+        let is_free = !self.settings.is_replaced(path) && !self.parts.has_wheel();
+        (is_one && is_used && is_free).then_some(quantity)
     }
 
     /// Title for the summary and the figures.
@@ -293,7 +336,7 @@ impl Case {
     /// A history or a state where the method or the way that was asked for cannot follow it.
     pub fn rolling(&self, initial_state: Option<State>) -> Result<Rolling, CaseError> {
         if self.history.is_none() && initial_state.is_none() {
-            return Ok(Rolling::Steady(self.any_solver(&self.options)));
+            return Ok(Rolling::Steady(self.full_solver()));
         }
         let what = if self.history.is_some() { "a history" } else { "an initial state" };
         match (self.method, self.driver) {
@@ -338,6 +381,21 @@ impl Case {
     pub fn solver_without_state(&self) -> Box<dyn Solver> {
         let options = Options { sensitivity: false, keeps_state: false, ..self.options.clone() };
         self.any_solver(&options)
+    }
+
+    /// What finds steady states for the [`motion`](Self::motion) of the case: of its contact, or of
+    /// a wheel with profiles as a whole.
+    pub fn solver_of_motion(&self) -> Box<dyn Solver> {
+        match &self.wheel_solver {
+            Some(wheel) => Box::new(wheel.clone()),
+            None => self.solver_without_state(),
+        }
+    }
+
+    /// What finds steady states of its contact, as its options ask for them: see
+    /// [`Self::require_steady`].
+    pub fn full_solver(&self) -> Box<dyn Solver> {
+        self.any_solver(&self.options)
     }
 
     fn any_solver(&self, options: &Options) -> Box<dyn Solver> {

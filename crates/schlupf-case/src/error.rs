@@ -29,6 +29,8 @@ pub enum Cause {
     FileSystem,
     /// The input may be right, but what follows from it was not found.
     NotConverged,
+    /// The wheel does not touch the rail.
+    NoContact,
     /// Nobody: whoever watched had it stopped.
     Stopped,
 }

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use schlupf::Quantity;
+use schlupf::error::WheelRailError;
 
 use crate::document::{Content, Entry, Origin, Value};
 use crate::error::{CaseError, Cause};
@@ -184,13 +185,19 @@ impl Settings {
         }
         let Some(field) = fields::find(path) else { return Err(self.missing(path)) };
         match field.default {
-            Default::Text(_) => field
-                .default_value()
+            Default::Text(_) => self
+                .default_value(field)
                 .and_then(|value| field.read(&value).ok())
                 .ok_or_else(|| self.missing(path)),
             Default::Same(other) => self.same_as(field, other),
             Default::Nothing | Default::Computed(_) => Err(self.missing(path)),
         }
+    }
+
+    /// The default of a field, where it is fixed, with the models that were chosen.
+    fn default_value(&self, field: &Field) -> Option<Value> {
+        let other = field.other_default.filter(|(choice, _)| self.is_chosen(*choice));
+        other.map_or_else(|| field.default_value(), |(_, text)| Some(field.value_of(text)))
     }
 
     /// The setting of another field, as the default of one that may have a stricter requirement.
@@ -234,7 +241,7 @@ impl Settings {
             return given.value.content.shown();
         }
         let Some(field) = fields::find(path) else { return String::new() };
-        match (field.default, field.default_value()) {
+        match (field.default, self.default_value(field)) {
             (_, Some(value)) => value.content.shown(),
             (Default::Same(other), _) => self.shown(other),
             (Default::Computed(text), _) => text.to_owned(),
@@ -256,7 +263,11 @@ impl Settings {
         }
         let noting = Noting::new(self.names);
         let (quantity, message) = (error.quantity(), error.text(&noting));
-        let cause = if error.is_of_convergence() { Cause::NotConverged } else { Cause::Input };
+        let cause = match error {
+            schlupf::Error::WheelRail { error: WheelRailError::Lifted { .. } } => Cause::NoContact,
+            error if error.is_of_convergence() => Cause::NotConverged,
+            _ => Cause::Input,
+        };
         let path = names::path(quantity);
         let given = path
             .into_iter()

@@ -17,6 +17,8 @@ fn report(states: usize, left_out: LeftOut) -> DamageReport {
             middle: 10.0 * (k as f64 + 0.5),
             speed: 20.0,
             position_y: 5e-3 * (20.0 * part).sin(),
+            rail_position_y: 5e-3 * (20.0 * part).sin(),
+            is_further_contact: false,
             load: 80e3,
             semi_axis_x: 6e-3,
             semi_axis_y: 4e-3,

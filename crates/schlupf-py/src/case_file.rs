@@ -54,21 +54,6 @@ impl CaseFile {
         &self.file
     }
 
-    /// The same with several cases.
-    pub fn run_all<R: Send, E: From<CaseErrors> + Send>(
-        files: &[PyRef<'_, Self>],
-        py: Python<'_>,
-        raised: &Arc<Raised>,
-        work: impl FnOnce(&[schlupf_case::CaseFile], Watch) -> Result<R, E> + Send,
-    ) -> PyResult<Result<R, E>> {
-        let files: Vec<_> =
-            files.iter().map(|file| (file.file.clone(), file.own_laws(py, raised))).collect();
-        interruptible(py, raised, |watch| {
-            let files = files.into_iter().map(|(file, own)| file.with_laws(own));
-            work(&files.collect::<Result<Vec<_>, _>>().map_err(CaseErrors::from)?, watch)
-        })
-    }
-
     /// The laws of the case with its functions in place.
     fn own_laws(&self, py: Python<'_>, raised: &Arc<Raised>) -> Laws {
         let Functions { friction, partition } = self.functions.clone_ref(py);

@@ -6,17 +6,15 @@ use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use schlupf::kinematics::Kinematics;
+use schlupf::columns::{Column, Record};
 use schlupf::message::Message;
-use schlupf::method::FastMethod;
 use schlupf::progress::Stage;
-use schlupf::simplified::FastContact;
-use schlupf::solution::Resultant;
+use schlupf::wheel_rail::{Contact, WheelSolution};
 use schlupf::{Error, Method, Progress, Quantity, Status, Watch, parallel};
-use schlupf_case::{Case, CaseError, CaseErrors, Place, quantity_field};
-use schlupf_output::solution::SolutionReport;
-use schlupf_tasks::loaded_solver::LoadedSolver;
-use schlupf_tasks::{contact_law, messages};
+use schlupf_case::fields::{self, Field};
+use schlupf_case::{CaseError, CaseErrors, Cause, FieldNames, Place, quantity_field};
+use schlupf_tasks::solve::report;
+use schlupf_tasks::states::{Acting, CONTACTS, Entry, NoState, StateSolver};
 
 use crate::case_file::CaseFile;
 use crate::errors;
@@ -25,72 +23,128 @@ use crate::laws::Raised;
 use crate::records::described;
 use crate::solution::Solution;
 
-/// What may vary from condition to condition without another case; the rest is that of the case.
-const VARIED: [Quantity; 5] =
+/// Fields that are conditions under a short name, too.
+const NAMED: [Quantity; 5] =
     [Quantity::CreepageX, Quantity::CreepageY, Quantity::Spin, Quantity::Speed, Quantity::Load];
 
-/// Names of the conditions that need no other case, each with its field.
+/// Short names of conditions, each with its field.
 #[pyfunction]
 pub fn conditions() -> Vec<(&'static str, &'static str)> {
-    VARIED.map(|quantity| (quantity.name(), quantity_field(quantity))).to_vec()
+    NAMED.map(|quantity| (quantity.name(), quantity_field(quantity))).to_vec()
 }
 
-/// Values of what varies.
-#[derive(Default)]
-struct Conditions([Option<Vec<f64>>; VARIED.len()]);
+/// Values of fields, one for each condition.
+struct Conditions {
+    fields: Vec<&'static Field>,
+    values: Vec<Vec<f64>>,
+}
 
 impl Conditions {
-    /// Copies arrays of equal length, by name.
+    /// Copies arrays of equal length, by the paths of their fields.
     fn read(arrays: &Bound<'_, PyDict>) -> PyResult<Self> {
-        let mut conditions = Self::default();
-        let mut count = None;
-        for (name, values) in arrays {
-            let name: String = name.extract()?;
+        let mut conditions = Self { fields: Vec::new(), values: Vec::new() };
+        for (path, values) in arrays {
+            let path: String = path.extract()?;
             let values: PyReadonlyArray1<'_, f64> = values.extract()?;
-            let values = values.as_slice()?.to_vec();
-            if *count.get_or_insert(values.len()) != values.len() {
-                return Err(PyValueError::new_err("arrays must have the same length"));
-            }
-            let slot = VARIED.iter().position(|quantity| quantity.name() == name);
-            let slot =
-                slot.ok_or_else(|| PyValueError::new_err(format!("no condition: {name}")))?;
-            conditions.0[slot] = Some(values);
+            let field = fields::find(&path);
+            let no_field = || PyValueError::new_err(format!("no field: {path}"));
+            conditions.fields.push(field.ok_or_else(no_field)?);
+            conditions.values.push(values.as_slice()?.to_vec());
+        }
+        let count = conditions.count();
+        if conditions.values.iter().any(|values| values.len() != count) {
+            return Err(PyValueError::new_err("arrays must have the same length"));
         }
         Ok(conditions)
     }
 
-    fn kinematics(&self, k: usize, own: &Kinematics) -> Kinematics {
-        let [creepage_x, creepage_y, spin, speed, _] = &self.0;
-        let of = |values: &Option<Vec<f64>>, own| values.as_ref().map_or(own, |values| values[k]);
-        Kinematics {
-            creepage_x: of(creepage_x, own.creepage_x),
-            creepage_y: of(creepage_y, own.creepage_y),
-            spin: of(spin, own.spin),
-            speed: of(speed, own.speed),
+    fn count(&self) -> usize {
+        self.values.first().map_or(1, Vec::len)
+    }
+
+    fn entries(&self, k: usize) -> Vec<Entry> {
+        self.values.iter().map(|values| Entry::Number(values[k])).collect()
+    }
+
+    /// The same in place of earlier ones.
+    fn put(&self, k: usize, entries: &mut [Entry]) {
+        for (entry, values) in entries.iter_mut().zip(&self.values) {
+            *entry = Entry::Number(values[k]);
         }
     }
 
-    fn load(&self, k: usize) -> Option<f64> {
-        let [.., load] = &self.0;
-        load.as_ref().map(|values| values[k])
+    /// The order in which they are solved: those of a case after one another, with growing loads.
+    fn order(&self, is_condition: &[bool]) -> Vec<usize> {
+        let by_case = (0..self.fields.len()).filter(|c| !is_condition[*c]);
+        let by_load =
+            (0..self.fields.len()).filter(|c| is_condition[*c] && self.fields[*c].shapes_contact);
+        let keys: Vec<&[f64]> = by_case.chain(by_load).map(|c| &*self.values[c]).collect();
+        let mut order: Vec<usize> = (0..self.count()).collect();
+        order.sort_by(|one, other| {
+            let each = keys.iter().map(|key| key[*one].total_cmp(&key[*other]));
+            each.fold(std::cmp::Ordering::Equal, std::cmp::Ordering::then)
+        });
+        order
     }
 }
 
-/// Forces on the wheel, one row for each condition.
-#[derive(Debug)]
-struct Forces {
-    /// Forces along x and y, the moment (not a number where the method has none), and |F|/N.
-    values: [Vec<f64>; COLUMNS.len()],
-    converged: Vec<bool>,
-    warnings: Vec<Repeated>,
+/// Conditions that one solver takes, one after the other: fixed numbers, so that the results do not
+/// depend on how many threads there are.
+const FAST_BLOCK: usize = 4096;
+const FULL_BLOCK: usize = 64;
+
+/// What messages call a condition, counted from 0.
+const CONDITION: &str = "condition";
+
+/// What became of a condition, under its number in `status`.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Became {
+    Converged,
+    NotConverged,
+    NoContact,
+    Failed,
 }
 
-/// The quantities of its columns.
+/// Names of the numbers in `status`.
+#[pyfunction]
+pub fn condition_status() -> [&'static str; 4] {
+    [Status::Converged.name(), Status::NotConverged.name(), "no-contact", "failed"]
+}
+
+/// What acts on the wheel, a row for each condition.
+#[derive(Default)]
+struct Forces {
+    /// Of each of [`COLUMNS`]; a moment is not a number where the method has none.
+    values: [Vec<f64>; COLUMNS.len()],
+    /// Of each column of a wheel, and of each column of a contact, [`CONTACTS`] a row; none without
+    /// a wheel.
+    wheel: Vec<Vec<f64>>,
+    contacts: Vec<Vec<f64>>,
+    status: Vec<u8>,
+    warnings: Vec<Repeated>,
+    /// The first condition that failed, and how many did.
+    failure: Option<(usize, CaseErrors)>,
+    failed: usize,
+}
+
+/// The quantities of a contact.
 const COLUMNS: [Quantity; 4] =
     [Quantity::ForceX, Quantity::ForceY, Quantity::MomentZ, Quantity::TractionCoefficient];
 
+/// Names of all columns of forces.
+#[pyfunction]
+pub fn force_names() -> Vec<String> {
+    let of_wheel = <WheelSolution as Record>::columns().iter().map(|column| column.quantity);
+    let names = COLUMNS.into_iter().chain(of_wheel).map(|quantity| quantity.name().to_owned());
+    names.chain(<Contact as Record>::columns().iter().map(of_contact)).collect()
+}
+
+/// The name of a column of contacts.
+fn of_contact(column: &Column<Contact>) -> String {
+    format!("contact_{}", column.name.replace('.', "_"))
+}
+
 /// A warning that several conditions may have.
-#[derive(Debug)]
 struct Repeated {
     message: Message,
     /// The first condition that has it.
@@ -99,14 +153,114 @@ struct Repeated {
 }
 
 impl Forces {
-    /// As arrays by name, without copies.
+    /// With room for so many rows.
+    fn new(rows: usize, has_wheel: bool) -> Self {
+        let columns = |count: usize, width: usize| {
+            vec![vec![f64::NAN; rows * width]; if has_wheel { count } else { 0 }]
+        };
+        Self {
+            values: COLUMNS.map(|_| vec![f64::NAN; rows]),
+            wheel: columns(<WheelSolution as Record>::columns().len(), 1),
+            contacts: columns(<Contact as Record>::columns().len(), CONTACTS),
+            status: vec![0; rows],
+            ..Self::default()
+        }
+    }
+
+    fn set(&mut self, row: usize, acting: &Acting) {
+        let moment = acting.force.moment_z.unwrap_or(f64::NAN);
+        let coefficient = acting.force.tangential() / acting.load;
+        let values = [acting.force.x, acting.force.y, moment, coefficient];
+        for (column, value) in self.values.iter_mut().zip(values) {
+            column[row] = value;
+        }
+        if let Some(wheel) = acting.wheel {
+            put(&mut self.wheel, row, wheel);
+            for (k, contact) in wheel.contacts.iter().take(CONTACTS).enumerate() {
+                put(&mut self.contacts, CONTACTS * row + k, contact);
+            }
+        }
+        self.status[row] = match acting.status {
+            Status::Converged => Became::Converged as u8,
+            Status::NotConverged => Became::NotConverged as u8,
+        };
+    }
+
+    /// Nothing acts: forces, not their ratios, are zero.
+    fn set_none(&mut self, row: usize) {
+        let [x, y, moment, _] = &mut self.values;
+        [x, y, moment].into_iter().for_each(|column| column[row] = 0.0);
+        let of_wheel = <WheelSolution as Record>::columns().iter();
+        for (column, of) in self.wheel.iter_mut().zip(of_wheel) {
+            if matches!(of.quantity.unit(), "N") || of.quantity == Quantity::ContactCount {
+                column[row] = 0.0;
+            }
+        }
+        self.status[row] = Became::NoContact as u8;
+    }
+
+    fn fail(&mut self, row: usize, condition: usize, errors: CaseErrors) {
+        self.status[row] = Became::Failed as u8;
+        self.failed += 1;
+        if self.failure.as_ref().is_none_or(|(first, _)| condition < *first) {
+            self.failure = Some((condition, errors));
+        }
+    }
+
+    /// Takes the rows of a block, whose conditions are these.
+    fn take(&mut self, block: Self, conditions: &[usize]) {
+        let scatter = |into: &mut [f64], from: &[f64], width: usize| {
+            for (row, k) in conditions.iter().enumerate() {
+                into[k * width..][..width].copy_from_slice(&from[row * width..][..width]);
+            }
+        };
+        for (into, from) in self.values.iter_mut().zip(&block.values) {
+            scatter(into, from, 1);
+        }
+        for (into, from) in self.wheel.iter_mut().zip(&block.wheel) {
+            scatter(into, from, 1);
+        }
+        for (into, from) in self.contacts.iter_mut().zip(&block.contacts) {
+            scatter(into, from, CONTACTS);
+        }
+        for (row, k) in conditions.iter().enumerate() {
+            self.status[*k] = block.status[row];
+        }
+        for warning in block.warnings {
+            note(&mut self.warnings, warning);
+        }
+        let failed = self.failed + block.failed;
+        if let Some((k, errors)) = block.failure {
+            self.fail(k, k, errors);
+        }
+        self.failed = failed;
+    }
+
+    /// As arrays by name, without copies: those of a contact have [`CONTACTS`] values a row.
     fn columns(self, py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
         let table = PyDict::new(py);
-        for (quantity, values) in COLUMNS.into_iter().zip(self.values) {
+        let add = |name: &str, quantity, values: Vec<f64>| {
             let values = PyArray1::from_vec(py, values).into_any();
-            table.set_item(quantity.name(), described(py, quantity, values)?)?;
+            table.set_item(name, described(py, quantity, values)?)
+        };
+        for (quantity, values) in COLUMNS.into_iter().zip(self.values) {
+            add(quantity.name(), quantity, values)?;
+        }
+        let of_wheel = <WheelSolution as Record>::columns().iter();
+        for (column, values) in of_wheel.zip(self.wheel) {
+            add(column.quantity.name(), column.quantity, values)?;
+        }
+        for (column, values) in <Contact as Record>::columns().iter().zip(self.contacts) {
+            add(&of_contact(column), column.quantity, values)?;
         }
         Ok(table)
+    }
+}
+
+/// The only row of a record.
+fn put<R: Record>(columns: &mut [Vec<f64>], row: usize, record: &R) {
+    for (values, Column { value, .. }) in columns.iter_mut().zip(R::columns()) {
+        values[row] = value(record, 0).number().unwrap_or(f64::NAN);
     }
 }
 
@@ -131,173 +285,111 @@ fn note(warnings: &mut Vec<Repeated>, new: Repeated) {
 /// Codes of warnings about what the table shows: that there are forces only, and their status.
 const SHOWN: [&str; 2] = ["forces-only", Message::NOT_CONVERGED];
 
-/// Conditions that one solver takes, one after the other: fixed numbers, so that the results do not
-/// depend on how many threads there are.
-const FAST_BLOCK: usize = 4096;
-const FULL_BLOCK: usize = 64;
-
-/// An error, and the condition that it is about if it is not about all.
-type Failure = (Option<usize>, CaseErrors);
-
-/// What messages call a condition, counted from 0.
-const CONDITION: &str = "condition";
-
-/// Successive conditions of a case, which one solver takes one after the other, and their results.
-struct Block<'a> {
-    case: &'a Case,
-    conditions: &'a Conditions,
-    start: usize,
-    values: [&'a mut [f64]; COLUMNS.len()],
-    converged: &'a mut [bool],
-}
-
-/// The forces of all conditions on all threads: case by case as many as `counts` says.
+/// The forces of all conditions on all threads.
 fn forces(
-    files: &[schlupf_case::CaseFile],
-    counts: &[usize],
+    file: &schlupf_case::CaseFile,
     conditions: &Conditions,
     watch: Watch,
-) -> Result<Forces, Failure> {
-    let posed = parallel::try_map(files.iter().collect(), |file| {
-        let case = file.pose(watch)?;
-        case.require_steady("forces under many conditions are those")?;
-        Ok::<_, CaseErrors>(case)
+) -> Result<Forces, CaseErrors> {
+    let mut solver = StateSolver::new(file.clone(), conditions.fields.clone());
+    let order = conditions.order(&solver.conditions(&conditions.entries(0)));
+    // What cannot be posed is told with its condition.
+    let first = conditions.entries(order[order.len() / 2]);
+    let posed = solver.prepare(&first, CONDITION, watch);
+    let (has_wheel, is_fast, notices) = match &posed {
+        Ok(case) => (case.wheel.is_some(), case.method != Method::Full, case.notices.clone()),
+        Err(NoState::Stopped) => return Err(file.explain(&Error::Stopped {}).into()),
+        Err(_) => (file.wheel().is_ok(), false, Vec::new()),
+    };
+    let size = if is_fast { FAST_BLOCK } else { FULL_BLOCK };
+    let found = parallel::try_map(order.chunks(size).collect(), |block: &[usize]| {
+        let forces = block_of(&mut solver.fork(), conditions, (block, has_wheel), watch);
+        forces.map(|forces| (forces, block))
     });
-    let posed = posed.map_err(|errors| (None, errors))?;
-    let total = counts.iter().sum();
-    let mut values = COLUMNS.map(|_| vec![0.0; total]);
-    let mut converged = vec![false; total];
-    let mut warnings = Vec::new();
-    let mut blocks = Vec::new();
-    let mut rest = values.each_mut().map(Vec::as_mut_slice);
-    let mut rest_converged = converged.as_mut_slice();
-    let mut start = 0;
-    for (case, count) in posed.iter().zip(counts) {
-        for message in case.notices.iter().cloned() {
-            note(&mut warnings, Repeated { message, first: start, count: *count });
-        }
-        let size = if case.method == Method::Full { FULL_BLOCK } else { FAST_BLOCK };
-        let end = start + count;
-        while start < end {
-            let size = size.min(end - start);
-            let values = rest.each_mut().map(|rest| rest.split_off_mut(..size).unwrap_or_default());
-            let converged = rest_converged.split_off_mut(..size).unwrap_or_default();
-            blocks.push(Block { case, conditions, start, values, converged });
-            start += size;
-        }
+    let stopped = |()| CaseErrors::from(file.explain(&Error::Stopped {}));
+    let mut all = Forces::new(conditions.count(), has_wheel);
+    for message in notices {
+        note(&mut all.warnings, Repeated { message, first: 0, count: conditions.count() });
     }
-    let found = parallel::try_map(blocks, |block| match block.case.method {
-        Method::Fast(method) if block.case.problem.prescribed.is_none() => {
-            block.fast(method, watch)
-        }
-        _ => block.full(watch),
-    })?;
-    for warning in found.into_iter().flatten() {
-        note(&mut warnings, warning);
+    for (forces, block) in found.map_err(stopped)? {
+        all.take(forces, block);
     }
-    Ok(Forces { values, converged, warnings })
+    Ok(all)
 }
 
-impl Block<'_> {
-    /// Finds the forces; returns the warnings.
-    fn fast(mut self, method: FastMethod, watch: Watch) -> Result<Vec<Repeated>, Failure> {
-        let Self { case, conditions, start, .. } = self;
-        let explain = |k, error: &Error| (Some(k), CaseErrors::from(case.explain(error)));
-        let contact = FastContact::new(&case.problem, method, &case.options);
-        let mut contact = contact.map_err(|error| explain(start, &error))?;
-        if watch(Progress::count(Stage::Curve, start)).is_break() {
-            return Err(explain(start, &Error::Stopped {}));
-        }
-        let mut warnings = Vec::new();
-        for message in messages(&contact.warnings()) {
-            note(&mut warnings, Repeated { message, first: start, count: self.converged.len() });
-        }
-        let own = case.problem.kinematics;
-        let mut load = contact.contact().normal.load;
-        for k in start..start + self.converged.len() {
-            let explain = |error| explain(k, &error);
-            if let Some(wanted) = conditions.load(k).filter(|wanted| *wanted != load) {
-                contact.set_load(wanted).map_err(explain)?;
-                load = wanted;
-            }
-            let force = contact.force(&conditions.kinematics(k, &own)).map_err(explain)?;
-            self.set(k, &force, load, Status::Converged);
-            for message in messages(contact.beyond_friction(&force).as_slice()) {
-                note(&mut warnings, Repeated { message, first: k, count: 1 });
-            }
-        }
-        Ok(warnings)
+/// Those of successive conditions, which one solver takes one after the other; an error if it was
+/// stopped.
+fn block_of(
+    solver: &mut StateSolver,
+    conditions: &Conditions,
+    (block, has_wheel): (&[usize], bool),
+    watch: Watch,
+) -> Result<Forces, ()> {
+    let mut forces = Forces::new(block.len(), has_wheel);
+    let mut warnings = Vec::new();
+    let mut entries = conditions.entries(block[0]);
+    if watch(Progress::count(Stage::Curve, block[0])).is_break() {
+        return Err(());
     }
-
-    /// The same by a solver: by the full method, or where forces are prescribed.
-    fn full(mut self, watch: Watch) -> Result<Vec<Repeated>, Failure> {
-        let Self { case, conditions, start, .. } = self;
-        let mut warnings = Vec::new();
-        let mut solver = LoadedSolver::without_state(case);
-        for k in start..start + self.converged.len() {
-            let explain = |error| (Some(k), CaseErrors::from(case.explain(&error)));
-            let kinematics = conditions.kinematics(k, &case.problem.kinematics);
-            let solution = solver.solve(case, kinematics, conditions.load(k), watch);
-            let solution = solution.map_err(explain)?;
-            self.set(k, &solution.force, solution.normal.load, solution.status);
-            for message in messages(&solution.warnings) {
-                note(&mut warnings, Repeated { message, first: k, count: 1 });
+    for (row, k) in block.iter().enumerate() {
+        conditions.put(*k, &mut entries);
+        let mut warn = |warning: &schlupf::Warning| {
+            if !SHOWN.contains(&warning.code()) {
+                let message = warning.message(&FieldNames::CASE);
+                note(&mut warnings, Repeated { message, first: *k, count: 1 });
             }
+        };
+        let name = || format!("{CONDITION} {k}");
+        match solver.acting(&entries, name, &mut warn, watch) {
+            Ok(acting) => forces.set(row, &acting),
+            Err(NoState::NoContact) => forces.set_none(row),
+            Err(NoState::Failed(errors)) => forces.fail(row, *k, errors),
+            Err(NoState::Stopped) => return Err(()),
         }
-        Ok(warnings)
     }
-
-    fn set(&mut self, k: usize, force: &Resultant, load: f64, status: Status) {
-        let k = k - self.start;
-        let moment = force.moment_z.unwrap_or(f64::NAN);
-        let row = [force.x, force.y, moment, force.tangential() / load];
-        for (column, value) in self.values.iter_mut().zip(row) {
-            column[k] = value;
-        }
-        self.converged[k] = status == Status::Converged;
-    }
+    Ok(Forces { warnings, ..forces })
 }
 
 /// Warnings as code, quantity, text, number of conditions, and the first of them.
 type Warnings = Vec<(String, String, String, usize, usize)>;
 
-/// Forces on the wheel under many conditions: columns by name, whether each converged, and
-/// warnings. The conditions are those of the first case, as many as `counts` says, then those of
-/// the second and so on; `places` are their numbers in messages, if they have others.
+/// Forces on the wheel under many conditions, which are values of fields by their paths: columns by
+/// name, the number in [`condition_status`] of each, and warnings. An error is that of the first
+/// condition that failed, where all have, or `strict` asks for it.
 #[pyfunction]
 pub fn batch<'py>(
     py: Python<'py>,
-    cases: Vec<PyRef<'py, CaseFile>>,
-    counts: Vec<usize>,
-    places: Option<Vec<usize>>,
+    case: &CaseFile,
     arrays: &Bound<'py, PyDict>,
-) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyArray1<bool>>, Warnings)> {
+    strict: bool,
+) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyArray1<u8>>, Warnings)> {
     let conditions = Conditions::read(arrays)?;
-    let place = |k: usize| places.as_ref().map_or(k, |places| places[k]);
-    let found = CaseFile::run_all(&cases, py, &Arc::default(), |files, watch| {
-        forces(files, &counts, &conditions, watch).map_err(|(k, errors)| match k {
-            None => errors,
-            Some(k) => CaseErrors::from(CaseError {
-                place: Place::Override { option: CONDITION.into(), text: place(k).to_string() },
-                ..*errors.first
-            }),
-        })
-    })?;
+    let raised = Arc::default();
+    let found = case.run(py, &raised, |file, watch| forces(file, &conditions, watch))?;
     let mut forces = found.map_err(|errors| errors::of_case(py, &errors))?;
-    let warnings = std::mem::take(&mut forces.warnings).into_iter();
-    let warnings = warnings.map(|Repeated { message, first, count }| {
-        (message.code.to_owned(), message.quantity, message.text, count, place(first))
-    });
-    let warnings = warnings.collect();
-    let converged = PyArray1::from_slice(py, &forces.converged);
-    Ok((forces.columns(py)?, converged, warnings))
+    let mut warnings = Vec::new();
+    if let Some((k, errors)) = forces.failure.take() {
+        let place = Place::Override { option: CONDITION.into(), text: k.to_string() };
+        let first = CaseError { place, ..*errors.first };
+        if strict || forces.failed == conditions.count() {
+            return Err(errors::of_case(py, &first.into()));
+        }
+        let text = first.message;
+        warnings.push(("failed".to_owned(), first.field, text, forces.failed, k));
+    }
+    let of_states = std::mem::take(&mut forces.warnings).into_iter();
+    warnings.extend(of_states.map(|Repeated { message, first, count }| {
+        (message.code.to_owned(), message.quantity, message.text, count, first)
+    }));
+    let status = PyArray1::from_slice(py, &forces.status);
+    Ok((forces.columns(py)?, status, warnings))
 }
 
 /// A solver that keeps its set-up and its earlier solutions, for callers with loops of their own.
 #[pyclass(frozen, module = "schlupf._core")]
 pub struct BatchSolver {
-    case: Case,
-    solver: Mutex<LoadedSolver>,
+    solver: Mutex<StateSolver>,
+    is_fast: bool,
     raised: Arc<Raised>,
 }
 
@@ -307,35 +399,52 @@ impl BatchSolver {
     #[new]
     fn new(py: Python<'_>, case: &CaseFile) -> PyResult<Self> {
         let raised = Arc::default();
-        let posed = case.run(py, &raised, |file, watch| -> Result<Case, CaseErrors> {
-            let case = file.pose(watch)?;
-            case.require_steady("a solver is")?;
-            Ok(case)
+        let posed = case.run(py, &raised, |file, watch| -> Result<_, CaseErrors> {
+            let mut solver = StateSolver::new(file.clone(), Vec::new()).as_asked();
+            match solver.prepare(&[], "Case", watch) {
+                Ok(case) => {
+                    let is_fast = case.method != Method::Full;
+                    Ok((solver, is_fast))
+                }
+                Err(failure) => Err(reason(failure, file)),
+            }
         })?;
-        let case = posed.map_err(|errors| errors::of_case(py, &errors))?;
-        let solver = Mutex::new(LoadedSolver::new(&case));
-        Ok(Self { case, solver, raised })
+        let (solver, is_fast) = posed.map_err(|errors| errors::of_case(py, &errors))?;
+        Ok(Self { solver: Mutex::new(solver), is_fast, raised })
     }
 
-    /// Solves under other conditions, given by name; the rest is that of the case.
+    /// Solves with other values of fields, by their paths; the rest is that of the case.
     fn solve(&self, py: Python<'_>, arrays: &Bound<'_, PyDict>) -> PyResult<Solution> {
         let conditions = Conditions::read(arrays)?;
         let work = |watch: Watch<'_>| {
             // A panic within a solution leaves a solver that starts anew.
             let mut solver = self.solver.lock().unwrap_or_else(PoisonError::into_inner);
-            let case = &self.case;
-            let kinematics = conditions.kinematics(0, &case.problem.kinematics);
-            solver.solve(case, kinematics, conditions.load(0), watch)
+            solver.vary(conditions.fields.clone());
+            let solved = solver.solve(&conditions.entries(0), "solve", watch);
+            solved
+                .map(|(case, solution)| report(case, solution))
+                .map_err(|failure| (failure, solver.file().clone()))
         };
-        let solved = match self.case.method {
-            Method::Full => interruptible(py, &self.raised, work)?,
-            Method::Fast(_) => brief(py, &self.raised, work)?,
+        let solved = if self.is_fast {
+            brief(py, &self.raised, work)?
+        } else {
+            interruptible(py, &self.raised, work)?
         };
-        let case = &self.case;
-        let solution = solved.map_err(|error| errors::of_case(py, &case.explain(&error).into()))?;
-        let contact_law = (solution.method == Method::Full).then(|| contact_law::of(case));
-        let warnings = case.notices.iter().cloned().chain(messages(&solution.warnings)).collect();
-        let title = case.title.clone();
-        Ok(Solution::new(SolutionReport { title, contact_law, solution, wheel: None, warnings }))
+        let solved = solved.map_err(|(failure, file)| reason(failure, &file));
+        solved.map(Solution::new).map_err(|errors| errors::of_case(py, &errors))
+    }
+}
+
+/// Why there is no state, as an error of its case.
+fn reason(failure: NoState, file: &schlupf_case::CaseFile) -> CaseErrors {
+    match failure {
+        NoState::Failed(errors) => errors,
+        NoState::Stopped => file.explain(&Error::Stopped {}).into(),
+        NoState::NoContact => {
+            let load = quantity_field(Quantity::Load);
+            let message = format!("{load}: the wheel does not touch the rail");
+            let error = CaseError::new(load, message, Place::Default);
+            CaseError { cause: Cause::NoContact, ..error }.into()
+        }
     }
 }

@@ -10,7 +10,7 @@ use schlupf_case::{CaseError, CaseErrors, Cause};
 pub fn of_case(py: Python<'_>, errors: &CaseErrors) -> PyErr {
     match errors.first.cause {
         Cause::Stopped => PyKeyboardInterrupt::new_err(errors.to_string()),
-        Cause::Input => raised(py, "CaseError", errors),
+        Cause::Input | Cause::NoContact => raised(py, "CaseError", errors),
         Cause::FileSystem => raised(py, "CaseFileError", errors),
         Cause::NotConverged => raised(py, "CaseNotConverged", errors),
     }

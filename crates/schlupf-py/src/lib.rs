@@ -27,7 +27,7 @@ mod _core {
     #[pymodule_export]
     use super::case_file::CaseFile;
     #[pymodule_export]
-    use super::conditions::{BatchSolver, batch, conditions};
+    use super::conditions::{BatchSolver, batch, condition_status, conditions, force_names};
     #[pymodule_export]
     use super::fields::{command, field_table, presets, warning_codes};
     #[pymodule_export]

@@ -1,14 +1,73 @@
 //! The columns of a study's table, and a row of it.
 
 use schlupf::columns::{Column as ResultColumn, Record, Value};
-use schlupf::{Solution, Warning};
+use schlupf::wheel_rail::{Contact, WheelSolution};
+use schlupf::{Quantity, Solution, Status};
+use schlupf_tasks::states::CONTACTS;
 
 use crate::design::{Design, Entry, Values};
 use crate::table::{Cells, Column, Kind, Rows};
 
+/// What a column of results is of.
+#[derive(Clone, Copy)]
+pub(crate) enum ResultOf {
+    State(&'static ResultColumn<Solution>),
+    Wheel(&'static ResultColumn<WheelSolution>),
+    /// Of a contact of a wheel, by its place.
+    Contact(usize, &'static ResultColumn<Contact>),
+}
+
+impl ResultOf {
+    fn quantity(self) -> Quantity {
+        match self {
+            Self::State(column) => column.quantity,
+            Self::Wheel(column) => column.quantity,
+            Self::Contact(_, column) => column.quantity,
+        }
+    }
+
+    fn name(self) -> String {
+        match self {
+            Self::State(column) => column.name.to_owned(),
+            Self::Wheel(column) => column.name.to_owned(),
+            Self::Contact(place, column) => contact_column(place, column.name),
+        }
+    }
+
+    fn of(self, outcome: &Outcome) -> f64 {
+        let value = match (outcome, self) {
+            (Outcome::Solved { solution, .. }, Self::State(column)) => (column.value)(solution, 0),
+            (Outcome::Solved { wheel: Some(wheel), .. }, Self::Wheel(column)) => {
+                (column.value)(wheel, 0)
+            }
+            (Outcome::Solved { wheel: Some(wheel), .. }, Self::Contact(place, column)) => {
+                let contact = wheel.contacts.get(place);
+                contact.map_or(Value::Unknown, |contact| (column.value)(contact, 0))
+            }
+            // What acts is none: forces, moments, powers, areas.
+            (Outcome::NoContact, _) if ACTS.contains(&self.quantity().unit()) => Value::Number(0.0),
+            _ => Value::Unknown,
+        };
+        value.number().unwrap_or(f64::NAN)
+    }
+}
+
+/// Units of what acts, or on what.
+const ACTS: [&str; 4] = ["N", "N m", "W", "m^2"];
+
+/// The name of a column of a contact, by its place.
+pub(crate) fn contact_column(place: usize, name: &str) -> String {
+    format!("contact_{}.{name}", place + 1)
+}
+
+/// The name of a column of results in a table that has a field of the same name.
+pub(crate) fn beside_field(name: &str) -> String {
+    format!("result.{name}")
+}
+
 /// The columns: the index of the row, what varies, the status, results under the dotted names of
 /// the JSON of a solution, codes of warnings, and why a row failed.
-pub(crate) fn columns(design: &Design) -> Vec<Column> {
+pub(crate) fn columns(design: &Design, has_wheel: bool) -> Vec<Column> {
     let mut columns = vec![Column::new("index", "", Kind::Count)];
     let carried = design.carried().iter();
     columns.extend(carried.map(|column| Column::new(column.name, column.unit, Kind::Number)));
@@ -20,28 +79,38 @@ pub(crate) fn columns(design: &Design) -> Vec<Column> {
         Column::new(varied.field.path, varied.field.kind.unit(), kind)
     }));
     columns.push(Column::new("status", "", Kind::Text));
-    let taken: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
-    let results = results(&taken);
-    let results: Vec<Column> = results
-        .map(|column| Column::new(column.name, column.quantity.unit(), Kind::Number))
-        .collect();
-    columns.extend(results);
+    let taken: Vec<String> = columns.iter().map(|column| column.name.clone()).collect();
+    columns.extend(results(has_wheel).map(|of| {
+        let name = of.name();
+        let name = if taken.contains(&name) { beside_field(&name) } else { name };
+        Column::new(&name, of.quantity().unit(), Kind::Number)
+    }));
     columns.push(Column::new("warnings", "", Kind::Text));
     columns.push(Column::new("error", "", Kind::Text));
     columns
 }
 
-/// The results that a table has: a field that varies has its column already.
-fn results<'a>(
-    taken: &'a [&'a str],
-) -> impl Iterator<Item = &'static ResultColumn<Solution>> + use<'a> {
-    let is_free = |column: &&ResultColumn<Solution>| !taken.contains(&column.name);
-    <Solution as Record>::columns().iter().filter(is_free)
+/// The results that a table has.
+pub(crate) fn results(has_wheel: bool) -> impl Iterator<Item = ResultOf> {
+    let state = <Solution as Record>::columns().iter().map(ResultOf::State);
+    let wheel = <WheelSolution as Record>::columns().iter().map(ResultOf::Wheel);
+    let contacts = (0..CONTACTS).flat_map(|place| {
+        <Contact as Record>::columns().iter().map(move |column| ResultOf::Contact(place, column))
+    });
+    state.chain(wheel.chain(contacts).filter(move |_| has_wheel))
 }
 
 /// What became of a state.
 pub(crate) enum Outcome {
-    Solved(Box<Solution>),
+    Solved {
+        solution: Box<Solution>,
+        /// The wheel, if the case has profiles.
+        wheel: Option<std::sync::Arc<WheelSolution>>,
+        /// Codes of its warnings.
+        codes: Vec<&'static str>,
+    },
+    /// There is no normal load, or the wheel does not touch the rail.
+    NoContact,
     /// Why not.
     Failed(String),
 }
@@ -50,11 +119,19 @@ impl Outcome {
     /// Name of the status in a table.
     fn status(&self) -> &'static str {
         match self {
-            Self::Solved(solution) => solution.status.name(),
+            Self::Solved { solution, wheel, .. } => {
+                let of_wheel = wheel.as_ref().map_or(Status::Converged, |wheel| wheel.status());
+                let is = solution.status == Status::Converged && of_wheel == Status::Converged;
+                if is { Status::Converged.name() } else { Status::NotConverged.name() }
+            }
+            Self::NoContact => NO_CONTACT,
             Self::Failed(_) => FAILED,
         }
     }
 }
+
+/// The status of a state in which nothing acts.
+pub(crate) const NO_CONTACT: &str = "no-contact";
 
 /// The status of a state that could not be solved at all.
 pub(crate) const FAILED: &str = "failed";
@@ -64,12 +141,14 @@ pub(crate) struct Row<'a> {
     pub index: usize,
     pub carried: Vec<f64>,
     pub entries: &'a [Entry],
+    /// Whether the table has the columns of a wheel.
+    pub has_wheel: bool,
     pub outcome: &'a Outcome,
 }
 
 /// Adds a row to a table with these columns.
-pub(crate) fn push(rows: &mut Rows, columns: &[Column], row: &Row) {
-    let Row { index, carried, entries, outcome } = row;
+pub(crate) fn push(rows: &mut Rows, row: &Row) {
+    let Row { index, carried, entries, has_wheel, outcome } = row;
     let mut cells = rows.iter_mut();
     let mut put = |value: Put| {
         let Some(cells) = cells.next() else { return };
@@ -94,25 +173,17 @@ pub(crate) fn push(rows: &mut Rows, columns: &[Column], row: &Row) {
         });
     }
     put(Put::Text(outcome.status().to_owned()));
-    let solution = match outcome {
-        Outcome::Solved(solution) => Some(solution),
-        Outcome::Failed(_) => None,
-    };
-    let given = 2 + carried.len() + entries.len();
-    let taken: Vec<&str> = columns[..given].iter().map(|column| column.name.as_str()).collect();
-    for column in results(&taken) {
-        let value = solution.map_or(Value::Unknown, |solution| (column.value)(solution, 0));
-        put(Put::Number(value.number().unwrap_or(f64::NAN)));
+    for of in results(*has_wheel) {
+        put(Put::Number(of.of(outcome)));
     }
-    let codes = solution.map_or_else(Vec::new, |solution| {
-        let mut codes: Vec<&str> = solution.warnings.iter().map(Warning::code).collect();
-        codes.dedup();
-        codes
-    });
-    put(Put::Text(codes.join(" ")));
+    let codes = match outcome {
+        Outcome::Solved { codes, .. } => codes.join(" "),
+        Outcome::NoContact | Outcome::Failed(_) => String::new(),
+    };
+    put(Put::Text(codes));
     put(Put::Text(match outcome {
-        Outcome::Solved(_) => String::new(),
         Outcome::Failed(reason) => reason.clone(),
+        Outcome::Solved { .. } | Outcome::NoContact => String::new(),
     }));
 }
 

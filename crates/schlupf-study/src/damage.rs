@@ -6,11 +6,14 @@ use std::path::{Path, PathBuf};
 use schlupf::damage::{self, Laws, State};
 use schlupf::message::Message;
 use schlupf::{Status, Watch};
-use schlupf_case::{CaseErrors, CaseFile};
+use schlupf_case::{CaseErrors, CaseFile, Setting};
 use schlupf_output::damage::{DamageReport, LeftOut};
 use schlupf_tasks::Notice;
+use schlupf_tasks::states::CONTACTS;
 use tempfile::TempDir;
 
+use crate::batch::MORE_CONTACTS;
+use crate::columns::{NO_CONTACT, beside_field, contact_column};
 use crate::error::StudyError;
 use crate::run;
 use crate::study::Study;
@@ -97,16 +100,26 @@ impl Plan {
     ) -> Result<DamageReport, StudyError> {
         let Self { path, study, .. } = &self;
         let run = match study {
-            None => Run::read(path)?,
+            None => Run::read(path, self.own_speed())?,
             Some(study) => {
                 let fail = |cause| StudyError::file(path, cause);
                 let folder = folder().map_err(fail)?;
                 let table = folder.path().join("run.parquet");
                 run::run(study, [1, 1], &table, watch)?;
-                Run::read(&table)?
+                Run::read(&table, self.own_speed())?
             }
         };
         run.report(&self)
+    }
+}
+
+impl Plan {
+    /// The speed of the case, where the table has none, in m/s.
+    fn own_speed(&self) -> f64 {
+        match self.case.value(SPEED) {
+            Some(Setting::Number(speed)) => speed,
+            _ => f64::NAN,
+        }
     }
 }
 
@@ -146,49 +159,73 @@ fn check_places((name, places): (&str, &[f64]), across: Option<&[f64]>) -> Resul
     })
 }
 
-/// The columns that a run needs, in the order in which they are read.
-const NEEDED: [&str; 12] = [
-    "kinematics.speed",
-    "normal.load",
-    "normal.semi_axis_x",
-    "normal.semi_axis_y",
-    "normal.peak_pressure",
-    "area.contact",
-    "force.x",
-    "force.y",
-    "normalised.x",
-    "normalised.y",
-    "t_gamma.without_spin",
-    "t_gamma.with_spin",
+/// The columns of a contact that a run needs, in the order in which they are read; of a contact of a
+/// wheel under the second name.
+const NEEDED: [[&str; 2]; 12] = [
+    ["normal.load"; 2],
+    ["normal.semi_axis_x"; 2],
+    ["normal.semi_axis_y"; 2],
+    ["normal.peak_pressure"; 2],
+    ["area.contact"; 2],
+    ["force.x"; 2],
+    ["force.y"; 2],
+    ["normalised.x"; 2],
+    ["normalised.y"; 2],
+    ["t_gamma.without_spin"; 2],
+    ["t_gamma.with_spin"; 2],
+    ["power.friction", "friction_power"],
 ];
 
-/// The column of the friction power.
-const POWER: &str = "power.friction";
+/// Places of a contact on the profiles of the wheel and of the rail.
+const ON_PROFILES: [&str; 2] = ["wheel_position", "rail_position"];
+
+/// The column of the speed of the vehicle.
+const SPEED: &str = "kinematics.speed";
+
+/// The column that a table of a wheel with profiles has.
+const OF_WHEEL: &str = "wheel_force.z";
 
 /// The column that tells whether a state has a solution.
 const STATUS: &str = "status";
 
-/// The column with the codes of warnings, and the one of wheels with several contacts.
+/// The column with the codes of warnings.
 const WARNINGS: &str = "warnings";
-const ONE_CONTACT: &str = "one-contact";
 
 /// The columns of a run.
 struct Run {
-    needed: [Vec<f64>; NEEDED.len()],
-    /// Friction power, not a number where the method gives none.
-    power: Vec<f64>,
-    is_solved: Vec<bool>,
+    /// Of each contact.
+    contacts: Vec<ContactColumns>,
+    speed: Vec<f64>,
+    status: Vec<String>,
     /// Which of the columns, and its numbers.
     along: (&'static str, Vec<f64>),
-    across: Option<Vec<f64>>,
-    /// Whether the wheel has contacts besides that of the row; empty if nothing is known of it.
+    /// Whether the wheel has more contacts than the table; empty if nothing is known of it.
     has_others: Vec<bool>,
 }
 
+/// The columns of a contact.
+struct ContactColumns {
+    needed: [Vec<f64>; NEEDED.len()],
+    /// Place of the patch on the profiles of wheel and rail, if it is known.
+    across: Option<[Vec<f64>; 2]>,
+}
+
 impl Run {
-    fn read(path: &Path) -> Result<Self, StudyError> {
-        let others = [POWER, STATUS, WARNINGS, ACROSS].into_iter().chain(ALONG);
-        let names: Vec<&str> = NEEDED.into_iter().chain(others).collect();
+    /// The columns that may be read.
+    fn names() -> Vec<String> {
+        let alone = NEEDED.iter().map(|[alone, _]| *alone);
+        let of_wheel = NEEDED.iter().map(|[_, of_wheel]| *of_wheel).chain(ON_PROFILES);
+        let of_wheel =
+            of_wheel.flat_map(|name| (0..CONTACTS).map(move |place| contact_column(place, name)));
+        let others = [STATUS, WARNINGS, ACROSS, OF_WHEEL].into_iter().chain(ALONG);
+        let results = alone.chain([SPEED]).flat_map(|name| [name.to_owned(), beside_field(name)]);
+        results.chain(others.map(str::to_owned)).chain(of_wheel).collect()
+    }
+
+    /// `own_speed` is the speed of the case, in m/s.
+    fn read(path: &Path, own_speed: f64) -> Result<Self, StudyError> {
+        let names = Self::names();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
         let mut reader = Reader::open_only(path, &names)?;
         let contents = reader.contents().clone();
         let [shard, shards] = contents.shard;
@@ -209,20 +246,41 @@ impl Run {
         let missing = |name: &str| {
             StudyError::table(path, format!("a run needs the column {name}, which is missing"))
         };
-        let mut needed: [Vec<f64>; NEEDED.len()] = Default::default();
-        for (numbers, name) in needed.iter_mut().zip(NEEDED) {
-            *numbers = table.numbers(name).ok_or_else(|| missing(name))?;
-        }
+        let is_of_wheel = table.cells(OF_WHEEL).is_some();
+        let contacts = if is_of_wheel { CONTACTS } else { 1 };
+        let contacts = (0..contacts).map(|place| {
+            let name = |[alone, of_wheel]: [&str; 2]| {
+                if is_of_wheel { contact_column(place, of_wheel) } else { alone.to_owned() }
+            };
+            let mut needed: [Vec<f64>; NEEDED.len()] = Default::default();
+            for (numbers, names) in needed.iter_mut().zip(NEEDED) {
+                let name = name(names);
+                *numbers = table.result(&name).ok_or_else(|| missing(&name))?;
+            }
+            let across = if is_of_wheel {
+                let place = ON_PROFILES.map(|name| table.numbers(&contact_column(place, name)));
+                let [Some(wheel), Some(rail)] = place else { return Err(missing(ON_PROFILES[0])) };
+                Some([wheel, rail])
+            } else {
+                table.numbers(ACROSS).map(|across| [across.clone(), across])
+            };
+            Ok(ContactColumns { needed, across })
+        });
+        let contacts = contacts.collect::<Result<Vec<_>, StudyError>>()?;
+        let status = table.texts(STATUS).ok_or_else(|| missing(STATUS))?;
+        // That of a contact of a wheel is another one.
+        let is_own = !is_of_wheel || table.cells(&beside_field(SPEED)).is_some();
+        let speed = table.numbers(SPEED).filter(|_| is_own);
         let run = Self {
-            needed,
-            power: table.numbers(POWER).ok_or_else(|| missing(POWER))?,
-            is_solved: table.is_solved().ok_or_else(|| missing(STATUS))?,
+            contacts,
+            speed: speed.unwrap_or_else(|| vec![own_speed; status.len()]),
+            status,
             along: along.ok_or_else(|| StudyError::table(path, no_run()))?,
-            across: table.numbers(ACROSS),
-            has_others: table.warned(ONE_CONTACT),
+            has_others: table.warned(MORE_CONTACTS),
         };
         let (name, places) = &run.along;
-        check_places((name, places), run.across.as_deref())
+        let across = table.numbers(ACROSS).filter(|_| !is_of_wheel);
+        check_places((name, places), across.as_deref())
             .map_err(|reason| StudyError::table(path, reason))?;
         Ok(run)
     }
@@ -241,8 +299,7 @@ impl Run {
             return (0..places.len()).map(interval).collect();
         }
         // Without a solution the speed may be unknown: that of the state before, or else the first.
-        let [speeds, ..] = &self.needed;
-        let first = speeds.iter().copied().find(|speed| speed.is_finite());
+        let first = self.speed.iter().copied().find(|speed| speed.is_finite());
         let mut known = first.unwrap_or(f64::NAN);
         let distance = |(k, speed): (usize, &f64)| {
             if speed.is_finite() {
@@ -250,30 +307,39 @@ impl Run {
             }
             interval(k) * known
         };
-        speeds.iter().enumerate().map(distance).collect()
+        self.speed.iter().enumerate().map(distance).collect()
     }
 
     fn report(self, plan: &Plan) -> Result<DamageReport, StudyError> {
-        let mut states = Vec::with_capacity(self.is_solved.len());
+        let mut states = Vec::with_capacity(self.status.len());
         let [mut unsolved, mut powerless] = [Gap::default(); 2];
-        // That of the last state that has a force.
-        let mut friction = 1.0;
+        // Those of the last state that has a force.
+        let mut friction = vec![1.0; self.contacts.len()];
         let mut start = 0.0;
         for (row, distance) in self.distances().into_iter().enumerate() {
             let piece = Piece { distance, middle: start + 0.5 * distance };
             start += distance;
-            if !self.is_solved[row] {
-                unsolved.add(row, distance);
-                continue;
-            }
-            let state = self.state(row, piece, &mut friction);
-            if state.friction_power.is_finite() {
-                states.push(state);
-            } else {
-                powerless.add(row, distance);
+            match self.status[row].as_str() {
+                NO_CONTACT => states.push(self.unloaded(row, piece)),
+                status if status == Status::Converged.name() => {
+                    let each = self.contacts.iter().zip(&mut friction).enumerate();
+                    let each = each.filter(|(_, (contact, _))| contact.has(row));
+                    let each: Vec<State> = each
+                        .map(|(k, (contact, friction))| State {
+                            is_further_contact: k > 0,
+                            ..contact.state(row, self.unloaded(row, piece), friction)
+                        })
+                        .collect();
+                    if each.iter().all(|state| state.friction_power.is_finite()) {
+                        states.extend(each);
+                    } else {
+                        powerless.add(row, distance);
+                    }
+                }
+                _ => unsolved.add(row, distance),
             }
         }
-        if states.is_empty() {
+        if !states.iter().any(|state| state.load > 0.0) {
             let what = if powerless.rows > 0 { "friction power" } else { "solution" };
             let reason = format!("none of the states of the run has a {what}");
             return Err(StudyError::table(&plan.path, reason));
@@ -287,7 +353,7 @@ impl Run {
         let no_power = (rows > 0).then_some(Notice::NoFrictionPower { rows, first, distance });
         let others = self.has_others.iter().filter(|has| **has).count();
         let first = self.has_others.iter().position(|has| *has);
-        let others = first.map(|first| Notice::FirstContacts { rows: others, first });
+        let others = first.map(|first| Notice::MoreContacts { rows: others, first });
         let gaps = left_out.into_iter().chain(no_power).chain(others).map(Message::from);
         Ok(DamageReport {
             title: path.display().to_string(),
@@ -301,9 +367,38 @@ impl Run {
         })
     }
 
+    /// A state in which the wheel does not touch the rail.
+    fn unloaded(&self, row: usize, piece: Piece) -> State {
+        State {
+            distance: piece.distance,
+            middle: piece.middle,
+            speed: self.speed[row],
+            position_y: 0.0,
+            rail_position_y: 0.0,
+            is_further_contact: false,
+            load: 0.0,
+            semi_axis_x: 0.0,
+            semi_axis_y: 0.0,
+            peak_pressure: 0.0,
+            contact_area: 0.0,
+            tangential_force: 0.0,
+            t_gamma: 0.0,
+            friction_power: 0.0,
+            friction_coefficient: 0.0,
+        }
+    }
+}
+
+impl ContactColumns {
+    /// Whether there is such a contact in a row that has a solution.
+    fn has(&self, row: usize) -> bool {
+        let [load, ..] = &self.needed;
+        load[row].is_finite()
+    }
+
     /// The state of a row that has a solution; without a friction power that is not a number.
-    fn state(&self, row: usize, piece: Piece, friction: &mut f64) -> State {
-        let [speed, load, a, b, peak, area, x, y, of_x, of_y, t_gamma, with_spin] =
+    fn state(&self, row: usize, piece: State, friction: &mut f64) -> State {
+        let [load, a, b, peak, area, x, y, of_x, of_y, t_gamma, with_spin, power] =
             self.needed.each_ref().map(|numbers| numbers[row]);
         let force = x.hypot(y);
         // F/(μ0 N) tells μ0.
@@ -311,12 +406,13 @@ impl Run {
         if bound.is_finite() && bound > 0.0 {
             *friction = bound;
         }
-        let power = self.power[row];
+        let [position_y, rail_position_y] = match &self.across {
+            Some(across) => across.each_ref().map(|places| places[row]),
+            None => [0.0; 2],
+        };
         State {
-            distance: piece.distance,
-            middle: piece.middle,
-            speed,
-            position_y: self.across.as_ref().map_or(0.0, |across| across[row]),
+            position_y,
+            rail_position_y,
             load,
             semi_axis_x: a,
             semi_axis_y: b,
@@ -324,8 +420,9 @@ impl Run {
             contact_area: area,
             tangential_force: force,
             t_gamma,
-            friction_power: if power.is_nan() { with_spin * speed } else { power },
+            friction_power: if power.is_nan() { with_spin * piece.speed } else { power },
             friction_coefficient: *friction,
+            ..piece
         }
     }
 }
@@ -384,12 +481,15 @@ impl Table {
         }
     }
 
-    fn is_solved(&self) -> Option<Vec<bool>> {
-        match self.cells(STATUS)? {
-            Cells::Texts(texts) => {
-                Some(texts.iter().map(|status| status == Status::Converged.name()).collect())
-            }
+    fn texts(&self, name: &str) -> Option<Vec<String>> {
+        match self.cells(name)? {
+            Cells::Texts(texts) => Some(texts.clone()),
             _ => None,
         }
+    }
+
+    /// The numbers of a result, which a field of the same name may have beside it.
+    fn result(&self, name: &str) -> Option<Vec<f64>> {
+        self.numbers(&beside_field(name)).or_else(|| self.numbers(name))
     }
 }

@@ -109,7 +109,18 @@ impl Study {
 
     /// The columns of its table.
     pub fn columns(&self) -> Vec<Column> {
-        columns(&self.design)
+        columns(&self.design, self.has_wheel())
+    }
+
+    /// Whether any of its states may be of a wheel with profiles.
+    pub(crate) fn has_wheel(&self) -> bool {
+        let varied = self.design.varied().iter();
+        let mut models = varied.filter(|varied| varied.field.path == NORMAL_MODEL);
+        self.case.value(NORMAL_MODEL) == Some(Setting::Choice(WHEEL_RAIL))
+            || models.any(|varied| match &varied.values {
+                Values::Texts(names) => names.iter().any(|name| name == WHEEL_RAIL),
+                Values::Numbers(_) => false,
+            })
     }
 
     /// Files that were read for it, or that its case names.
@@ -546,6 +557,10 @@ impl StudyReader<'_> {
         CaseError::new("", message, place)
     }
 }
+
+/// The field with the source of the pressure, and its name for two profiles.
+const NORMAL_MODEL: &str = "normal.model";
+const WHEEL_RAIL: &str = "wheel-rail";
 
 /// The field with the method.
 const METHOD: &str = "solver.method";

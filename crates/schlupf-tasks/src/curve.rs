@@ -3,11 +3,11 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use schlupf::creep_curve::{self, CreepCurve, Creepages, Path, Sampling, VariedForce};
-use schlupf::{Quantity, Watch, parallel};
+use schlupf::{Problem, Quantity, Watch, parallel};
 use schlupf_case::{Case, CaseFile, Family, FieldNames, quantity_field};
 use schlupf_output::creep_curve::{CurveFamily, FieldValue, Member as Found};
 
-use crate::{Notice, TaskError};
+use crate::TaskError;
 
 /// Which curves.
 #[derive(Debug, Clone)]
@@ -198,6 +198,19 @@ impl Request {
     fn check(&self, member: &Member) -> Result<(), TaskError> {
         let Member { values, case, path } = member;
         case.require_steady("a creep curve is")?;
+        let of_wheel =
+            [(self.names.creepage_y, self.varied.creepage_y), (self.names.spin, self.varied.spin)];
+        let of_wheel = of_wheel.iter().find(|(_, varied)| varied.is_some()).map(|(name, _)| *name);
+        let total = self.varied.total.map(|_| self.names.creepage);
+        let other = |(force, _): (VariedForce, _)| force.creepage() != Quantity::CreepageX;
+        let force = self.varied.force.filter(|force| other(*force)).map(|_| self.names.force);
+        if let (Some(_), Some(name)) = (&case.wheel, of_wheel.or(total).or(force)) {
+            return Err(TaskError::Request(format!(
+                "{name} must be left out with normal.model = \"wheel-rail\", where lateral creepage \
+                 and spin follow from the motion of the wheelset: a curve of a wheel varies {}",
+                self.names.creepage_x
+            )));
+        }
         creep_curve::check(&case.problem, path, &self.sampling)
             .map_err(|error| self.failure(case, values, &error))
     }
@@ -269,7 +282,7 @@ impl Varied {
 
     /// The creepages of a case with those that vary in their place.
     fn path(&self, case: &Case) -> Result<Path, schlupf::Error> {
-        let own = Creepages::of(&case.problem.kinematics);
+        let own = Creepages::of(&case.motion);
         if let Some((force, range)) = self.force {
             return Path::over_force(force, range, own);
         }
@@ -288,12 +301,18 @@ impl Member {
     fn found(&self, sampling: &Sampling, watch: Watch) -> Result<Found, schlupf::Error> {
         let curve = self.trace(sampling, watch)?;
         let of_curve = curve.warnings.iter().map(|w| w.message(&FieldNames::CASE));
-        let warnings = Notice::of_first_contact(&self.case).into_iter().chain(of_curve).collect();
+        let warnings = self.case.notices.iter().cloned().chain(of_curve).collect();
         Ok(Found { values: self.values.clone(), warnings, curve })
     }
 
     fn trace(&self, sampling: &Sampling, watch: Watch) -> Result<CreepCurve, schlupf::Error> {
-        let mut solver = self.case.solver_without_state();
-        creep_curve::trace(&mut *solver, &self.case.problem, &self.path, sampling, watch)
+        let Self { case, path, .. } = self;
+        let problem = Problem { kinematics: case.motion, ..case.problem.clone() };
+        let mut solver = case.solver_of_motion();
+        let mut curve = creep_curve::trace(&mut *solver, &problem, path, sampling, watch)?;
+        if let Some(wheel) = &case.wheel {
+            curve.normal.load = wheel.force[2];
+        }
+        Ok(curve)
     }
 }

@@ -70,14 +70,14 @@ messages! {
     );
 
     /// States of a run in which a wheel has contacts that are not counted.
-    "first-contacts" FirstContacts {
+    "more-contacts" MoreContacts {
         /// How many.
         rows: usize,
         /// The first of them, from 0.
         first: usize,
     } "normal.model", |subject, words| format!(
-        "in {rows} of the states the wheel has several contacts, in row {first} for the first time: \
-         only the first contact of each, with the largest force, is counted"
+        "in {rows} of the states the wheel has more contacts than the table has columns for, in row \
+         {first} for the first time: those with the smallest forces are not counted"
     );
 
     /// States of a run whose friction power is unknown.

@@ -3,7 +3,7 @@
 use schlupf::message::Message;
 use schlupf::rolling::marching::march;
 use schlupf::wheel_rail::WheelSolution;
-use schlupf::{Error, Method, Watch};
+use schlupf::{Error, Method, Solution, Watch};
 use schlupf_case::{Case, Rolling};
 use schlupf_output::solution::SolutionReport;
 
@@ -39,10 +39,15 @@ pub fn solve(case: &Case, rolling: Rolling, watch: Watch) -> Result<SolutionRepo
         Rolling::Steady(mut solver) => solver.solve(&case.problem, watch)?,
         Rolling::Transient(transient) => march(&transient, &case.options, watch)?,
     };
+    Ok(report(case, solution))
+}
+
+/// A solution of a case, with all contacts of its wheel if it has one.
+pub fn report(case: &Case, solution: Solution) -> SolutionReport {
     let contact_law = (solution.method == Method::Full).then(|| contact_law::of(case));
     let wheel = case.wheel.clone();
     let of_wheel = wheel.iter().flat_map(|wheel| of_wheel(wheel));
     let warnings = case.notices.iter().cloned().chain(messages(&solution.warnings));
     let warnings = warnings.chain(of_wheel).collect();
-    Ok(SolutionReport { title: case.title.clone(), contact_law, solution, wheel, warnings })
+    SolutionReport { title: case.title.clone(), contact_law, solution, wheel, warnings }
 }

@@ -49,10 +49,7 @@ pub struct Plan {
 /// # Errors
 /// A case without profiles, or with a height in place of the vertical force.
 pub fn plan(file: &CaseFile, request: Request) -> Result<Plan, TaskError> {
-    let is_given = file.given().any(|path| path.starts_with("elasticity."));
-    let half_space = ["elasticity.model=half-space".to_owned()];
-    // The default, a layer, is calibrated for patches that are not as slender as some on flanges.
-    let file = if is_given { file.clone() } else { file.with("the wheelset", &half_space)? };
+    let file = file.clone();
     let wheel = file.wheel()?;
     let Support::Force(load) = wheel.support else {
         return Err(TaskError::Request(

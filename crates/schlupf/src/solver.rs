@@ -88,6 +88,12 @@ pub trait Solver: Send + Sync {
         Ok(None)
     }
 
+    /// Whether its states are those of a wheel on a rail with all its contacts, and creepages those
+    /// of its nominal radius.
+    fn is_of_wheel(&self) -> bool {
+        false
+    }
+
     /// Discards all solutions, but not the set-up.
     fn forget(&mut self) {}
 }

@@ -31,6 +31,8 @@ fn sliding(distance: f64, slip_speed: f64) -> State {
         middle: 0.5 * distance,
         speed: 20.0,
         position_y: 0.01,
+        rail_position_y: 0.01,
+        is_further_contact: false,
         load,
         semi_axis_x: a,
         semi_axis_y: b,
@@ -95,7 +97,10 @@ fn jendel_2002_wear_map_has_its_regimes() {
 #[test]
 fn wear_across_the_profile_conserves_volume() {
     let mut states: Vec<State> = (0..7)
-        .map(|k| State { position_y: 1.7e-3 * f64::from(k * k % 5), ..sliding(100.0, 0.05) })
+        .map(|k| {
+            let position_y = 1.7e-3 * f64::from(k * k % 5);
+            State { position_y, rail_position_y: -0.3 * position_y, ..sliding(100.0, 0.05) }
+        })
         .collect();
     states[3].semi_axis_y = 7e-3;
     let damage = of_run(&states, &laws()).unwrap();

@@ -39,6 +39,8 @@ pub struct Field {
     pub default: Default,
     /// The choice with which alone the default counts, if there is one.
     pub default_with: Option<UsedWith>,
+    /// A choice with which the default is another text.
+    pub other_default: Option<(UsedWith, &'static str)>,
     /// A value to show; the default where there is none.
     pub example: Option<&'static str>,
     /// The choices it belongs to, of which any will do.
@@ -168,6 +170,7 @@ impl Field {
             default,
             example: None,
             default_with: None,
+            other_default: None,
             used_with: [None; 2],
             idle_with: None,
             shapes_contact: false,

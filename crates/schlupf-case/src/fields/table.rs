@@ -68,6 +68,16 @@ impl Field {
         Self { default_with: Some((choice, names)), ..self }
     }
 
+    /// The same; with these names of a choice the default is another one.
+    const fn default_else(
+        self,
+        choice: &'static str,
+        names: &'static [&'static str],
+        text: &'static str,
+    ) -> Self {
+        Self { other_default: Some(((choice, names), text)), ..self }
+    }
+
     /// The same; it has no effect with these names of a choice.
     const fn idle_with(self, choice: &'static str, names: &'static [&'static str]) -> Self {
         Self { idle_with: Some((choice, names)), ..self }

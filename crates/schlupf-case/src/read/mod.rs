@@ -15,10 +15,12 @@ mod options;
 mod roughness;
 mod subsurface;
 mod wheel_rail;
+mod wheel_solver;
 
 use std::sync::Arc;
 
 use schlupf::history::History;
+use schlupf::kinematics::Kinematics;
 use schlupf::material::Material;
 use schlupf::normal::NormalContact;
 use schlupf::prescribed::ForceSolver;
@@ -33,7 +35,7 @@ pub use options::{driver, method};
 pub use subsurface::subsurface;
 
 use crate::error::CaseError;
-use crate::fields::choice::Driver;
+use crate::fields::choice::{Driver, NormalModel};
 use crate::law_stiffness::{LawStiffness, MicroContact};
 use crate::laws::Laws;
 use crate::settings::Settings;
@@ -41,6 +43,7 @@ use elasticity::Deformation;
 use roughness::OfRoughness;
 pub use roughness::{MicroCase, explain as explain_roughness, load as load_roughness};
 use wheel_rail::WheelRequest;
+pub use wheel_solver::WheelSolver;
 
 /// What a case says of its problem: all that is known without solving anything.
 #[derive(Debug, Clone)]
@@ -63,8 +66,10 @@ pub struct Posed {
     pub problem: Problem,
     /// k_c and where it comes from.
     pub stiffness: LawStiffness,
-    /// The wheel with all its contacts, if the case has profiles.
-    pub wheel: Option<Arc<WheelSolution>>,
+    /// Speed and creepages that the case gives: of a wheel with profiles those of its nominal radius.
+    pub motion: Kinematics,
+    /// The wheel with all its contacts, if the case has profiles, and what finds its states.
+    pub wheel: Option<(Arc<WheelSolution>, WheelSolver)>,
 }
 
 impl Parts {
@@ -110,6 +115,11 @@ impl Parts {
             self.wheel = None;
         }
         laws.apply(&mut self.draft)
+    }
+
+    /// Whether the contacts are those of a wheel with profiles.
+    pub fn has_wheel(&self) -> bool {
+        self.wheel.is_some()
     }
 
     /// Those of wheel and rail.
@@ -161,7 +171,8 @@ impl Parts {
         };
         let contact_law = interface::contact_law(settings, stiffness.stiffness)?;
         let problem = Problem { elasticity, contact_law, ..self.draft.clone() };
-        Ok(Posed { problem, stiffness, wheel: None })
+        let motion = problem.kinematics;
+        Ok(Posed { problem, stiffness, motion, wheel: None })
     }
 
     /// The problem of the main contact of a wheel on a rail, and all its contacts.
@@ -174,31 +185,43 @@ impl Parts {
         let OfRoughness::Known(stiffness) = &self.stiffness else {
             return Err(wheel_rail::refuse_micro_model(settings));
         };
-        let found = self.solve_wheel(wheel, settings, None, watch)?.into_iter().next();
-        let found = found.ok_or_else(|| wheel_rail::no_contact(settings))?;
+        let solver = self.wheel_solver(wheel, settings)?;
+        let found = solver.find_one(watch).map_err(|error| settings.explain(&error))?;
         let main = found.contacts.first().ok_or_else(|| wheel_rail::no_contact(settings))?;
         let (problem, stiffness) = (main.problem.clone(), stiffness.clone());
-        Ok(Posed { problem, stiffness, wheel: Some(Arc::new(found)) })
+        let speed = solver.draft.kinematics.speed;
+        let creepage_x = found.creepage(solver.radius, speed);
+        let motion = Kinematics { creepage_x, ..Kinematics::free_rolling(speed) };
+        Ok(Posed { problem, stiffness, motion, wheel: Some((Arc::new(found), solver)) })
     }
 
-    fn solve_wheel(
+    fn wheel_solver(
         &self,
         wheel: &WheelRequest,
         settings: &Settings,
-        place: Option<f64>,
-        watch: Watch,
-    ) -> Result<Vec<WheelSolution>, CaseError> {
-        let contact_law = interface::contact_law(settings, self.stiffness.provisional())?;
-        let complete = |problem: Problem| {
-            let elasticity = self.deformation.model(&*problem.normal, None)?;
-            let problem = Problem { elasticity, contact_law: Arc::clone(&contact_law), ..problem };
-            problem.check().map(|()| problem)
-        };
-        let options = Options { sensitivity: false, extrapolate: false, ..options(settings)? };
-        let (method, driver) = (method(settings)?, driver(settings)?);
-        let solver = |options: &Options| any_solver(method, driver, options);
-        let found = wheel.solve((&self.draft, place), &complete, (&solver, &options), watch);
-        found.map_err(|error| settings.explain(&error))
+    ) -> Result<WheelSolver, CaseError> {
+        Ok(WheelSolver {
+            request: wheel.clone(),
+            draft: self.draft.clone(),
+            deformation: self.deformation.clone(),
+            contact_law: interface::contact_law(settings, self.stiffness.provisional())?,
+            method: method(settings)?,
+            driver: driver(settings)?,
+            options: Options { sensitivity: false, extrapolate: false, ..options(settings)? },
+            radius: settings.number("kinematics.wheel_radius")?,
+        })
+    }
+
+    /// Whether another load scales the pressure or the patch, and nothing else is to be found anew.
+    pub fn scales_with_load(&self, settings: &Settings) -> Result<bool, CaseError> {
+        let is_known = matches!(self.stiffness, OfRoughness::Known(_))
+            && matches!(self.deformation, Deformation::Known(_));
+        Ok(is_known
+            && match settings.chosen("normal.model")? {
+                NormalModel::Hertz | NormalModel::Tabulated => true,
+                NormalModel::Ellipse => settings.is_given("normal.load"),
+                NormalModel::Profile | NormalModel::WheelRail => false,
+            })
     }
 
     /// The wheel of a case of two profiles.
@@ -215,7 +238,8 @@ impl Parts {
         watch: Watch,
     ) -> Result<Vec<WheelSolution>, CaseError> {
         let request = self.wheel.as_ref().ok_or_else(|| wheel_rail::no_profiles(settings))?;
-        self.solve_wheel(request, settings, Some(lateral), watch)
+        let found = self.wheel_solver(request, settings)?.find(Some(lateral), watch);
+        found.map_err(|error| settings.explain(&error))
     }
 }
 

@@ -267,6 +267,11 @@ impl WheelRequest {
     pub fn wheel(&self) -> &WheelOnRail {
         &self.wheel
     }
+
+    /// The same, to be changed.
+    pub fn wheel_mut(&mut self) -> &mut WheelOnRail {
+        &mut self.wheel
+    }
 }
 
 /// The pressure of a wheel whose contacts are not solved yet.

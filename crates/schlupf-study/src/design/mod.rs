@@ -9,15 +9,8 @@ pub use sample::{Method, Sample};
 pub(crate) use states::read as read_states;
 
 use schlupf_case::fields::Field;
-
-/// The value of a field in a row: numbers in SI units, temperatures in degC.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Entry {
-    /// A number.
-    Number(f64),
-    /// Anything else, as it would stand in a case file without quotes.
-    Text(String),
-}
+pub use schlupf_tasks::states::Entry;
+pub(crate) use schlupf_tasks::states::assignment;
 
 /// Values of a field, one after the other.
 #[derive(Debug, Clone, PartialEq)]
@@ -124,16 +117,6 @@ impl Design {
         }
         entries.reverse();
         entries
-    }
-}
-
-/// A value as an assignment `section.field=value` of a case.
-pub(crate) fn assignment(field: &Field, entry: &Entry) -> String {
-    let unit = field.kind.unit();
-    match entry {
-        Entry::Number(number) if unit.is_empty() => format!("{}={number:?}", field.path),
-        Entry::Number(number) => format!("{}=\"{number:?} {unit}\"", field.path),
-        Entry::Text(text) => format!("{}={text}", field.path),
     }
 }
 

@@ -41,7 +41,9 @@ pub(super) struct Finding {
 pub(super) fn find(solver: &mut Points, normal: &NormalSummary) -> Result<Finding, Error> {
     let path = solver.path;
     // With other forces prescribed the derivatives at given creepages are not those of the curve.
-    if !path.has_origin() || !solver.problem.prescribed.is_none() {
+    // A wheel does not roll freely at zero creepage of its nominal radius.
+    let has_slope = solver.problem.prescribed.is_none() && !solver.solver.is_of_wheel();
+    if !path.has_origin() || !has_slope {
         return Ok(Finding::default());
     }
     let origin = path.at(0.0);

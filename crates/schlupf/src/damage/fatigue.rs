@@ -48,15 +48,20 @@ pub struct FatigueSummary {
 }
 
 impl FatigueSummary {
-    pub(super) fn of(states: &[State], points: &[RunPoint]) -> Self {
-        let distance: f64 = states.iter().map(|state| state.distance).sum();
+    /// Over a distance, in m.
+    pub(super) fn of(states: &[State], points: &[RunPoint], distance: f64) -> Self {
+        let contacts: Vec<(&State, f64)> =
+            states.iter().zip(points).map(|(state, point)| (state, point.fatigue_index)).collect();
+        let largest = |contacts: &[(&State, f64)]| {
+            contacts.iter().map(|(_, index)| *index).fold(f64::NEG_INFINITY, f64::max)
+        };
         let mean = |value: fn(f64) -> f64| -> f64 {
-            let each = states.iter().zip(points);
-            each.map(|(state, point)| value(point.fatigue_index) * state.distance).sum::<f64>()
-                / distance
+            let wheels = contacts.chunk_by(|_, (next, _)| next.is_further_contact);
+            let each = wheels.map(|wheel| value(largest(wheel)) * wheel[0].0.distance);
+            each.sum::<f64>() / distance
         };
         Self {
-            max: points.iter().map(|p| p.fatigue_index).fold(f64::NEG_INFINITY, f64::max),
+            max: largest(&contacts),
             mean: mean(|index| index),
             share: mean(|index| f64::from(u8::from(index > 0.0))),
             mean_excess: mean(|index| index.max(0.0)),

@@ -50,9 +50,14 @@ pub struct State {
     pub middle: f64,
     /// Speed of the vehicle v0, in m/s.
     pub speed: f64,
-    /// Position of the centre of the patch across the profile, in m.
+    /// Position of the centre of the patch across the profile of the wheel, in m.
     pub position_y: f64,
-    /// Normal load N, in N.
+    /// The same across that of the rail, in m.
+    pub rail_position_y: f64,
+    /// Whether it is another contact of the wheel in the state before, over the same distance.
+    pub is_further_contact: bool,
+    /// Normal load N, in N; zero where the wheel does not touch the rail, and all that follows from
+    /// it is of no matter.
     pub load: f64,
     /// Half the length a of the patch, in m.
     pub semi_axis_x: f64,
@@ -84,10 +89,19 @@ impl State {
         self.friction_power / (self.friction_coefficient * self.load)
     }
 
+    /// Distance that it adds to the run, in m.
+    fn way(&self) -> f64 {
+        if self.is_further_contact { 0.0 } else { self.distance }
+    }
+
     fn check(&self) -> Result<(), Error> {
+        require_positive(Quantity::Distance, self.distance)?;
+        require_positive(Quantity::Speed, self.speed)?;
+        require_finite(Quantity::Distance, self.middle)?;
+        if self.load == 0.0 {
+            return Ok(());
+        }
         let positive = [
-            (Quantity::Distance, self.distance),
-            (Quantity::Speed, self.speed),
             (Quantity::Load, self.load),
             (Quantity::SemiAxisX, self.semi_axis_x),
             (Quantity::SemiAxisY, self.semi_axis_y),
@@ -96,8 +110,8 @@ impl State {
             (Quantity::FrictionCoefficient, self.friction_coefficient),
         ];
         let finite = [
-            (Quantity::Distance, self.middle),
             (Quantity::Y, self.position_y),
+            (Quantity::Y, self.rail_position_y),
             (Quantity::ForceRatio, self.tangential_force),
             (Quantity::WearNumber, self.t_gamma),
             (Quantity::FrictionPower, self.friction_power),
@@ -224,7 +238,7 @@ pub struct CrackSummary {
 pub struct RunPoint {
     /// Distance at the middle of the state, in m, from the start of the run.
     pub distance: f64,
-    /// Position of the patch across the profile, in m.
+    /// Position of the patch across the profile of the wheel, in m.
     pub position_y: f64,
     /// Wear number Tγ without spin, in N.
     pub t_gamma: f64,
@@ -250,6 +264,8 @@ pub struct RunPoint {
 ///     middle: 500.0,
 ///     speed: 20.0,
 ///     position_y: 0.0,
+///     rail_position_y: 0.0,
+///     is_further_contact: false,
 ///     load: 80e3,
 ///     semi_axis_x: 6e-3,
 ///     semi_axis_y: 4e-3,
@@ -265,6 +281,9 @@ pub struct RunPoint {
 /// # Ok::<(), schlupf::Error>(())
 /// ```
 ///
+/// Sums are over all contacts. Where a wheel has several, the fatigue of a place of the run is that of
+/// the contact with the largest index.
+///
 /// # Errors
 /// No state, and numbers that are not positive or not finite.
 pub fn of_run(states: &[State], laws: &Laws) -> Result<RunDamage, Error> {
@@ -273,11 +292,15 @@ pub fn of_run(states: &[State], laws: &Laws) -> Result<RunDamage, Error> {
         return Err(Error::TooFew { quantity: Quantity::Distance, fewest: 1, count: 0 });
     }
     states.iter().try_for_each(State::check)?;
+    let count = states.iter().filter(|state| !state.is_further_contact).count();
+    let distance: f64 = states.iter().map(State::way).sum();
+    let duration = states.iter().map(|state| state.way() / state.speed).sum();
+    let states: &[State] =
+        &states.iter().filter(|state| state.load > 0.0).copied().collect::<Vec<_>>();
     let points = points(states, laws);
     let sum = |value: &dyn Fn(&State) -> f64| -> f64 {
         states.iter().map(|state| value(state) * state.distance).sum()
     };
-    let distance = sum(&|_| 1.0);
     let t_gamma = sum(&|state| state.t_gamma);
     let largest = states.iter().map(|state| state.t_gamma).fold(f64::NEG_INFINITY, f64::max);
     let each = states.iter().zip(&points);
@@ -287,18 +310,21 @@ pub fn of_run(states: &[State], laws: &Laws) -> Result<RunDamage, Error> {
     };
     let archard: Vec<f64> = points.iter().map(|point| point.archard_wear).collect();
     let by_energy: Vec<f64> = points.iter().map(|point| point.energy_wear).collect();
+    let total = |values: &[f64]| -> f64 {
+        states.iter().zip(values).map(|(state, value)| value * state.distance).sum()
+    };
     Ok(RunDamage {
-        states: states.len(),
+        states: count,
         distance,
-        duration: states.iter().map(|state| state.distance / state.speed).sum(),
+        duration,
         energy: sum(&State::energy_per_distance),
         t_gamma: WearNumberSummary { sum: t_gamma, mean: t_gamma / distance, max: largest },
-        fatigue: FatigueSummary::of(states, &points),
+        fatigue: FatigueSummary::of(states, &points, distance),
         cracks,
-        archard: WearTotal::of_volumes(states, &archard, laws.densities),
-        energy_wear: WearTotal::of_masses(states, &by_energy, laws.densities),
+        archard: WearTotal::of_volumes(total(&archard), distance, laws.densities),
+        energy_wear: WearTotal::of_masses(total(&by_energy), distance, laws.densities),
         histograms: histograms(states, &points),
-        profile: Profile::of(states, &points, laws),
+        profile: Profile::of(states, &points, laws, distance),
         points,
     })
 }

@@ -138,6 +138,8 @@ pub fn of_passage(problem: &Problem, solution: &Solution, laws: &Laws) -> Result
         middle: 0.5,
         speed: solution.kinematics.speed,
         position_y: 0.0,
+        rail_position_y: 0.0,
+        is_further_contact: false,
         load: normal.load,
         semi_axis_x: normal.semi_axis_x,
         semi_axis_y: normal.semi_axis_y,

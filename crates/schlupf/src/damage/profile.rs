@@ -12,7 +12,7 @@ use super::{Laws, RunPoint, State};
 /// that passes. Volumes are conserved on any cells, because w is integrated over them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
-    /// Centres of the cells, in m.
+    /// Centres of the cells across the profile of the wheel, and across that of the rail, in m.
     pub y: Vec<f64>,
     /// Depth worn from the wheel over the run by Archard's law, in m.
     pub wheel_archard: Vec<f64>,
@@ -30,38 +30,46 @@ const CELLS: f64 = 20.0;
 const MOST: usize = 50_000;
 
 impl Profile {
-    pub(super) fn of(states: &[State], points: &[RunPoint], laws: &Laws) -> Self {
-        let least = |value: fn(&State) -> f64| states.iter().map(value).fold(f64::MAX, f64::min);
-        let low = least(|state| state.position_y - state.semi_axis_y);
-        let high = -least(|state| -state.position_y - state.semi_axis_y);
-        let narrowest = 2.0 * least(|state| state.semi_axis_y);
+    /// Of states over a distance, in m.
+    pub(super) fn of(states: &[State], points: &[RunPoint], laws: &Laws, distance: f64) -> Self {
+        let places = |state: &State| [state.position_y, state.rail_position_y];
+        let edges = states.iter().flat_map(|state| {
+            places(state).map(|y| [y - state.semi_axis_y, y + state.semi_axis_y])
+        });
+        let (low, high) = edges.fold((f64::MAX, f64::MIN), |(low, high), [left, right]| {
+            (low.min(left), high.max(right))
+        });
+        let widths = states.iter().map(|state| 2.0 * state.semi_axis_y);
+        let narrowest = widths.fold(f64::MAX, f64::min);
         let count = ((high - low) / narrowest * CELLS).ceil().clamp(1.0, MOST as f64) as usize;
         let width = (high - low) / count as f64;
-        let mut sums = [vec![0.0; count], vec![0.0; count]];
+        // Of the wheel and of the rail, by both laws.
+        let mut sums = [0; 2].map(|_| [0; 2].map(|_| vec![0.0; count]));
         for (state, point) in states.iter().zip(points) {
-            let patch = [state.position_y, state.semi_axis_y];
-            let first = ((patch[0] - patch[1] - low) / width).floor().max(0.0) as usize;
-            let last = ((patch[0] + patch[1] - low) / width).ceil() as usize;
             let wear = [point.archard_wear, point.energy_wear / laws.densities[0]];
-            for cell in first..last.min(count) {
-                let start = low + cell as f64 * width;
-                let part = within(patch, start + width) - within(patch, start);
-                for (sum, volume) in sums.iter_mut().zip(wear) {
-                    sum[cell] += part / width * volume * state.distance;
+            for (sums, y) in sums.iter_mut().zip(places(state)) {
+                let patch = [y, state.semi_axis_y];
+                let first = ((y - patch[1] - low) / width).floor().max(0.0) as usize;
+                let last = ((y + patch[1] - low) / width).ceil() as usize;
+                for cell in first..last.min(count) {
+                    let start = low + cell as f64 * width;
+                    let part = within(patch, start + width) - within(patch, start);
+                    for (sum, volume) in sums.iter_mut().zip(wear) {
+                        sum[cell] += part / width * volume * state.distance;
+                    }
                 }
             }
         }
-        let distance: f64 = states.iter().map(|state| state.distance).sum();
-        let [archard, energy] = sums;
+        let [wheel, rail] = sums;
         let times = |sums: &[f64], factor: f64| sums.iter().map(|sum| sum * factor).collect();
         let around = (TAU * laws.wheel_radius).recip();
         let denser = laws.densities[0] / laws.densities[1];
         Self {
             y: (0..count).map(|cell| low + (cell as f64 + 0.5) * width).collect(),
-            wheel_archard: times(&archard, around),
-            wheel_energy: times(&energy, around),
-            rail_archard: times(&archard, distance.recip()),
-            rail_energy: times(&energy, denser / distance),
+            wheel_archard: times(&wheel[0], around),
+            wheel_energy: times(&wheel[1], around),
+            rail_archard: times(&rail[0], distance.recip()),
+            rail_energy: times(&rail[1], denser / distance),
         }
     }
 }

@@ -103,9 +103,8 @@ pub struct WearTotal {
 }
 
 impl WearTotal {
-    /// From the volume per distance of each state, in m².
-    pub(super) fn of_volumes(states: &[State], volumes: &[f64], densities: [f64; 2]) -> Self {
-        let [distance, volume] = sums(states, volumes);
+    /// From the volume over a distance, in m³ and m.
+    pub(super) fn of_volumes(volume: f64, distance: f64, densities: [f64; 2]) -> Self {
         Self {
             wheel_mass: volume * densities[0],
             rail_mass_per_length: volume * densities[1] / distance,
@@ -113,19 +112,12 @@ impl WearTotal {
         }
     }
 
-    /// From the mass per distance of each state, in kg/m.
-    pub(super) fn of_masses(states: &[State], masses: &[f64], densities: [f64; 2]) -> Self {
-        let [distance, mass] = sums(states, masses);
+    /// From the mass over a distance, in kg and m.
+    pub(super) fn of_masses(mass: f64, distance: f64, densities: [f64; 2]) -> Self {
         Self {
             wheel_mass: mass,
             rail_mass_per_length: mass / distance,
             wheel_volume: mass / densities[0],
         }
     }
-}
-
-/// The distance, and the sum of a quantity per distance over it.
-fn sums(states: &[State], values: &[f64]) -> [f64; 2] {
-    let sum = states.iter().zip(values).map(|(state, value)| value * state.distance).sum();
-    [states.iter().map(|state| state.distance).sum(), sum]
 }

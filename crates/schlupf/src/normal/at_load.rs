@@ -16,16 +16,19 @@ pub struct AtLoad {
 }
 
 impl AtLoad {
-    /// The source with the load N, in N; the patch grows according to the source.
+    /// The source with the load N, in N; whether the patch grows is up to the source.
     ///
     /// ```
     /// use std::sync::Arc;
-    /// use schlupf::normal::{PressureSource, at_load::AtLoad, ellipse::Ellipse};
+    /// use schlupf::normal::hertz::{Hertz, Radii};
+    /// use schlupf::normal::{PressureSource, at_load::AtLoad};
     ///
-    /// let source = Arc::new(Ellipse::from_load(6e-3, 5e-3, 10e3)?);
+    /// let [ball, plane] = [0.5, f64::INFINITY].map(|radius| Radii { x: radius, y: radius });
+    /// let source = Arc::new(Hertz::new(ball, plane, 1e11, 10e3)?);
+    /// let own = source.normal_contact(None)?.summary;
     /// let contact = AtLoad::new(source, 80e3)?.normal_contact(None)?.summary;
     /// // Hertz 1882: eight times the load, twice the length.
-    /// assert!((contact.semi_axis_x / 12e-3 - 1.0).abs() < 1e-12);
+    /// assert!((contact.semi_axis_x / own.semi_axis_x - 2.0).abs() < 1e-12);
     /// # Ok::<(), schlupf::Error>(())
     /// ```
     pub fn new(source: Arc<dyn PressureSource>, load: f64) -> Result<Self, Error> {

@@ -31,6 +31,7 @@ mod patch;
 mod driven;
 mod sliding;
 mod wheel;
+mod resultant;
 mod resting;
 mod conicity;
 

@@ -18,7 +18,7 @@ use crate::problem::{Options, Problem};
 use crate::progress::Watch;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
-use crate::solution::{Solution, Status};
+use crate::solution::Solution;
 use crate::warning::Warning;
 
 /// Position of a wheelset in the track: x forwards, y to the left, z up.
@@ -119,12 +119,6 @@ pub struct WheelSolution {
 }
 
 impl WheelSolution {
-    /// Whether all contacts converged.
-    pub fn status(&self) -> Status {
-        let is = |contact: &Contact| contact.solution.status == Status::Converged;
-        if self.contacts.iter().all(is) { Status::Converged } else { Status::NotConverged }
-    }
-
     /// Depth below first touch, in m.
     pub fn depth(&self) -> f64 {
         self.guess.depth

@@ -1,7 +1,7 @@
 //! `[elasticity]`.
 
-use super::quantity;
 use super::solver::{FULL, METHOD};
+use super::{NORMAL_MODEL, WHEEL_RAIL, quantity};
 use crate::fields::choice::{CalibratedWith, Choose, ElasticityModel};
 use crate::fields::field::Default::{Computed, Nothing, Same, Text};
 use crate::fields::field::{Field, Kind, Section};
@@ -22,7 +22,8 @@ section! {
         "How the bodies deform under tangential traction.";
 
     "model" [Elasticity] Kind::Choice(ElasticityModel::CHOICES), Finite, Text("elastic-layer"),
-        "model of the deformation", shaping(), with(METHOD, FULL);
+        "model of the deformation; \"half-space\" by default with normal.model = \"wheel-rail\"",
+        shaping(), with(METHOD, FULL), default_else(NORMAL_MODEL, WHEEL_RAIL, "half-space");
     "calibration" [Calibration] Kind::Choice(CalibratedWith::CHOICES), Finite,
         Computed("\"half-space\", where no stiffness is given"),
         "where the stiffnesses come from", shaping(), example("half-space"), with(MODEL, SPRINGS);

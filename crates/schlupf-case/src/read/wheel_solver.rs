@@ -1,0 +1,100 @@
+//! What finds the contacts of a wheel on a rail.
+
+use std::sync::Arc;
+
+use schlupf::error::WheelRailError;
+use schlupf::interface::contact_law::ContactLaw;
+use schlupf::kinematics::Kinematics;
+use schlupf::prescribed_forces::{LongitudinalForce, PrescribedForces};
+use schlupf::wheel_rail::{Along, Drive, WheelSolution};
+use schlupf::{Error, Method, Options, Problem, Solution, Solver, Watch};
+
+use super::any_solver;
+use super::elasticity::Deformation;
+use super::wheel_rail::WheelRequest;
+use crate::fields::choice::Driver;
+
+/// A wheel on a rail with all laws. As a [`Solver`] it finds states of the whole wheel
+/// ([`WheelSolution::resultant`]) for creepages of its nominal radius, or for a longitudinal force;
+/// of the problem nothing else matters.
+#[derive(Debug, Clone)]
+pub struct WheelSolver {
+    /// The wheel.
+    pub request: WheelRequest,
+    /// Both bodies and all laws, with a pressure and an elasticity that stand for those of a contact.
+    pub draft: Problem,
+    /// How the bodies deform.
+    pub deformation: Deformation,
+    /// The contact law.
+    pub contact_law: Arc<dyn ContactLaw>,
+    /// All equations, or a fast method.
+    pub method: Method,
+    /// The driver that was asked for.
+    pub driver: Option<Driver>,
+    /// How accurately.
+    pub options: Options,
+    /// The rolling radius that goes with creepages, in m.
+    pub radius: f64,
+}
+
+impl WheelSolver {
+    /// The contacts of the wheel, or with another lateral position as `place` (in m) those of the
+    /// left and of the right wheel resting on both rails.
+    pub fn find(&self, place: Option<f64>, watch: Watch) -> Result<Vec<WheelSolution>, Error> {
+        let complete = |problem: Problem| {
+            let elasticity = self.deformation.model(&*problem.normal, None)?;
+            let contact_law = Arc::clone(&self.contact_law);
+            let problem = Problem { elasticity, contact_law, ..problem };
+            problem.check().map(|()| problem)
+        };
+        let solver = |options: &Options| any_solver(self.method, self.driver, options);
+        self.request.solve((&self.draft, place), &complete, (&solver, &self.options), watch)
+    }
+
+    /// The wheel of the case.
+    pub fn find_one(&self, watch: Watch) -> Result<WheelSolution, Error> {
+        let found = self.find(None, watch)?.into_iter().next();
+        found.ok_or_else(|| WheelRailError::Unsolved {}.into())
+    }
+
+    /// Makes the wheel turn with a creepage of its nominal radius, or as a force makes it.
+    fn turn(&mut self, kinematics: &Kinematics, forces: &PrescribedForces) {
+        let wheel = self.request.wheel_mut();
+        wheel.motion.speed = kinematics.speed;
+        wheel.motion.angular_velocity =
+            (1.0 - kinematics.creepage_x) * kinematics.speed / self.radius;
+        let along = match wheel.drive {
+            Drive::Force { along, .. } => along,
+            _ => Along::default(),
+        };
+        wheel.drive = match forces.x {
+            None => Drive::AngularVelocity,
+            Some(LongitudinalForce::Force(force)) => Drive::Force { force, along },
+            Some(LongitudinalForce::OverLoad(coefficient)) => Drive::OverLoad(coefficient),
+            Some(LongitudinalForce::Torque { torque, .. }) => Drive::Torque(torque),
+        };
+    }
+}
+
+impl Solver for WheelSolver {
+    fn method(&self) -> Method {
+        self.method
+    }
+
+    fn options(&self) -> &Options {
+        &self.options
+    }
+
+    fn solve(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
+        self.turn(&problem.kinematics, &problem.prescribed);
+        let wheel = self.find_one(watch)?;
+        let speed = problem.kinematics.speed;
+        let creepage_x = wheel.creepage(self.radius, speed);
+        let kinematics = Kinematics { creepage_x, ..Kinematics::free_rolling(speed) };
+        wheel.resultant(kinematics).ok_or_else(|| WheelRailError::Unsolved {}.into())
+    }
+
+    fn is_of_wheel(&self) -> bool {
+        true
+    }
+}

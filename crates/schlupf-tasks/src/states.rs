@@ -1,0 +1,402 @@
+//! States of a case: what it comes to with other values of some of its fields.
+//!
+//! A state is that of the case with these fields, [`CaseFile::with`], and nothing else: whatever a
+//! solver takes without another case ([`CaseFile::condition`]) is only a faster way to it.
+
+use std::sync::Arc;
+
+use schlupf::kinematics::Kinematics;
+use schlupf::method::FastMethod;
+use schlupf::normal::PressureSource;
+use schlupf::normal::at_load::AtLoad;
+use schlupf::simplified::FastContact;
+use schlupf::solution::Resultant;
+use schlupf::wheel_rail::WheelSolution;
+use schlupf::{Error, Method, Problem, Quantity, Solution, Solver, Status, Warning, Watch};
+use schlupf_case::fields::{Field, Kind};
+use schlupf_case::{Case, CaseErrors, CaseFile, Cause};
+
+/// The value of a field: numbers in SI units, temperatures in degC.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Entry {
+    /// A number.
+    Number(f64),
+    /// Anything else, as it would stand in a case file without quotes.
+    Text(String),
+}
+
+impl Entry {
+    fn is(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Number(one), Self::Number(other)) => one.to_bits() == other.to_bits(),
+            _ => self == other,
+        }
+    }
+
+    fn number(&self) -> Option<f64> {
+        match self {
+            Self::Number(number) => Some(*number),
+            Self::Text(_) => None,
+        }
+    }
+}
+
+/// A value as an assignment `section.field=value` of a case.
+pub fn assignment(field: &Field, entry: &Entry) -> String {
+    let unit = field.kind.unit();
+    match entry {
+        Entry::Number(number) if matches!(field.kind, Kind::Count) => {
+            format!("{}={number}", field.path)
+        }
+        Entry::Number(number) if unit.is_empty() => format!("{}={number:?}", field.path),
+        Entry::Number(number) => format!("{}=\"{number:?} {unit}\"", field.path),
+        Entry::Text(text) => format!("{}={text}", field.path),
+    }
+}
+
+/// Contacts of a wheel that tables have columns for: those with the largest normal forces.
+pub const CONTACTS: usize = 3;
+
+/// Why there is no solution.
+#[derive(Debug)]
+pub enum NoState {
+    /// Nothing acts: there is no normal load, or the wheel does not touch the rail.
+    NoContact,
+    /// The case cannot be, or cannot be solved.
+    Failed(CaseErrors),
+    /// Whoever watched had it stopped.
+    Stopped,
+}
+
+impl From<CaseErrors> for NoState {
+    fn from(errors: CaseErrors) -> Self {
+        match errors.first.cause {
+            Cause::NoContact => Self::NoContact,
+            Cause::Stopped => Self::Stopped,
+            _ => Self::Failed(errors),
+        }
+    }
+}
+
+/// What acts in a state.
+#[derive(Debug, Clone)]
+pub struct Acting<'a> {
+    /// On the wheel; of several contacts of a wheel in that with the largest normal force.
+    pub force: Resultant,
+    /// Normal load, in N.
+    pub load: f64,
+    /// Whether the state converged.
+    pub status: Status,
+    /// The wheel with all its contacts, if the case has profiles.
+    pub wheel: Option<&'a WheelSolution>,
+}
+
+/// Solves states of a case, one after the other: each starts from those before.
+///
+/// ```
+/// use schlupf_case::{CaseFile, Folder, Overrides, fields};
+/// use schlupf_tasks::states::{Entry, StateSolver};
+///
+/// let text = "grid = { cells_x = 10, cells_y = 10 }";
+/// let file = CaseFile::from_str(text, "a case", Folder::new(""), Overrides::NONE)?;
+/// let load = fields::find("normal.load").into_iter().collect();
+/// let mut solver = StateSolver::new(file, load);
+/// let (_, solution) = solver.solve(&[Entry::Number(60e3)], "state 0", &schlupf::unwatched).unwrap();
+/// assert_eq!(solution.normal.load, 60e3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct StateSolver {
+    file: CaseFile,
+    fields: Vec<&'static Field>,
+    as_asked: bool,
+    /// The first case, whose micro model serves all that have the same.
+    base: Option<Case>,
+    posed: Option<Box<Posed>>,
+}
+
+/// A case with the values of its fields, and its solvers.
+struct Posed {
+    entries: Vec<Entry>,
+    /// Which of the fields a solver takes without another case.
+    conditions: Vec<Option<Quantity>>,
+    case: Case,
+    solver: Box<dyn Solver>,
+    /// The normal contact under the load of the latest state.
+    loaded: Option<(f64, Arc<dyn PressureSource>)>,
+    fast: Option<Fast>,
+}
+
+/// A fast method for forces alone.
+struct Fast {
+    contact: FastContact,
+    load: f64,
+    /// What to know of all its forces.
+    warnings: Vec<Warning>,
+}
+
+impl StateSolver {
+    /// For forces and fields of states that differ in the values of some fields.
+    pub fn new(file: CaseFile, fields: Vec<&'static Field>) -> Self {
+        Self { file, fields, as_asked: false, base: None, posed: None }
+    }
+
+    /// The same; solutions have all that the case asks for, such as derivatives, and the state of
+    /// the material.
+    #[must_use]
+    pub fn as_asked(self) -> Self {
+        Self { as_asked: true, ..self }
+    }
+
+    /// One for the same fields, with what is posed already, but without solutions.
+    #[must_use]
+    pub fn fork(&self) -> Self {
+        let posed = self.posed.as_ref().map(|posed| {
+            Box::new(Posed {
+                entries: posed.entries.clone(),
+                conditions: posed.conditions.clone(),
+                case: posed.case.clone(),
+                solver: solver(&posed.case, self.as_asked),
+                loaded: None,
+                fast: None,
+            })
+        });
+        let (file, fields, base) = (self.file.clone(), self.fields.clone(), self.base.clone());
+        Self { file, fields, as_asked: self.as_asked, base, posed }
+    }
+
+    /// Poses the case with these values of the fields, unless that is done.
+    ///
+    /// # Errors
+    /// See [`NoState`].
+    pub fn prepare(
+        &mut self,
+        entries: &[Entry],
+        name: &str,
+        watch: Watch,
+    ) -> Result<&Case, NoState> {
+        self.pose(entries, || name.to_owned(), watch).map(|posed| &posed.case)
+    }
+
+    /// Fields that vary from now on.
+    pub fn vary(&mut self, fields: Vec<&'static Field>) {
+        let is_same = |(one, other): (&&Field, &&Field)| one.path == other.path;
+        if self.fields.len() != fields.len() || !self.fields.iter().zip(&fields).all(is_same) {
+            self.fields = fields;
+            self.posed = None;
+        }
+    }
+
+    /// The case before anything varies.
+    pub fn file(&self) -> &CaseFile {
+        &self.file
+    }
+
+    /// Which of the fields a solver takes without another case, in a state with these values.
+    pub fn conditions(&self, entries: &[Entry]) -> Vec<bool> {
+        let file = self.file.with("a state", &self.assignments(entries));
+        let file = file.as_ref().unwrap_or(&self.file);
+        self.fields.iter().map(|field| file.condition(field.path).is_some()).collect()
+    }
+
+    /// The case and its steady state with these values of the fields. `name` is what messages call
+    /// the state.
+    ///
+    /// # Errors
+    /// See [`NoState`].
+    pub fn solve(
+        &mut self,
+        entries: &[Entry],
+        name: &str,
+        watch: Watch,
+    ) -> Result<(&Case, Solution), NoState> {
+        let posed = self.pose(entries, || name.to_owned(), watch)?;
+        let solution = posed.solve(entries, watch)?;
+        Ok((&posed.case, solution))
+    }
+
+    /// What acts in the same state; `warn` is told each warning. By a fast method this allocates
+    /// nothing where only conditions vary.
+    ///
+    /// # Errors
+    /// See [`NoState`].
+    pub fn acting(
+        &mut self,
+        entries: &[Entry],
+        name: impl FnOnce() -> String,
+        warn: &mut dyn FnMut(&Warning),
+        watch: Watch,
+    ) -> Result<Acting<'_>, NoState> {
+        let posed = self.pose(entries, name, watch)?;
+        let Case { method, problem, wheel, .. } = &posed.case;
+        if let (Method::Fast(method), true, None) =
+            (*method, problem.prescribed.is_none(), wheel.as_ref())
+        {
+            let (force, load) = posed.force(method, entries, warn)?;
+            return Ok(Acting { force, load, status: Status::Converged, wheel: None });
+        }
+        let solution = posed.solve(entries, watch)?;
+        let wheel = posed.case.wheel.as_deref();
+        let own = wheel.map(WheelSolution::warnings).unwrap_or_default();
+        solution.warnings.iter().chain(&own).for_each(warn);
+        let status = wheel.map_or(solution.status, |wheel| match wheel.status() {
+            Status::Converged => solution.status,
+            Status::NotConverged => Status::NotConverged,
+        });
+        Ok(Acting { force: solution.force, load: solution.normal.load, status, wheel })
+    }
+
+    fn assignments(&self, entries: &[Entry]) -> Vec<String> {
+        self.fields.iter().zip(entries).map(|(field, entry)| assignment(field, entry)).collect()
+    }
+
+    /// Makes the case with these values, unless it is there.
+    fn pose(
+        &mut self,
+        entries: &[Entry],
+        name: impl FnOnce() -> String,
+        watch: Watch,
+    ) -> Result<&mut Posed, NoState> {
+        let load = self.fields.iter().position(|field| field.path == LOAD);
+        if load.and_then(|load| entries[load].number()).is_some_and(|load| load <= 0.0) {
+            return Err(NoState::NoContact);
+        }
+        let before = match self.posed.take() {
+            Some(posed) if posed.takes(&self.fields, entries) => {
+                return Ok(self.posed.insert(posed));
+            }
+            before => before,
+        };
+        match self.posed_anew(entries, name(), watch) {
+            Ok(mut posed) => {
+                if let Some(before) = before {
+                    posed.take_over(*before, &self.fields);
+                }
+                Ok(self.posed.insert(posed))
+            }
+            Err(failure) => {
+                self.posed = before;
+                Err(failure)
+            }
+        }
+    }
+
+    fn posed_anew(
+        &mut self,
+        entries: &[Entry],
+        name: String,
+        watch: Watch,
+    ) -> Result<Box<Posed>, NoState> {
+        let assignments = self.assignments(entries);
+        let file = self.file.with(name.clone(), &assignments)?;
+        let case = match &self.base {
+            Some(base) => base.with(name, &assignments, watch)?,
+            None => self.base.insert(file.pose(watch)?).clone(),
+        };
+        case.require_steady("states are those").map_err(CaseErrors::from)?;
+        let conditions = self.fields.iter().map(|field| file.condition(field.path)).collect();
+        let solver = solver(&case, self.as_asked);
+        let entries = entries.to_vec();
+        Ok(Box::new(Posed { entries, conditions, case, solver, loaded: None, fast: None }))
+    }
+}
+
+fn solver(case: &Case, as_asked: bool) -> Box<dyn Solver> {
+    if as_asked { case.full_solver() } else { case.solver_without_state() }
+}
+
+/// The field of the normal load.
+const LOAD: &str = "normal.load";
+
+impl Posed {
+    /// Whether its solvers take other values without another case.
+    fn takes(&self, fields: &[&'static Field], entries: &[Entry]) -> bool {
+        let each = self.entries.iter().zip(entries).zip(&self.conditions).zip(fields);
+        each.into_iter().all(|(((own, other), condition), field)| match (condition, other) {
+            (Some(_), Entry::Number(number)) => field.requirement.holds(*number),
+            _ => own.is(other),
+        })
+    }
+
+    /// Keeps what a solver has set up where only fields differ that do not shape the contact.
+    fn take_over(&mut self, before: Self, fields: &[&'static Field]) {
+        let is_same = |k: usize| self.entries[k].is(&before.entries[k]);
+        let is_alike = (0..fields.len()).all(|k| is_same(k) || !fields[k].shapes_contact);
+        let how = |case: &Case| (case.method, case.driver);
+        let is_like = self.case.wheel.is_none() && how(&self.case) == how(&before.case);
+        if is_alike && is_like && self.case.options == before.case.options {
+            self.case.problem.normal = Arc::clone(&before.case.problem.normal);
+            self.case.problem.elasticity = Arc::clone(&before.case.problem.elasticity);
+            self.solver = before.solver;
+            self.solver.forget();
+        }
+    }
+
+    /// The motion and the load of a state; what does not vary is that of the case.
+    fn motion(&self, entries: &[Entry]) -> (Kinematics, Option<f64>) {
+        let mut motion = self.case.problem.kinematics;
+        let mut load = None;
+        for (condition, entry) in self.conditions.iter().zip(entries) {
+            let (Some(quantity), Some(number)) = (condition, entry.number()) else { continue };
+            match quantity {
+                Quantity::CreepageX => motion.creepage_x = number,
+                Quantity::CreepageY => motion.creepage_y = number,
+                Quantity::Spin => motion.spin = number,
+                Quantity::Load => load = Some(number),
+                _ => motion.speed = number,
+            }
+        }
+        (motion, load)
+    }
+
+    fn solve(&mut self, entries: &[Entry], watch: Watch) -> Result<Solution, NoState> {
+        let (kinematics, load) = self.motion(entries);
+        let Self { case, solver, loaded, .. } = self;
+        let own = &case.problem.normal;
+        let mut found = || -> Result<Solution, Error> {
+            let normal = match (load, &*loaded) {
+                (None, _) => Arc::clone(own),
+                (Some(load), Some((of, normal))) if of.to_bits() == load.to_bits() => {
+                    Arc::clone(normal)
+                }
+                (Some(load), _) => {
+                    let normal: Arc<dyn PressureSource> =
+                        Arc::new(AtLoad::new(Arc::clone(own), load)?);
+                    normal.prepare(None, watch)?;
+                    *loaded = Some((load, Arc::clone(&normal)));
+                    normal
+                }
+            };
+            solver.solve(&Problem { kinematics, normal, ..case.problem.clone() }, watch)
+        };
+        found().map_err(|error| CaseErrors::from(case.explain(&error)).into())
+    }
+
+    /// By a fast method, without fields.
+    fn force(
+        &mut self,
+        method: FastMethod,
+        entries: &[Entry],
+        warn: &mut dyn FnMut(&Warning),
+    ) -> Result<(Resultant, f64), NoState> {
+        let (motion, load) = self.motion(entries);
+        let Self { case, fast, .. } = self;
+        let found = || -> Result<(Resultant, f64), Error> {
+            let fast = match fast {
+                Some(fast) => fast,
+                None => {
+                    let contact = FastContact::new(&case.problem, method, &case.options)?;
+                    let (load, warnings) = (contact.contact().normal.load, contact.warnings());
+                    fast.insert(Fast { contact, load, warnings })
+                }
+            };
+            if let Some(load) = load.filter(|load| *load != fast.load) {
+                fast.contact.set_load(load)?;
+                fast.load = load;
+            }
+            let force = fast.contact.force(&motion)?;
+            fast.warnings.iter().chain(&fast.contact.beyond_friction(&force)).for_each(warn);
+            Ok((force, fast.load))
+        };
+        found().map_err(|error| CaseErrors::from(case.explain(&error)).into())
+    }
+}

@@ -1,0 +1,106 @@
+//! A wheel as a whole: what all its contacts together do.
+
+use super::wheel::{Contact, WheelSolution};
+use crate::kinematics::Kinematics;
+use crate::solution::{
+    Area, Fields, Power, Resultant, Solution, Status, TGamma, Temperature, Work,
+};
+
+impl WheelSolution {
+    /// Creepage of the nominal rolling radius R (in m) at a speed v0 (in m/s), 1 − ωR/v0,
+    /// dimensionless.
+    pub fn creepage(&self, radius: f64, speed: f64) -> f64 {
+        1.0 - self.angular_velocity * radius / speed
+    }
+
+    /// The wheel as one state with `kinematics`, those of its nominal radius: forces in the track
+    /// frame, without a moment; the traction coefficient is |F_x| over the vertical force, and
+    /// powers, areas and Tγ are sums over the contacts. Sizes and heat are those of the contact with
+    /// the largest normal force and of the hottest one; there are no fields. `None` without contacts.
+    pub fn resultant(&self, kinematics: Kinematics) -> Option<Solution> {
+        let main = self.contacts.first()?;
+        let limit = main.problem.friction.cold_coefficient() * self.force[2];
+        let [x, y, load] = self.force;
+        let mut normal = main.solution.normal;
+        normal.load = load;
+        let contacts = self.contacts.iter().map(|contact| &contact.solution);
+        let residual = contacts.clone().map(|solution| solution.residual).fold(0.0, f64::max);
+        Some(Solution {
+            status: self.status(),
+            residual,
+            normal,
+            kinematics,
+            force: Resultant { x, y, moment_z: None },
+            normalised: Resultant { x: x / limit, y: y / limit, moment_z: None },
+            traction_coefficient: x.abs() / load,
+            power: self.power(),
+            t_gamma: self.t_gamma(),
+            temperature: self.hottest(),
+            area: self.area(),
+            fields: Fields::default(),
+            warnings: contacts.flat_map(|solution| solution.warnings.clone()).collect(),
+            sensitivity: None,
+            extrapolation: None,
+            work: self.work(),
+            ..main.solution.clone()
+        })
+    }
+
+    fn sum(&self, part: impl Fn(&Solution) -> Option<f64>) -> Option<f64> {
+        self.contacts.iter().map(|contact: &Contact| part(&contact.solution)).sum()
+    }
+
+    fn power(&self) -> Option<Power> {
+        let sum = |part: fn(&Power) -> f64| self.sum(|solution| solution.power.as_ref().map(part));
+        Some(Power {
+            friction: sum(|power| power.friction)?,
+            creep: sum(|power| power.creep)?,
+            returned: sum(|power| power.returned)?,
+            into_wheel: sum(|power| power.into_wheel)?,
+            into_rail: sum(|power| power.into_rail)?,
+            exchanged: self.sum(|solution| solution.power?.exchanged),
+        })
+    }
+
+    fn t_gamma(&self) -> TGamma {
+        let without_spin = self.sum(|solution| Some(solution.t_gamma.without_spin));
+        TGamma {
+            without_spin: without_spin.unwrap_or_default(),
+            with_spin: self.sum(|solution| solution.t_gamma.with_spin),
+            rows: [0.0; 2],
+        }
+    }
+
+    fn area(&self) -> Area {
+        Area {
+            contact: self.sum(|solution| Some(solution.area.contact)).unwrap_or_default(),
+            stick: self.sum(|solution| solution.area.stick),
+            slip: self.sum(|solution| solution.area.slip),
+        }
+    }
+
+    fn hottest(&self) -> Option<Temperature> {
+        let each = self.contacts.iter().filter_map(|contact| contact.solution.temperature);
+        each.max_by(|one, other| one.max_rise.total_cmp(&other.max_rise))
+    }
+
+    fn work(&self) -> Work {
+        self.contacts.iter().map(|contact| contact.solution.work).fold(
+            Work::default(),
+            |sum, work| Work {
+                newton_iterations: sum.newton_iterations + work.newton_iterations,
+                operator_products: sum.operator_products + work.operator_products,
+                sensitivity_products: sum.sensitivity_products + work.sensitivity_products,
+                outer_iterations: sum.outer_iterations + work.outer_iterations,
+                steps: sum.steps + work.steps,
+                cells: sum.cells + work.cells,
+            },
+        )
+    }
+
+    /// Whether all contacts converged.
+    pub fn status(&self) -> Status {
+        let is = |contact: &Contact| contact.solution.status == Status::Converged;
+        if self.contacts.iter().all(is) { Status::Converged } else { Status::NotConverged }
+    }
+}
