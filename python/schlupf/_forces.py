@@ -54,22 +54,23 @@ def forces(
         Whether to issue the warnings of the results.
     **conditions : array or DataArray
         Any number of the case by its path with ``__`` for the dot, such as
-        ``friction__coefficient``; ``creepage_x``, ``creepage_y``, ``spin``, ``speed`` stand for those
-        of ``kinematics``, ``load`` for ``normal__load``. Numbers are in SI units; text and quantities
-        of pint have theirs. They are broadcast: arrays as in NumPy, with dimensions ``dim_0`` …,
-        data arrays by the names of their dimensions.
+        ``friction__coefficient``; ``creepage_x``, ``creepage_y``, ``spin``, ``speed`` stand for
+        those of ``kinematics``, ``load`` for ``normal__load``. Numbers are in SI units; text and
+        quantities of pint have theirs. They are broadcast: arrays as in NumPy, with dimensions
+        ``dim_0`` …, data arrays by the names of their dimensions.
 
     Returns
     -------
     xarray.Dataset
         ``force_x``, ``force_y`` (N), ``moment_z`` (N m; not a number if the method has none),
-        ``traction_coefficient`` and ``status`` (0: converged, 1: not converged, 2: no contact, 3:
-        failed), with the conditions as coordinates. Without a normal load, or where a wheel does not
-        touch the rail, forces are zero; where a condition fails they are not numbers. Of a wheel
-        with profiles also ``wheel_force_x``, ``wheel_force_y``, ``wheel_force_z`` (N, in the track)
-        and, along ``contact``, all that is known of up to three contacts: ``contact_position_y``,
-        ``contact_angle``, ``contact_rolling_radius``, ``contact_normal_load``, ``contact_force_x``
-        …; the other forces are then those of the first contact, which has the largest normal force.
+        ``traction_coefficient`` and ``status`` (0: converged, 1: not converged, 2: no contact,
+        3: failed), with the conditions as coordinates. Without a normal load, or where a wheel does
+        not touch the rail, forces are zero; where a condition fails they are not numbers. Of a
+        wheel with profiles also ``wheel_force_x``, ``wheel_force_y``, ``wheel_force_z`` (N, in the
+        track) and, along ``contact``, all that is known of up to three contacts:
+        ``contact_position_y``, ``contact_angle``, ``contact_rolling_radius``,
+        ``contact_normal_load``, ``contact_force_x`` …; the other forces are then those of the
+        first contact, which has the largest normal force.
 
     Raises
     ------
@@ -80,8 +81,8 @@ def forces(
     -----
     Solutions of the full method start from that of the condition before, so neighbours should be
     alike. Fixed blocks of conditions have a solver each: results do not depend on the number of
-    cores. Conditions other than creepages, spin, speed and load need a solver for each value, and so
-    do all of a wheel with profiles. A warning that several conditions have is issued once;
+    cores. Conditions other than creepages, spin, speed and load need a solver for each value, and
+    so do all of a wheel with profiles. A warning that several conditions have is issued once;
     conditions are counted from 0.
 
     Examples
@@ -122,7 +123,9 @@ def forces(
         shaped[name] = (own, column["values"].reshape(shape), attributes(column))
     meanings = " ".join(STATUS)
     attrs = {
-        "flag_values": list(range(len(STATUS))), "flag_meanings": meanings, "long_name": "status"
+        "flag_values": list(range(len(STATUS))),
+        "flag_meanings": meanings,
+        "long_name": "status",
     }
     shaped["status"] = (template.dims, numbers.reshape(template.shape), attrs)
     return xr.Dataset(shaped).assign_coords(coordinates)
@@ -163,8 +166,9 @@ def _warn(numbers: NDArray[np.uint8], messages: list[tuple[str, str, str, int, i
         text = f"status: {unconverged} of {size} conditions have not converged"
         found.append(("not-converged", "status", text))
     for code, quantity, text, count, first in messages:
-        of_some = "" if count == size else f" ({count} of {size} conditions; this is number {first})"
-        found.append((code, quantity, f"{text}{of_some}"))
+        if count < size:
+            text = f"{text} ({count} of {size} conditions; this is number {first})"
+        found.append((code, quantity, text))
     emit(found, stacklevel=3)
 
 

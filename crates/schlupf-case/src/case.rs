@@ -63,8 +63,8 @@ pub struct Case {
     pub cooling: Option<Cooling>,
     /// k_c of the contact law, and where it comes from.
     pub law_stiffness: LawStiffness,
-    /// Speed and creepages that the case gives, or those found for its forces: those of the problem,
-    /// but of a wheel with profiles those of its nominal radius.
+    /// Speed and creepages that the case gives, or those found for its forces: those of the
+    /// problem, but of a wheel with profiles those of its nominal radius.
     pub motion: Kinematics,
     /// The wheel with all its contacts, if the case has profiles; the contact is then the one with
     /// the largest normal force.

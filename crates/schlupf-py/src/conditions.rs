@@ -189,7 +189,9 @@ impl Forces {
     /// Nothing acts: forces, not their ratios, are zero.
     fn set_none(&mut self, row: usize) {
         let [x, y, moment, _] = &mut self.values;
-        [x, y, moment].into_iter().for_each(|column| column[row] = 0.0);
+        for column in [x, y, moment] {
+            column[row] = 0.0;
+        }
         let of_wheel = <WheelSolution as Record>::columns().iter();
         for (column, of) in self.wheel.iter_mut().zip(of_wheel) {
             if matches!(of.quantity.unit(), "N") || of.quantity == Quantity::ContactCount {
@@ -420,17 +422,16 @@ impl BatchSolver {
             // A panic within a solution leaves a solver that starts anew.
             let mut solver = self.solver.lock().unwrap_or_else(PoisonError::into_inner);
             solver.vary(conditions.fields.clone());
-            let solved = solver.solve(&conditions.entries(0), "solve", watch);
-            solved
-                .map(|(case, solution)| report(case, solution))
-                .map_err(|failure| (failure, solver.file().clone()))
+            match solver.solve(&conditions.entries(0), "solve", watch) {
+                Ok((case, solution)) => Ok(report(case, solution)),
+                Err(failure) => Err(reason(failure, solver.file())),
+            }
         };
         let solved = if self.is_fast {
             brief(py, &self.raised, work)?
         } else {
             interruptible(py, &self.raised, work)?
         };
-        let solved = solved.map_err(|(failure, file)| reason(failure, &file));
         solved.map(Solution::new).map_err(|errors| errors::of_case(py, &errors))
     }
 }

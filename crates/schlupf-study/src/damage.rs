@@ -159,8 +159,8 @@ fn check_places((name, places): (&str, &[f64]), across: Option<&[f64]>) -> Resul
     })
 }
 
-/// The columns of a contact that a run needs, in the order in which they are read; of a contact of a
-/// wheel under the second name.
+/// The columns of a contact that a run needs, in the order in which they are read; of a contact of
+/// a wheel under the second name.
 const NEEDED: [[&str; 2]; 12] = [
     ["normal.load"; 2],
     ["normal.semi_axis_x"; 2],

@@ -101,7 +101,8 @@ pub struct Acting<'a> {
 /// let file = CaseFile::from_str(text, "a case", Folder::new(""), Overrides::NONE)?;
 /// let load = fields::find("normal.load").into_iter().collect();
 /// let mut solver = StateSolver::new(file, load);
-/// let (_, solution) = solver.solve(&[Entry::Number(60e3)], "state 0", &schlupf::unwatched).unwrap();
+/// let state = solver.solve(&[Entry::Number(60e3)], "state 0", &schlupf::unwatched);
+/// let (_, solution) = state.unwrap();
 /// assert_eq!(solution.normal.load, 60e3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -381,13 +382,12 @@ impl Posed {
         let (motion, load) = self.motion(entries);
         let Self { case, fast, .. } = self;
         let found = || -> Result<(Resultant, f64), Error> {
-            let fast = match fast {
-                Some(fast) => fast,
-                None => {
-                    let contact = FastContact::new(&case.problem, method, &case.options)?;
-                    let (load, warnings) = (contact.contact().normal.load, contact.warnings());
-                    fast.insert(Fast { contact, load, warnings })
-                }
+            let fast = if let Some(fast) = fast {
+                fast
+            } else {
+                let contact = FastContact::new(&case.problem, method, &case.options)?;
+                let (load, warnings) = (contact.contact().normal.load, contact.warnings());
+                fast.insert(Fast { contact, load, warnings })
             };
             if let Some(load) = load.filter(|load| *load != fast.load) {
                 fast.contact.set_load(load)?;

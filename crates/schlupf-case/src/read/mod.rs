@@ -66,7 +66,8 @@ pub struct Posed {
     pub problem: Problem,
     /// k_c and where it comes from.
     pub stiffness: LawStiffness,
-    /// Speed and creepages that the case gives: of a wheel with profiles those of its nominal radius.
+    /// Speed and creepages that the case gives: of a wheel with profiles those of its nominal
+    /// radius.
     pub motion: Kinematics,
     /// The wheel with all its contacts, if the case has profiles, and what finds its states.
     pub wheel: Option<(Arc<WheelSolution>, WheelSolver)>,

@@ -21,7 +21,8 @@ use crate::fields::choice::Driver;
 pub struct WheelSolver {
     /// The wheel.
     pub request: WheelRequest,
-    /// Both bodies and all laws, with a pressure and an elasticity that stand for those of a contact.
+    /// Both bodies and all laws, with a pressure and an elasticity that stand for those of a
+    /// contact.
     pub draft: Problem,
     /// How the bodies deform.
     pub deformation: Deformation,

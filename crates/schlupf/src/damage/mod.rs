@@ -281,8 +281,8 @@ pub struct RunPoint {
 /// # Ok::<(), schlupf::Error>(())
 /// ```
 ///
-/// Sums are over all contacts. Where a wheel has several, the fatigue of a place of the run is that of
-/// the contact with the largest index.
+/// Sums are over all contacts. Where a wheel has several, the fatigue of a place of the run is that
+/// of the contact with the largest index.
 ///
 /// # Errors
 /// No state, and numbers that are not positive or not finite.

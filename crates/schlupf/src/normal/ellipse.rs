@@ -8,8 +8,8 @@ use crate::quantity::Quantity;
 
 /// Semi-ellipsoidal pressure on an ellipse with given semi-axes, N = (2/3) π a b p0.
 ///
-/// Whatever the load is, the semi-axes are those given and the pressure is scaled, as in derivatives
-/// with respect to the load: a patch that grows is one of bodies, [`super::hertz`].
+/// Whatever the load is, the semi-axes are those given and the pressure is scaled, as in
+/// derivatives with respect to the load: a patch that grows is one of bodies, [`super::hertz`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ellipse {
     semi_axis_x: f64,

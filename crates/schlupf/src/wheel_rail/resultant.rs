@@ -15,8 +15,9 @@ impl WheelSolution {
 
     /// The wheel as one state with `kinematics`, those of its nominal radius: forces in the track
     /// frame, without a moment; the traction coefficient is |F_x| over the vertical force, and
-    /// powers, areas and Tγ are sums over the contacts. Sizes and heat are those of the contact with
-    /// the largest normal force and of the hottest one; there are no fields. `None` without contacts.
+    /// powers, areas and Tγ are sums over the contacts. Sizes are those of the contact with the
+    /// largest normal force, temperatures those of the hottest; there are no fields. `None`
+    /// without contacts.
     pub fn resultant(&self, kinematics: Kinematics) -> Option<Solution> {
         let main = self.contacts.first()?;
         let limit = main.problem.friction.cold_coefficient() * self.force[2];
