@@ -128,6 +128,11 @@ def forces(
     return xr.Dataset(shaped).assign_coords(coordinates)
 
 
+#: Code, quantity and text of a warning, how many conditions have it, which of them is the worst, and
+#: whether all are equally severe.
+Counted = tuple[str, str, str, int, int, bool]
+
+
 def _paths(case: Case, conditions: dict[str, Any]) -> dict[str, str]:
     """The fields of conditions, by their names."""
     paths = {name: CONDITIONS.get(name, name.replace("__", ".")) for name in conditions}
@@ -154,7 +159,7 @@ def _empty_table(template: xr.DataArray, coordinates: dict[str, xr.DataArray]) -
         ) from error
 
 
-def _warn(numbers: NDArray[np.uint8], messages: list[tuple[str, str, str, int, int]]) -> None:
+def _warn(numbers: NDArray[np.uint8], messages: list[Counted]) -> None:
     """Issues warnings, each with the conditions that it is about, where not all have it."""
     size = numbers.size
     found = []
@@ -162,9 +167,10 @@ def _warn(numbers: NDArray[np.uint8], messages: list[tuple[str, str, str, int, i
     if unconverged:
         text = f"status: {unconverged} of {size} conditions have not converged"
         found.append(("not-converged", "status", text))
-    for code, quantity, text, count, first in messages:
-        of_some = "" if count == size else f" ({count} of {size} conditions; this is number {first})"
-        found.append((code, quantity, f"{text}{of_some}"))
+    for code, quantity, text, count, place, is_even in messages:
+        which = "first" if is_even else "worst"
+        of_some = f" ({count} of {size} conditions; {which}: number {place})"
+        found.append((code, quantity, text if count == size and is_even else text + of_some))
     emit(found, stacklevel=3)
 
 
