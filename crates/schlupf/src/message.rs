@@ -95,10 +95,20 @@ pub fn quoted(text: &str) -> String {
 
 /// As much of a text that somebody gave as fits on a line.
 pub fn shortened(text: &str) -> Cow<'_, str> {
-    const MOST: usize = 60;
+    cut(text, 60)
+}
+
+/// A text of which no more than so many characters are kept.
+pub fn cut(text: &str, most: usize) -> Cow<'_, str> {
     text.char_indices()
-        .nth(MOST)
+        .nth(most)
         .map_or(text.into(), |(end, _)| format!("{}…", &text[..end]).into())
+}
+
+/// Quotes a path: all of it but where no system takes one so long.
+pub fn quoted_path(path: &str) -> String {
+    const MOST: usize = 4096;
+    if path.len() > MOST { quoted(path) } else { format!("{path:?}") }
 }
 
 /// Declares an enum of messages: for each kind its code, its values, the quantity that it is about
