@@ -109,7 +109,7 @@ class BatchSolver:
     def __new__(cls, case: CaseFile) -> BatchSolver: ...
     def solve(self, arrays: dict[str, NDArray[np.float64]]) -> Solution: ...
 
-_Counts = tuple[int, int, int, int, tuple[int, str] | None]
+_Counts = tuple[int, int, int, int, tuple[int, str] | None, _Messages]
 
 @final
 class Study:

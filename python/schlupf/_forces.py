@@ -81,8 +81,8 @@ def forces(
     Solutions of the full method start from that of the condition before, so neighbours should be
     alike. Fixed blocks of conditions have a solver each: results do not depend on the number of
     cores. Conditions other than creepages, spin, speed and load need a solver for each value, and so
-    do all of a wheel with profiles. A warning that several conditions have is issued once;
-    conditions are counted from 0.
+    do all of a wheel with profiles. A warning that several conditions have is issued once, for the
+    worst of them; conditions are counted from 0.
 
     Examples
     --------

@@ -165,10 +165,14 @@ messages! {
 }
 
 impl Notice {
+    /// Code of a number that is far from what it is in almost all cases.
+    pub const UNUSUAL: &str = "unusual-value";
+
     /// A warning of the most unusual of some values (in the unit of the field), if there is one.
-    pub(crate) fn of_unusual(field: &Field, values: &[f64], place: &Place) -> Option<Self> {
-        let (value, usual) = fields::unusual(field, values)?;
-        let (place, unit) = (place.clone(), field.kind.unit());
+    pub fn of_unusual(field: &'static Field, values: &[f64], place: &Place) -> Option<Self> {
+        let (worst, _) = fields::unusual(field, values)?;
+        let (value, usual, place) = (values[worst], field.usual?, place.clone());
+        let unit = field.kind.unit();
         Some(Self::UnusualValue { place, field: field.path, value, usual, unit })
     }
 }

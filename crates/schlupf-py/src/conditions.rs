@@ -13,7 +13,7 @@ use schlupf::tally::{Tallied, Tally};
 use schlupf::wheel_rail::{Contact, WheelSolution};
 use schlupf::{Error, Method, Progress, Quantity, Status, Warning, Watch, parallel};
 use schlupf_case::fields::{self, Field};
-use schlupf_case::{CaseError, CaseErrors, Cause, FieldNames, Place, quantity_field};
+use schlupf_case::{CaseError, CaseErrors, Cause, FieldNames, Notice, Place, quantity_field};
 use schlupf_tasks::solve::report;
 use schlupf_tasks::states::{Acting, CONTACTS, Entry, NoState, StateSolver};
 
@@ -72,6 +72,22 @@ impl Conditions {
         for (entry, values) in entries.iter_mut().zip(&self.values) {
             *entry = Entry::Number(values[k]);
         }
+    }
+
+    /// Whether a notice is about the value of a field that they vary.
+    fn varies(&self, notice: &Message) -> bool {
+        let is_of = |field: &&Field| field.path == notice.quantity;
+        notice.code == Notice::UNUSUAL && self.fields.iter().any(is_of)
+    }
+
+    /// The most unusual value of each field.
+    fn unusual(&self) -> impl Iterator<Item = Tallied<Message, usize>> {
+        self.fields.iter().zip(&self.values).filter_map(|(field, values)| {
+            let (place, count) = fields::unusual(field, values)?;
+            let of = Place::Override { option: CONDITION.into(), text: place.to_string() };
+            let worst = Notice::of_unusual(field, &[values[place]], &of)?.into();
+            Some(Tallied { worst, place, count, is_even: count == 1 })
+        })
     }
 
     /// The order in which they are solved: those of a case after one another, with growing loads.
@@ -278,9 +294,10 @@ fn forces(
     });
     let stopped = |()| CaseErrors::from(file.explain(&Error::Stopped {}));
     let mut all = Forces::new(conditions.count(), has_wheel);
-    for message in notices {
+    for message in notices.into_iter().filter(|notice| !conditions.varies(notice)) {
         all.warnings.add(Tallied::new(message, 0, conditions.count()));
     }
+    all.warnings.extend(conditions.unusual());
     for (forces, block) in found.map_err(stopped)? {
         all.take(forces, block);
     }

@@ -36,7 +36,7 @@ impl Graded for Message {
 /// Warnings of one kind, at one point or at many.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tallied<W, P> {
-    /// The worst of them; of equal ones the first that was counted.
+    /// The worst of them; of equal ones that at the first place.
     pub worst: W,
     /// Where it is.
     pub place: P,
@@ -72,7 +72,7 @@ pub(crate) fn places(place: &str, point: &str, count: usize, is_even: bool) -> S
     }
 }
 
-/// Warnings of many points, each kind once, in the order in which the kinds were found.
+/// Warnings of many points, each kind once, in the order in which the kinds were counted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tally<W, P>(Vec<Tallied<W, P>>);
 
@@ -82,7 +82,7 @@ impl<W, P> Default for Tally<W, P> {
     }
 }
 
-impl<W: Graded, P> Tally<W, P> {
+impl<W: Graded, P: PartialOrd> Tally<W, P> {
     /// Counts a warning at a place.
     pub fn note(&mut self, warning: W, place: P) {
         self.add(Tallied::new(warning, place, 1));
@@ -95,7 +95,7 @@ impl<W: Graded, P> Tally<W, P> {
         };
         let [before, now] = [old.worst.severity(), new.worst.severity()];
         let (count, is_even) = (old.count + new.count, old.is_even && new.is_even && before == now);
-        if now > before {
+        if now > before || now == before && new.place < old.place {
             *old = new;
         }
         (old.count, old.is_even) = (count, is_even);
@@ -116,7 +116,7 @@ impl<W, P> IntoIterator for Tally<W, P> {
     }
 }
 
-impl<W: Graded, P> Extend<Tallied<W, P>> for Tally<W, P> {
+impl<W: Graded, P: PartialOrd> Extend<Tallied<W, P>> for Tally<W, P> {
     fn extend<I: IntoIterator<Item = Tallied<W, P>>>(&mut self, others: I) {
         others.into_iter().for_each(|other| self.add(other));
     }

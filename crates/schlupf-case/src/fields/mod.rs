@@ -31,14 +31,14 @@ pub fn section(name: &str) -> Option<&'static Section> {
     SECTIONS.iter().find(|section| section.name == name)
 }
 
-/// The value of some that is farthest from what the number of a field (in SI units) is in almost all
-/// cases, if there is one beyond that.
-pub fn unusual(field: &Field, values: &[f64]) -> Option<(f64, Requirement)> {
+/// Which of some values of a field (in SI units) is farthest from what it is in almost all cases,
+/// and how many are beyond that, if there are any.
+pub fn unusual(field: &Field, values: &[f64]) -> Option<(usize, usize)> {
     let usual = field.usual?;
-    let beyond = values.iter().copied().filter(|value| !usual.holds(*value));
-    let farther =
-        |one: &f64, other: &f64| usual.remoteness(*one).total_cmp(&usual.remoteness(*other));
-    Some((beyond.max_by(farther)?, usual))
+    let beyond = || (0..values.len()).filter(|place| !usual.holds(values[*place]));
+    let remoteness = |place: &usize| usual.remoteness(values[*place]);
+    let farthest = beyond().max_by(|one, other| remoteness(one).total_cmp(&remoteness(other)));
+    farthest.map(|place| (place, beyond().count()))
 }
 
 /// The dotted path that was probably meant: a field of the same section with a similar name, or a

@@ -300,6 +300,28 @@ mod tests {
         }
     }
 
+    /// Issue 38: as a text editor counts lines, with comments, empty lines, line breaks within
+    /// quotation marks and both ends of lines; what is long is quoted short.
+    #[test]
+    fn a_wrong_cell_is_told_with_its_line() {
+        let text = "# a\n\nnormal.load [N],wheel.profile\n# b\n\n1,\"a\nb\"\n\nx,c\n";
+        for text in [text.to_owned(), text.replace('\n', "\r\n")] {
+            let message = states(&text).unwrap_err();
+            assert!(message.contains("states.csv:9:1: normal.load must be a number"), "{message}");
+        }
+        let long = "1x".repeat(30_000);
+        for text in [
+            format!("normal.load [N]\n{long}\n"),
+            format!("{long} [N]\n1\n"),
+            format!("normal.load [{long}]\n1\n"),
+            format!("normal.load [N\n{long}\n"),
+        ] {
+            assert!(states(&text).unwrap_err().len() < 600);
+        }
+        let comma = states("normal.load [N],title\n\"80,000\",a\n").unwrap_err();
+        assert!(comma.contains("write 80000 or 80"), "{comma}");
+    }
+
     #[test]
     fn wrong_columns_and_cells_are_named_with_their_line() {
         let refused = |text: &str| states(text).unwrap_err();
