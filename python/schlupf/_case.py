@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from warnings import warn
 
 from . import _core
-from ._errors import CaseError, SchlupfWarning
+from ._errors import CaseError, SchlupfWarning, quoted
 from ._fields import FIELDS, SECTIONS, Field
 from ._laws import LARGEST, Law, checked, sampled
 from ._report import (
@@ -127,7 +127,7 @@ def _pair(name: str, ends: Any) -> tuple[float, float]:
     except (TypeError, ValueError) as error:
         if isinstance(error, CaseError):
             raise
-        raise refused(name, f"{name} must be (start, end), but is {ends!r}") from None
+        raise refused(name, f"{name} must be (start, end), but is {quoted(ends)}") from None
 
 
 def _number(name: str, field: Field, value: Any) -> float:
@@ -164,12 +164,12 @@ def _length(name: str, value: Any) -> float | None:
     except (TypeError, ValueError) as error:
         if isinstance(error, CaseError):
             raise
-        raise refused(name, f"{name} must be a length in m, but is {value!r}") from None
+        raise refused(name, f"{name} must be a length in m, but is {quoted(value)}") from None
 
 
 def _count(name: str, value: int) -> int:
     if not isinstance(value, Integral):
-        raise TypeError(f"{name} must be a whole number, but is {value!r}")
+        raise TypeError(f"{name} must be a whole number, but is {quoted(value)}")
     if value < 0:
         raise refused(name, f"{name} must not be negative, but is {value}")
     return value
@@ -300,7 +300,7 @@ class Case:
     def __init__(self, title: str | None = None, **sections: Mapping[str, Any]) -> None:
         values: dict[str, Any] = dict(sections)
         if title is not None and not isinstance(title, str):
-            raise TypeError(f"title must be text, but is {title!r}; sections are keywords")
+            raise TypeError(f"title must be text, but is {quoted(title)}; sections are keywords")
         if title is not None:
             values["title"] = title
         folder = Path()
@@ -630,7 +630,7 @@ class Case:
         if spacing is None:
             spacing = "even" if forces else "refined"
         if spacing not in ("refined", "even"):
-            raise ValueError(f"spacing must be 'refined' or 'even', but is {spacing!r}")
+            raise ValueError(f"spacing must be 'refined' or 'even', but is {quoted(spacing)}")
         angle = direction if isinstance(direction, str) else f"{direction} rad"
         total = None if creepage is None else (pairs["creepage"], angle)
         given = tuple(pairs.get(name) for name in ("creepage_x", "creepage_y", "spin"))

@@ -11,6 +11,12 @@ if TYPE_CHECKING:
     from ._result import Result
 
 
+def quoted(value: object) -> str:
+    """A value as a message quotes it: no more of it than fits on a line."""
+    text = " ".join(repr(value).split())
+    return text if len(text) <= 60 else f"{text[:60]}…"
+
+
 class CaseError(ValueError):
     """Something is wrong with a case.
 

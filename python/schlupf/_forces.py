@@ -82,8 +82,8 @@ def forces(
     Solutions of the full method start from that of the condition before, so neighbours should be
     alike. Fixed blocks of conditions have a solver each: results do not depend on the number of
     cores. Conditions other than creepages, spin, speed and load need a solver for each value, and
-    so do all of a wheel with profiles. A warning that several conditions have is issued once;
-    conditions are counted from 0.
+    so do all of a wheel with profiles. A warning that several conditions have is issued once,
+    for the worst of them; conditions are counted from 0.
 
     Examples
     --------
@@ -131,6 +131,11 @@ def forces(
     return xr.Dataset(shaped).assign_coords(coordinates)
 
 
+#: Code, quantity and text of a warning, how many conditions have it, which of them is the worst, and
+#: whether all are equally severe.
+Counted = tuple[str, str, str, int, int, bool]
+
+
 def _paths(case: Case, conditions: dict[str, Any]) -> dict[str, str]:
     """The fields of conditions, by their names."""
     paths = {name: CONDITIONS.get(name, name.replace("__", ".")) for name in conditions}
@@ -157,7 +162,7 @@ def _empty_table(template: xr.DataArray, coordinates: dict[str, xr.DataArray]) -
         ) from error
 
 
-def _warn(numbers: NDArray[np.uint8], messages: list[tuple[str, str, str, int, int]]) -> None:
+def _warn(numbers: NDArray[np.uint8], messages: list[Counted]) -> None:
     """Issues warnings, each with the conditions that it is about, where not all have it."""
     size = numbers.size
     found = []
@@ -165,10 +170,10 @@ def _warn(numbers: NDArray[np.uint8], messages: list[tuple[str, str, str, int, i
     if unconverged:
         text = f"status: {unconverged} of {size} conditions have not converged"
         found.append(("not-converged", "status", text))
-    for code, quantity, text, count, first in messages:
-        if count < size:
-            text = f"{text} ({count} of {size} conditions; this is number {first})"
-        found.append((code, quantity, text))
+    for code, quantity, text, count, place, is_even in messages:
+        which = "first" if is_even else "worst"
+        of_some = f" ({count} of {size} conditions; {which}: number {place})"
+        found.append((code, quantity, text if count == size and is_even else text + of_some))
     emit(found, stacklevel=3)
 
 

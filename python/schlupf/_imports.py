@@ -8,7 +8,7 @@ from warnings import warn
 
 from . import _core
 from ._case import Case
-from ._errors import SchlupfWarning
+from ._errors import SchlupfWarning, quoted
 from .warnings import emit
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ def import_contact(
         If the file is wrong, or if something in it is not available: with name, value and line.
     """
     if wheel_body not in (1, 2):
-        raise ValueError(f"wheel_body must be 1 or 2, but is {wheel_body!r}")
+        raise ValueError(f"wheel_body must be 1 or 2, but is {quoted(wheel_body)}")
     path = Path(path)
     files, messages, refused = _core.import_contact(path, wheel_body == 2, available_only)
     emit(messages, stacklevel=2)

@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ._errors import quoted
+
 Array = NDArray[np.float64]
 
 #: A function of arrays that returns an array.
@@ -37,7 +39,7 @@ def checked(name: str, law: Law, requirement: str, upper: float) -> Callable[...
     """The law, whose values must be numbers from 0 to `upper`."""
 
     if not callable(law):
-        raise TypeError(f"{name} must be a function, but is {law!r}")
+        raise TypeError(f"{name} must be a function, but is {quoted(law)}")
 
     def values(*arguments: Array) -> Array:
         before = in_law()
@@ -69,9 +71,9 @@ def sampled(
         (x0, x1), (y0, y1) = extent
         x, y = np.linspace(x0, x1, SAMPLES), np.linspace(y0, y1, SAMPLES)
     except (TypeError, ValueError):
-        raise ValueError(f"extent must be ((x0, x1), (y0, y1)), but is {extent!r}") from None
+        raise ValueError(f"extent must be ((x0, x1), (y0, y1)), but is {quoted(extent)}") from None
     if not (x0 < x1 and y0 < y1):
-        raise ValueError(f"the ends of extent must increase, but it is {extent!r}")
+        raise ValueError(f"the ends of extent must increase, but it is {quoted(extent)}")
     places = np.meshgrid(x, y)
     values = checked("pressure", pressure, "finite and not negative", LARGEST)(*places)
     peak = values.max()

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from . import _core
+from ._errors import quoted
 
 if TYPE_CHECKING:
     import os
@@ -119,7 +120,7 @@ class LookUpTable:
         passes into the other. Derivatives are with respect to the slip velocities, and finite.
         """
         if not standstill_speed > 0.0:
-            raise ValueError(f"standstill_speed must be above 0, but is {standstill_speed!r}")
+            raise ValueError(f"standstill_speed must be above 0, but is {quoted(standstill_speed)}")
         reference = np.hypot(speed, standstill_speed)
         x, y, about = (np.asarray(part, dtype=float) / reference for part in slip)
         patch = (semi_axis_x, semi_axis_y, friction_limit, shear_modulus)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar, cast
 
 import numpy as np
 
+from ._errors import quoted
 from ._prefixes import scaled
 from ._result import Record
 
@@ -144,7 +145,7 @@ class ResultPlots:
     def temperature(self, ax: Axes | None = None, *, body: str = "wheel", **style: Any) -> Axes:
         """Temperature of the surface of the wheel or the rail, in °C."""
         if body not in ("wheel", "rail"):
-            raise ValueError(f"body must be 'wheel' or 'rail', but is {body!r}")
+            raise ValueError(f"body must be 'wheel' or 'rail', but is {quoted(body)}")
         rise = self._fields()[f"temperature_rise_{body}"]
         found = self._result.temperature
         bulk = found[f"max_{body}"] - found[f"max_rise_{body}"]

@@ -12,9 +12,10 @@ from typing import TYPE_CHECKING, Any
 import xarray as xr
 
 from . import _core
-from ._errors import SchlupfWarning
+from ._errors import SchlupfWarning, quoted
 from ._report import Damage
 from ._tables import along
+from .warnings import emit
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -39,6 +40,8 @@ class Sweep:
         those that could not be solved.
     first_failure : tuple of int and str, optional
         The first row that failed, and why.
+    messages : list of tuple
+        Warnings of the rows, each code once with the number of rows: code, field, text.
     """
 
     path: Path
@@ -47,6 +50,7 @@ class Sweep:
     not_converged: int
     failed: int
     first_failure: tuple[int, str] | None = field(default=None)
+    messages: list[tuple[str, str, str]] = field(default_factory=list)
 
     @property
     def table(self) -> xr.Dataset:
@@ -79,7 +83,8 @@ def sweep(
         A cluster whose workers solve the batches, in tasks of at least a second; by default all
         cores of this machine. The workers read the study under the same path.
     warn : bool, default True
-        Whether to warn of states that failed or have not converged.
+        Whether to warn of states that failed or have not converged, and to issue the warnings of
+        all states, each code once.
 
     Returns
     -------
@@ -97,7 +102,7 @@ def sweep(
     """
     path, output = Path(study), Path(output)
     if client is not None and not hasattr(client, "submit"):
-        raise TypeError(f"client must be a distributed.Client, but is {client!r}")
+        raise TypeError(f"client must be a distributed.Client, but is {quoted(client)}")
     if not 1 <= shard[0] <= shard[1]:
         raise ValueError(f"shard must be (i, n) with i from 1 to n, but is {shard}")
     opened = _core.Study(path)
@@ -115,8 +120,19 @@ def sweep(
     return result
 
 
-def merge(tables: Sequence[str | PathLike[str]], output: str | PathLike[str]) -> Sweep:
+def merge(
+    tables: Sequence[str | PathLike[str]], output: str | PathLike[str], *, warn: bool = True
+) -> Sweep:
     """Puts the tables of all shards of a study together.
+
+    Parameters
+    ----------
+    tables : sequence of paths
+        The tables of all shards.
+    output : path
+        The table of the whole study.
+    warn : bool, default True
+        As in `sweep`.
 
     Raises
     ------
@@ -126,7 +142,10 @@ def merge(tables: Sequence[str | PathLike[str]], output: str | PathLike[str]) ->
         If a file cannot be read or written.
     """
     counts = _core.merge([Path(table) for table in tables], Path(output))
-    return Sweep(Path(output), *counts)
+    result = Sweep(Path(output), *counts)
+    if warn:
+        _warn(result)
+    return result
 
 
 def damage(
@@ -202,6 +221,7 @@ def _warn(result: Sweep) -> None:
         reason = f"; row {first[0]}: {first[1]}" if first else ""
         message = f"of {result.rows} states {text}{reason}"
         warn(SchlupfWarning(message, "status"), stacklevel=3)
+    emit(result.messages, stacklevel=3)
 
 
 @functools.lru_cache(maxsize=4)

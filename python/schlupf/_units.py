@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from ._errors import CaseError
+from ._errors import CaseError, quoted
 
 if TYPE_CHECKING:
     from ._fields import Field
@@ -53,5 +53,6 @@ def plain(value: Any, field: Field, name: str) -> Any:
     given = getattr(value, "attrs", {}).get("units")
     if given not in (None, "", field.units):
         unit = field.units or "no unit"
-        raise refused(name, f"{name} must be in {unit}, but its attribute `units` is {given!r}")
+        is_in = f"its attribute `units` is {quoted(given)}"
+        raise refused(name, f"{name} must be in {unit}, but {is_in}")
     return value

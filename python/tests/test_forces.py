@@ -250,7 +250,7 @@ def test_a_warning_of_conditions_is_issued_once():
     with pytest.warns(schlupf.warnings.BeyondFrictionWarning) as caught:
         schlupf.forces(linear, creepage_x=[0.0, 1e-3, 0.02, 0.04])
     assert len(caught) == 1 and caught[0].filename == __file__
-    assert "(2 of 4 conditions; this is number 2)" in str(caught[0].message)
+    assert "(2 of 4 conditions; worst: number 3)" in str(caught[0].message)
 
 
 def test_conditions_have_units():

@@ -129,7 +129,7 @@ def test_a_warning_has_the_category_of_its_code():
     linear = schlupf.Case(solver={"method": "kalker-linear"}, kinematics={"creepage_x": 0.02})
     with pytest.warns(schlupf.SchlupfWarning) as caught:
         result = linear.solve()
-    assert schlupf.warnings.ForcesOnlyWarning in {warning.category for warning in caught}
+    assert schlupf.warnings.BeyondFrictionWarning in {warning.category for warning in caught}
     codes = {warning.message.code for warning in caught}
     assert codes == {code for code, _, _ in result.messages}
     assert all(warning.filename == __file__ for warning in caught)

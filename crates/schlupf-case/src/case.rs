@@ -69,7 +69,8 @@ pub struct Case {
     /// The wheel with all its contacts, if the case has profiles; the contact is then the one with
     /// the largest normal force.
     pub wheel: Option<Arc<WheelSolution>>,
-    /// What was given without effect, each with its place, and what to know about a roughness.
+    /// What was given without effect or is unusual, each with its place, and what to know about a
+    /// roughness.
     pub notices: Vec<Message>,
     wheel_solver: Option<WheelSolver>,
     pub(crate) file: CaseFile,
@@ -195,10 +196,17 @@ impl CaseFile {
         Ok(laws)
     }
 
-    /// What was given without effect, each with its place.
+    /// What was given without effect or is far from what it is in almost all cases, each with its
+    /// place.
     pub fn notices(&self) -> Vec<Message> {
         let nothing = self.entries.is_empty().then_some(Notice::NothingGiven {});
-        nothing.into_iter().chain(self.settings.idle()).map(Message::from).collect()
+        let of_fields = self.settings.idle().into_iter().chain(self.settings.unusual());
+        let of_history = self
+            .parts
+            .history
+            .iter()
+            .flat_map(|history| read::unusual_history(&self.settings, history));
+        nothing.into_iter().chain(of_fields).chain(of_history).map(Message::from).collect()
     }
 
     /// Materials of wheel and rail.

@@ -8,7 +8,9 @@ use toml::de::{DeTable, DeValue};
 
 use crate::error::CaseError;
 use crate::fields;
-use crate::place::{Place, Source, shortened};
+use crate::place::{Place, Source};
+use crate::units::{comma, comma_readings};
+use schlupf::message::{cut, quoted, shortened};
 
 /// A value with its bytes in the text.
 #[derive(Debug, Clone, PartialEq)]
@@ -70,7 +72,7 @@ impl Content {
     /// The value as an error message shows it.
     pub fn shown(&self) -> String {
         match self {
-            Self::Text(text) => format!("{:?}", shortened(text)),
+            Self::Text(text) => quoted(text),
             Self::Integer(number) => number.to_string(),
             Self::Float(number) => format!("{number:?}"),
             Self::Array(entries) => format!("an array of {}", entries.len()),
@@ -126,7 +128,8 @@ pub fn parse(source: &Arc<Source>) -> Result<(Vec<Entry>, Vec<CaseError>), CaseE
         let span = error.span().unwrap_or(0..0);
         let place = Place::Text { source: Arc::clone(source), span };
         let message = error.message().trim().replace('\n', "; ");
-        CaseError::new("", format!("not TOML: {message}"), place)
+        CaseError::new("", format!("not TOML: {}", cut(&message, LONGEST_MESSAGE)), place)
+            .help(comma_help(&source.text, error.span().unwrap_or(0..0).start))
     })?;
     let origin = Origin::File(Arc::clone(source));
     let mut flat = Flat { origin, entries: Vec::new(), errors: Vec::new() };
@@ -135,6 +138,17 @@ pub fn parse(source: &Arc<Source>) -> Result<(Vec<Entry>, Vec<CaseError>), CaseE
     }
     flat.entries.sort_by_key(|entry| entry.key.start);
     Ok((flat.entries, flat.errors))
+}
+
+/// Characters of a message of the parser, which may quote the text.
+const LONGEST_MESSAGE: usize = 200;
+
+/// Advice for a text that is not TOML because the number in the line of a byte has a comma.
+fn comma_help(text: &str, byte: usize) -> Option<String> {
+    let start = text.get(..byte)?.rfind('\n').map_or(0, |end| end + 1);
+    let (_, value) = text[start..].lines().next()?.split_once('=')?;
+    let readings = comma_readings(value.split_whitespace().next()?);
+    (!readings.is_empty()).then(|| comma(&readings))
 }
 
 /// What a text gives, without its sections.
@@ -188,7 +202,7 @@ fn unknown_section(path: &str, place: Place) -> CaseError {
         Some(name) => format!("did you mean [{name}]?"),
         None => format!("the sections are {}", names().collect::<Vec<_>>().join(", ")),
     };
-    CaseError::new(path, format!("unknown section `{path}`"), place).help(help)
+    CaseError::new(path, format!("unknown section `{}`", shortened(path)), place).help(help)
 }
 
 /// Puts an override `path=value`, given by an option, in place of what the file says. An empty
@@ -197,7 +211,7 @@ pub fn apply(entries: &mut Vec<Entry>, option: &Arc<str>, text: &str) -> Result<
     let place = Place::Override { option: Arc::clone(option), text: text.to_owned() };
     let Some((path, value)) = text.split_once('=') else {
         let message =
-            format!("an override must be of the form section.field=value, but is {text:?}");
+            format!("an override must be of the form section.field=value, but is {}", quoted(text));
         return Err(CaseError::new("", message, place));
     };
     let origin = Origin::Override { option: Arc::clone(option), text: text.to_owned() };

@@ -4,6 +4,7 @@ use std::fmt;
 use std::io;
 
 use crate::place::Place;
+use schlupf::message::shortened;
 
 /// One thing that is wrong with a case.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -39,7 +40,7 @@ impl CaseError {
     /// An error of the input.
     pub fn new(field: &str, message: impl Into<String>, place: Place) -> Self {
         Self {
-            field: field.to_owned(),
+            field: shortened(field).into_owned(),
             message: message.into(),
             place,
             help: None,

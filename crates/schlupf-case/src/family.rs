@@ -13,6 +13,7 @@ use crate::fields;
 use crate::notice::Notice;
 use crate::place::Place;
 use crate::range::even_values;
+use schlupf::message::{quoted, shortened};
 
 /// A field and the values that it takes, one after the other.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -35,14 +36,15 @@ impl Family {
         let place = || Place::Override { option: Arc::clone(&option), text: text.to_owned() };
         let Some((path, values)) = text.split_once('=') else {
             let message = format!(
-                "{option} must be of the form section.field=value,value,…, but is {text:?}"
+                "{option} must be of the form section.field=value,value,…, but is {}",
+                quoted(text)
             );
             return Err(CaseError::new("", message, place()));
         };
         let path = path.trim();
         let Some(field) = fields::find(path) else {
             let help = fields::closest_path(path).map(|meant| format!("did you mean `{meant}`?"));
-            let message = format!("unknown field `{path}`");
+            let message = format!("unknown field `{}`", shortened(path));
             return Err(CaseError::new(path, message, place()).help(help));
         };
         let refused = |reason: String| Err(CaseError::new(path, reason, place()));
@@ -59,7 +61,10 @@ impl Family {
         }
         let is_repeated = |(k, value): &(usize, &String)| values[..*k].contains(value);
         if let Some((_, value)) = values.iter().enumerate().find(is_repeated) {
-            return refused(format!("the values of {path} must differ, but {value:?} is repeated"));
+            return refused(format!(
+                "the values of {path} must differ, but {} is repeated",
+                quoted(value)
+            ));
         }
         let is_path = matches!(field.kind, fields::Kind::Path);
         let shapes_contact = field.shapes_contact;
@@ -111,8 +116,10 @@ impl Family {
                 earlier.find(|(earlier, _)| earlier.settings.agrees(&file.settings, self.field));
             if let Some((_, same)) = same {
                 let reason = format!(
-                    "the values of {} must differ, but {same:?} and {value:?} are equal",
-                    self.field
+                    "the values of {} must differ, but {} and {} are equal",
+                    self.field,
+                    quoted(same),
+                    quoted(value)
                 );
                 return Err(self.refused(value, reason).into());
             }

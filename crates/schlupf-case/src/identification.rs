@@ -9,6 +9,7 @@ use crate::files::InputFile;
 use crate::names;
 use crate::place::Place;
 use crate::tables;
+use schlupf::message::quoted;
 
 /// Dotted path of the field of a parameter. That of the roughness stands for its k_c.
 pub fn field(parameter: Parameter) -> &'static str {
@@ -29,7 +30,8 @@ pub fn parameters(option: &str, text: &str) -> Result<Vec<Parameter>, CaseError>
                 Some(meant) => format!("did you mean `{meant}`?"),
                 None => format!("what can be fitted: {}", names().collect::<Vec<_>>().join(", ")),
             };
-            let message = format!("{option} must list what can be fitted, but has {name:?}");
+            let message =
+                format!("{option} must list what can be fitted, but has {}", quoted(name));
             return Err(CaseError::new(name, message, place()).help(help));
         };
         if parameters.contains(&parameter) {

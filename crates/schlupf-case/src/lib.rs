@@ -51,5 +51,5 @@ pub use roughness_request::{GivenByOption, RoughnessRequest};
 pub use schema::schema;
 pub use setting::{Refusal, Setting};
 pub use subsurface::SubsurfaceRequest;
-pub use tables::{Displacements, read_displacements, read_points};
+pub use tables::{Displacements, Records, read_displacements, read_points};
 pub use template::{template, template_with};

@@ -1,8 +1,9 @@
 //! Notices: what users of results should know about a case.
 
 use schlupf::message::{Message, messages};
+use schlupf::requirement::with_unit;
 
-use crate::fields::readable;
+use crate::fields::{self, Field, Requirement, creepage_in_per_cent, readable};
 use crate::names::FieldNames;
 use crate::place::Place;
 
@@ -29,6 +30,29 @@ messages! {
         because: String,
     } *field, |subject, words| format!("{place}: {field} has no effect {because}");
 
+    /// A number that is far from what it is in almost all cases.
+    "unusual-value" UnusualValue {
+        /// Where it was given.
+        place: Place,
+        /// Dotted path.
+        field: &'static str,
+        /// What it is, in the unit of the field.
+        value: f64,
+        /// What it is in almost all cases.
+        usual: Requirement,
+        /// Its unit; empty if it is dimensionless.
+        unit: &'static str,
+    } *field, |subject, words| {
+        let is = with_unit(*value, unit);
+        let usual = usual.text(unit, &FieldNames::CASE);
+        let advice = if !unit.is_empty() {
+            ": is its unit right?".to_owned()
+        } else {
+            creepage_in_per_cent(field, *value).map_or(String::new(), |help| format!(": {help}"))
+        };
+        format!("{place}: {field} is {is}, but is usually {usual}{advice}")
+    }, severity usual.remoteness(*value);
+
     /// A height that no rough surfaces in contact have.
     "unusual-height" UnusualHeight {
         /// h_rms of both surfaces together, in m.
@@ -36,7 +60,7 @@ messages! {
     } ROUGHNESS, |subject, words| format!(
         "h_rms is {} m, outside of 1 nm to 100 µm: is its unit right?",
         readable(*rms_height)
-    );
+    ), severity (rms_height / 1e-6).ln().abs();
 
     /// Elastic spots that carry more than any steel does.
     "yielding-spots" YieldingSpots {
@@ -138,6 +162,19 @@ messages! {
     } ROUGHNESS, |subject, words| format!(
         "{filling}: they are smooth, and Sa, Sq, Ssk, Sku, Sz, the gradients and k_c count them"
     );
+}
+
+impl Notice {
+    /// Code of a number that is far from what it is in almost all cases.
+    pub const UNUSUAL: &str = "unusual-value";
+
+    /// A warning of the most unusual of some values (in the unit of the field), if there is one.
+    pub fn of_unusual(field: &'static Field, values: &[f64], place: &Place) -> Option<Self> {
+        let (worst, _) = fields::unusual(field, values)?;
+        let (value, usual, place) = (values[worst], field.usual?, place.clone());
+        let unit = field.kind.unit();
+        Some(Self::UnusualValue { place, field: field.path, value, usual, unit })
+    }
 }
 
 impl From<Notice> for Message {

@@ -4,6 +4,8 @@ use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
 
+use schlupf::message::shortened;
+
 /// A text that was read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Source {
@@ -31,15 +33,6 @@ impl Source {
         let length = self.text[start..].lines().next().map_or(0, str::len);
         start..start + length
     }
-}
-
-/// At most so much of a text as fits on a line.
-pub fn shortened(text: &str) -> String {
-    const MOST: usize = 60;
-    if text.chars().count() <= MOST {
-        return text.to_owned();
-    }
-    text.chars().take(MOST).chain(['…']).collect()
 }
 
 /// Where in the input something stands.

@@ -8,13 +8,14 @@ use crate::fields::{self, Default, Field, Kind, Requirement};
 use crate::place::Place;
 use crate::setting::{Refusal, Setting};
 use crate::units::Measure;
+use schlupf::message::{quoted, shortened};
 
 /// The ends of a range `START..END` of a field, in SI units. A start without unit has that of the
 /// end.
 pub fn range(option: &str, path: &str, text: &str) -> Result<[f64; 2], CaseError> {
     let Some(field) = fields::find(path) else {
         let place = Place::Override { option: option.into(), text: text.to_owned() };
-        return Err(CaseError::new(path, format!("unknown field `{path}`"), place));
+        return Err(CaseError::new(path, format!("unknown field `{}`", shortened(path)), place));
     };
     range_of(option, field, text)
 }
@@ -89,8 +90,9 @@ fn range_of(option: &str, field: &Field, text: &str) -> Result<[f64; 2], CaseErr
     let place = Place::Override { option: option.into(), text: text.to_owned() };
     let unit = field.kind.unit();
     let example = if unit.is_empty() { "0..0.05".to_owned() } else { format!("\"0..2 {unit}\"") };
-    let form =
-        || format!("{option} must be a range START..END, such as {example}, but is {text:?}");
+    let form = || {
+        format!("{option} must be a range START..END, such as {example}, but is {}", quoted(text))
+    };
     let ends = text.split_once("..").map(|(start, end)| (start.trim(), end.trim()));
     let Some((start, end)) = ends.filter(|(start, end)| !start.is_empty() && !end.is_empty())
     else {
@@ -132,8 +134,8 @@ pub(crate) fn even_values(
             let refused = || {
                 let message = format!(
                     "the number of values after `:` must be a whole number between 2 and {MOST}, \
-                     but is {:?}",
-                    count.trim()
+                     but is {}",
+                    quoted(count.trim())
                 );
                 let place = Place::Override { option: option.into(), text: text.to_owned() };
                 CaseError::new(field.path, message, place)

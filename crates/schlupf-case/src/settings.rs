@@ -16,6 +16,7 @@ use crate::names::{self, FieldNames, Noting};
 use crate::notice::Notice;
 use crate::place::Place;
 use crate::setting::{Refusal, Setting};
+use schlupf::message::{quoted, quoted_path, shortened};
 
 /// The settings of a case.
 #[derive(Debug, Clone)]
@@ -80,8 +81,10 @@ impl Settings {
         let file = self.input_file(path)?;
         let name = file.path().display().to_string();
         let bytes = file.read().map_err(|error| {
-            let message =
-                format!("{path} must be the path of a readable file, but is {name:?}: {error}");
+            let message = format!(
+                "{path} must be the path of a readable file, but is {}: {error}",
+                quoted_path(&name)
+            );
             let error = self.error(path, message).of(Cause::FileSystem);
             error.help("paths are relative to the case file".to_owned())
         })?;
@@ -428,6 +431,20 @@ impl Settings {
         notices
     }
 
+    /// Fields in use that were given as numbers far from what they are in almost all cases.
+    pub fn unusual(&self) -> Vec<Notice> {
+        let given = |field: &'static Field| {
+            let given = self.given.get(field.path).filter(|_| self.is_used(field))?;
+            let values: &[f64] = match &given.setting {
+                Setting::Number(number) => std::slice::from_ref(number),
+                Setting::Series(series) => series,
+                _ => return None,
+            };
+            Notice::of_unusual(field, values, &given.place)
+        };
+        fields::all().filter_map(given).collect()
+    }
+
     fn contradictions(&self) -> Vec<CaseError> {
         let given = |paths: &'static [&str]| paths.iter().copied().find(|path| self.is_given(path));
         ALTERNATIVES
@@ -476,7 +493,7 @@ impl Settings {
             Some((Origin::Override { option, text }, Content::Text(_)))
                 if self.names.option(path) == Some(&**option) =>
             {
-                format!("{text:?}")
+                quoted(text)
             }
             _ => self.shown(path),
         }
@@ -500,5 +517,5 @@ fn unknown_field(entry: &Entry) -> CaseError {
         }
         _ => "`schlupf init -` shows all fields".to_owned(),
     };
-    CaseError::new(path, format!("unknown field `{path}`"), place).help(help)
+    CaseError::new(path, format!("unknown field `{}`", shortened(path)), place).help(help)
 }

@@ -50,7 +50,9 @@ pub fn check(arguments: &CaseArguments) -> Result<u8, Failure> {
         .normal_contact(None)
         .map_err(|error| Failure::Case(case.explain(&error).into()))?
         .summary;
-    case.notices.iter().for_each(report::warn);
+    let beyond = case.problem.beyond_elastic(normal.peak_pressure);
+    let beyond = schlupf_tasks::messages(&beyond);
+    case.notices.iter().cloned().chain(beyond).for_each(|message| report::warn(&message));
     let effective = case.effective();
     let mut text = format!(
         "{}\n\npatch      a = {} mm, b = {} mm, load {} kN, largest pressure {} MPa\n\

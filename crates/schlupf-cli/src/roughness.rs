@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use clap::{Args, ValueHint};
 use schlupf::Watch;
+use schlupf::message::quoted;
 use schlupf_case::{
     CaseErrors, CaseFile, FieldNames, Files, GivenByOption, RoughnessRequest, pressures,
 };
@@ -196,11 +197,11 @@ const SECOND: &str = "--second";
 
 /// All of them.
 const GIVEN: [Given; 18] = [
-    Given::by_option("file", SURFACE, |a| a.surface.as_ref().map(|_| quoted(SURFACE))),
-    Given::by_option("second_file", SECOND, |a| a.second.as_ref().map(|_| quoted(SECOND))),
+    Given::by_option("file", SURFACE, |a| a.surface.as_ref().map(|_| as_toml(SURFACE))),
+    Given::by_option("second_file", SECOND, |a| a.second.as_ref().map(|_| as_toml(SECOND))),
     Given::by_option("form", "--form", |a| a.form.clone()),
     Given::by_option("cutoff_wavelength", "--cutoff", |a| a.cutoff.clone()),
-    Given::by_option("unit", "--unit", |a| a.unit.as_deref().map(quoted)),
+    Given::by_option("unit", "--unit", |a| a.unit.as_deref().map(as_toml)),
     Given::by_option("spacing", "--spacing", |a| a.spacing.clone()),
     Given::by_option("fill_holes", "--fill-holes", |a| a.fill_holes.then(|| "true".to_owned())),
     Given::by_option("square_cells", "--square-cells", |a| {
@@ -225,7 +226,7 @@ fn option(path: &str) -> Option<&'static str> {
     GIVEN.iter().find(|given| given.field == field).and_then(|given| given.option.or(given.key))
 }
 
-fn quoted(text: &str) -> String {
+fn as_toml(text: &str) -> String {
     format!("{text:?}")
 }
 
@@ -289,7 +290,8 @@ fn synthetic(arguments: &Roughness) -> Result<Vec<GivenByOption>, Failure> {
                 value: value.to_owned(),
             }),
             _ => Err(Failure::Arguments(format!(
-                "--synthetic must be key=value,key=value,… with the keys {}, but has {part:?}",
+                "--synthetic must be key=value,key=value,… with the keys {}, but has {}",
+                quoted(part),
                 GIVEN.iter().filter_map(|given| given.key).collect::<Vec<_>>().join(", ")
             ))),
         }
@@ -300,7 +302,8 @@ fn synthetic(arguments: &Roughness) -> Result<Vec<GivenByOption>, Failure> {
     if !["longest_wavelength", "shortest_wavelength"].into_iter().all(is_named) {
         return Err(Failure::Arguments(format!(
             "--synthetic must name the longest and the shortest wavelength, such as \
-             rms_height=\"1 um\",longest=\"100 um\",shortest=\"5 um\", but is {text:?}"
+             rms_height=\"1 um\",longest=\"100 um\",shortest=\"5 um\", but is {}",
+            quoted(text)
         )));
     }
     Ok(parts)
@@ -311,16 +314,18 @@ fn refuse_repeated(arguments: &Roughness, parts: &[GivenByOption]) -> Result<(),
     for (k, part) in parts.iter().enumerate() {
         if let Some(first) = parts[..k].iter().find(|first| first.field == part.field) {
             return Err(Failure::Arguments(format!(
-                "--synthetic must give a key once, but has {:?} and {:?}",
-                first.text, part.text
+                "--synthetic must give a key once, but has {} and {}",
+                quoted(&first.text),
+                quoted(&part.text)
             )));
         }
         let mut given = GIVEN.iter().filter(|given| given.path() == part.field);
         let twice = given.find_map(|given| Some((given.option?, (given.value)(arguments)?)));
         if let Some((option, value)) = twice {
             return Err(Failure::Arguments(format!(
-                "--synthetic must not give what {option} gives, but has {:?} and {option} is {value:?}",
-                part.text
+                "--synthetic must not give what {option} gives, but has {} and {option} is {}",
+                quoted(&part.text),
+                quoted(&value)
             )));
         }
     }

@@ -10,7 +10,7 @@ use crate::failure::{Failure, NOT_CONVERGED, SUCCESS};
 use crate::interrupt;
 use crate::outputs::{self, Input, Output};
 use crate::progress::Progress;
-use crate::stdout;
+use crate::{report, stdout};
 
 const OUTPUT: &str = "--output";
 
@@ -94,9 +94,9 @@ fn check(path: &Path) -> Result<(), Failure> {
 }
 
 /// Prints what was done.
-fn told(report: &Report, path: &Path, is_quiet: bool) -> Result<u8, Failure> {
+fn told(done: &Report, path: &Path, is_quiet: bool) -> Result<u8, Failure> {
     if !is_quiet {
-        let Report { rows, resumed, not_converged, failed, .. } = report;
+        let Report { rows, resumed, not_converged, failed, .. } = done;
         let solved = rows - failed - not_converged;
         let parts = [(*not_converged, "not converged"), (*failed, "failed")].into_iter();
         let parts = parts.filter(|(count, _)| *count > 0);
@@ -105,12 +105,13 @@ fn told(report: &Report, path: &Path, is_quiet: bool) -> Result<u8, Failure> {
         if *resumed > 0 {
             parts.push(format!("; {resumed} were there already"));
         }
-        if let Some((row, reason)) = &report.first_failure {
+        if let Some((row, reason)) = &done.first_failure {
             parts.push(format!("\nfirst failure: row {row}: {reason}"));
         }
         let parts = parts.concat();
         let text = format!("{}\n\n{rows} states, {solved} converged{parts}\n", path.display());
         stdout::write(&text)?;
     }
-    Ok(if report.is_converged() { SUCCESS } else { NOT_CONVERGED })
+    done.warnings.messages().iter().for_each(report::warn);
+    Ok(if done.is_converged() { SUCCESS } else { NOT_CONVERGED })
 }

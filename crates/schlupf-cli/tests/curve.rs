@@ -332,3 +332,23 @@ fn a_field_without_effect_is_among_the_warnings() {
     let expected = "--set heat.partition=0.3: heat.partition has no effect";
     assert!(warning.starts_with(expected), "{warning}");
 }
+
+/// Issue 38: the warning of a curve was that of its first hot point; it is that of the hottest.
+#[test]
+fn a_warning_of_a_curve_is_that_of_its_worst_point() {
+    let bench = Bench::new();
+    bench.write(
+        "case.toml",
+        "[grid]\ncells_x = 12\ncells_y = 12\n[friction]\nmodel = \"constant\"\n",
+    );
+    let arguments = ["case.toml", "--creepage-x", "0..0.9", "--points", "10", "--set"];
+    let arguments = [&arguments[..], &["kinematics.speed=100 m/s"]].concat();
+    let found = document(&bench, &arguments);
+    let warnings = found["warnings"].as_array().or(found["curves"][0]["warnings"].as_array());
+    let texts = warnings.unwrap().iter().filter(|warning| {
+        warning["code"] == "hot-surface" && warning["quantity"] == "wheel.bulk_temperature"
+    });
+    let texts: Vec<&str> = texts.map(|warning| warning["text"].as_str().unwrap()).collect();
+    let [text] = texts[..] else { panic!("{texts:?}") };
+    assert!(text.contains("kinematics.creepage_x = 0.9, the worst of "), "{text}");
+}

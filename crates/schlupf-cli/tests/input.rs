@@ -145,3 +145,41 @@ fn values_beyond_their_bounds_are_told_in_their_unit() {
     let run = Bench::new().run(&["check", "--set", "kinematics.yaw_angle=2 rad"]);
     assert!(run.stderr.trim_end().ends_with("but is \"2 rad\""), "{}", run.stderr);
 }
+
+/// Issue 38: every method and the check tell a pressure that no body bears.
+#[test]
+fn pressures_beyond_elasticity_are_told_by_every_method() {
+    let bench = Bench::new();
+    bench.write("case.toml", "[normal]\nload = \"80 MN\"\n[grid]\ncells_x = 10\ncells_y = 10\n");
+    let methods = ["full", "kalker-linear", "shen-hedrick-elkins", "polach", "fastsim"];
+    let others = ["modified-fastsim", "table"];
+    for method in methods.into_iter().chain(others) {
+        let set = format!("solver.method={method}");
+        for command in ["solve", "check"] {
+            let run = bench.run(&[command, "case.toml", "--set", &set]);
+            assert_eq!(run.code, Some(0), "{}", run.stderr);
+            let told = run.stderr.matches("beyond elasticity with small strains").count();
+            assert_eq!(told, 1, "{command} {method}: {}", run.stderr);
+        }
+    }
+}
+
+/// Issue 38: without heat there are no temperatures to print, and a method is not warned of for
+/// being what was asked for.
+#[test]
+fn without_heat_no_temperatures_are_printed() {
+    let bench = Bench::new();
+    bench.write(
+        "case.toml",
+        "[grid]\ncells_x = 10\ncells_y = 10\n[kinematics]\ncreepage_x = 0.002\n",
+    );
+    for (set, heats) in [("heat.model=none", false), ("heat.model=duhamel", true)] {
+        let run = bench.run(&["solve", "case.toml", "--set", set]);
+        for word in ["largest temp. rise", "into the rail", "°C"] {
+            assert_eq!(run.stdout.contains(word), heats, "{set}: {}", run.stdout);
+        }
+        assert!(run.stdout.contains("% slides"), "{}", run.stdout);
+    }
+    let run = bench.run(&["solve", "case.toml", "--set", "solver.method=kalker-linear"]);
+    assert_eq!(run.stderr, "");
+}

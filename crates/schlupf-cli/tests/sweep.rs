@@ -251,3 +251,41 @@ fn wrong_arguments_are_refused() {
     assert_eq!(failed.code, Some(3), "{}", failed.stderr);
     assert!(failed.stdout.contains("1 states, 0 converged, 1 failed"), "{}", failed.stdout);
 }
+
+/// Issue 38: a study at 80 MN a wheel ended "3 converged" and no more.
+#[test]
+fn a_study_ends_with_its_warnings_counted_by_code() {
+    let bench = Bench::new();
+    bench.write("case.toml", "[solver]\nmethod = \"polach\"\n[friction]\nmodel = \"constant\"\n");
+    let states = "distance [m],normal.load [kN],kinematics.creepage_x\n\
+                  0,80,0\n1,80000,0\n2,200000,0\n3,100000,-2\n";
+    bench.write("states.csv", states);
+    bench.write("study.toml", "case = \"case.toml\"\n[states]\nfile = \"states.csv\"\n");
+    for shard in ["1/2", "2/2"] {
+        let name = format!("{}.csv", &shard[..1]);
+        bench.run(&["sweep", "study.toml", "--output", &name, "--shard", shard]);
+    }
+    let run = bench.run(&["sweep", "study.toml", "--output", "table.csv"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    assert!(run.stdout.contains("4 states, 4 converged"), "{}", run.stdout);
+    let worst = "warning: beyond-elastic in 3 of 4 states, worst in row 2: normal.peak_pressure";
+    assert!(run.stderr.contains(worst), "{}", run.stderr);
+    let unusual = "unusual-value in 3 of 4 states, worst in row 2: row 2 normal.load=";
+    assert!(run.stderr.contains(unusual), "{}", run.stderr);
+    assert!(
+        run.stderr.contains("first in row 3: row 3 kinematics.creepage_x=-2.0"),
+        "{}",
+        run.stderr
+    );
+    // From tables alone, what is known is how many.
+    let merge = ["merge", "1.csv", "2.csv", "--output", "merged.csv"];
+    for run in [bench.run(&["sweep", "study.toml", "--output", "table.csv"]), bench.run(&merge)] {
+        let counted = "warning: beyond-elastic in 3 of 4 states, first in row 1: a pressure beyond";
+        assert!(run.stderr.contains(counted), "{}", run.stderr);
+    }
+    for (run, worst) in [("study.toml", "worst in row 2"), ("table.csv", "first in row 1")] {
+        let damage = bench.run(&["damage", run]);
+        let counted = format!("warning: beyond-elastic in 3 of 4 states, {worst}");
+        assert!(damage.stderr.contains(&counted), "{}", damage.stderr);
+    }
+}

@@ -9,10 +9,11 @@ use pyo3::types::PyDict;
 use schlupf::columns::{Column, Record};
 use schlupf::message::Message;
 use schlupf::progress::Stage;
+use schlupf::tally::{Tallied, Tally};
 use schlupf::wheel_rail::{Contact, WheelSolution};
-use schlupf::{Error, Method, Progress, Quantity, Status, Watch, parallel};
+use schlupf::{Error, Method, Progress, Quantity, Status, Warning, Watch, parallel};
 use schlupf_case::fields::{self, Field};
-use schlupf_case::{CaseError, CaseErrors, Cause, FieldNames, Place, quantity_field};
+use schlupf_case::{CaseError, CaseErrors, Cause, FieldNames, Notice, Place, quantity_field};
 use schlupf_tasks::solve::report;
 use schlupf_tasks::states::{Acting, CONTACTS, Entry, NoState, StateSolver};
 
@@ -73,6 +74,22 @@ impl Conditions {
         }
     }
 
+    /// Whether a notice is about the value of a field that they vary.
+    fn varies(&self, notice: &Message) -> bool {
+        let is_of = |field: &&Field| field.path == notice.quantity;
+        notice.code == Notice::UNUSUAL && self.fields.iter().any(is_of)
+    }
+
+    /// The most unusual value of each field.
+    fn unusual(&self) -> impl Iterator<Item = Tallied<Message, usize>> {
+        self.fields.iter().zip(&self.values).filter_map(|(field, values)| {
+            let (place, count) = fields::unusual(field, values)?;
+            let of = Place::Override { option: CONDITION.into(), text: place.to_string() };
+            let worst = Notice::of_unusual(field, &[values[place]], &of)?.into();
+            Some(Tallied { worst, place, count, is_even: count == 1 })
+        })
+    }
+
     /// The order in which they are solved: those of a case after one another, with growing loads.
     fn order(&self, is_condition: &[bool]) -> Vec<usize> {
         let by_case = (0..self.fields.len()).filter(|c| !is_condition[*c]);
@@ -121,7 +138,7 @@ struct Forces {
     wheel: Vec<Vec<f64>>,
     contacts: Vec<Vec<f64>>,
     status: Vec<u8>,
-    warnings: Vec<Repeated>,
+    warnings: Tally<Message, usize>,
     /// The first condition that failed, and how many did.
     failure: Option<(usize, CaseErrors)>,
     failed: usize,
@@ -142,14 +159,6 @@ pub fn force_names() -> Vec<String> {
 /// The name of a column of contacts.
 fn of_contact(column: &Column<Contact>) -> String {
     format!("contact_{}", column.name.replace('.', "_"))
-}
-
-/// A warning that several conditions may have.
-struct Repeated {
-    message: Message,
-    /// The first condition that has it.
-    first: usize,
-    count: usize,
 }
 
 impl Forces {
@@ -228,9 +237,7 @@ impl Forces {
         for (row, k) in conditions.iter().enumerate() {
             self.status[*k] = block.status[row];
         }
-        for warning in block.warnings {
-            note(&mut self.warnings, warning);
-        }
+        self.warnings.extend(block.warnings);
         let failed = self.failed + block.failed;
         if let Some((k, errors)) = block.failure {
             self.fail(k, k, errors);
@@ -266,27 +273,6 @@ fn put<R: Record>(columns: &mut [Vec<f64>], row: usize, record: &R) {
     }
 }
 
-/// Counts a warning together with those that are alike; of a condition only what the table does not
-/// show.
-fn note(warnings: &mut Vec<Repeated>, new: Repeated) {
-    let is_alike = |old: &&mut Repeated| {
-        old.message.code == new.message.code && old.message.quantity == new.message.quantity
-    };
-    match warnings.iter_mut().find(is_alike) {
-        _ if SHOWN.contains(&new.message.code) => {}
-        None => warnings.push(new),
-        Some(old) => {
-            old.count += new.count;
-            if new.first < old.first {
-                (old.first, old.message) = (new.first, new.message);
-            }
-        }
-    }
-}
-
-/// Codes of warnings about what the table shows: that there are forces only, and their status.
-const SHOWN: [&str; 2] = ["forces-only", Message::NOT_CONVERGED];
-
 /// The forces of all conditions on all threads.
 fn forces(
     file: &schlupf_case::CaseFile,
@@ -310,9 +296,10 @@ fn forces(
     });
     let stopped = |()| CaseErrors::from(file.explain(&Error::Stopped {}));
     let mut all = Forces::new(conditions.count(), has_wheel);
-    for message in notices {
-        note(&mut all.warnings, Repeated { message, first: 0, count: conditions.count() });
+    for message in notices.into_iter().filter(|notice| !conditions.varies(notice)) {
+        all.warnings.add(Tallied::new(message, 0, conditions.count()));
     }
+    all.warnings.extend(conditions.unusual());
     for (forces, block) in found.map_err(stopped)? {
         all.take(forces, block);
     }
@@ -328,17 +315,17 @@ fn block_of(
     watch: Watch,
 ) -> Result<Forces, ()> {
     let mut forces = Forces::new(block.len(), has_wheel);
-    let mut warnings = Vec::new();
+    let mut warnings = Tally::default();
     let mut entries = conditions.entries(block[0]);
     if watch(Progress::count(Stage::Curve, block[0])).is_break() {
         return Err(());
     }
     for (row, k) in block.iter().enumerate() {
         conditions.put(*k, &mut entries);
-        let mut warn = |warning: &schlupf::Warning| {
-            if !SHOWN.contains(&warning.code()) {
-                let message = warning.message(&FieldNames::CASE);
-                note(&mut warnings, Repeated { message, first: *k, count: 1 });
+        let mut warn = |warning: &Warning| {
+            // Of a condition only what the table does not show.
+            if !matches!(warning, Warning::NotConverged { .. }) {
+                warnings.note(warning.clone(), *k);
             }
         };
         let name = || format!("{CONDITION} {k}");
@@ -349,11 +336,19 @@ fn block_of(
             Err(NoState::Stopped) => return Err(()),
         }
     }
-    Ok(Forces { warnings, ..forces })
+    let warnings = warnings.into_iter().map(|found: Tallied<Warning, usize>| Tallied {
+        worst: found.worst.message(&FieldNames::CASE),
+        place: found.place,
+        count: found.count,
+        is_even: found.is_even,
+    });
+    forces.warnings.extend(warnings);
+    Ok(forces)
 }
 
-/// Warnings as code, quantity, text, number of conditions, and the first of them.
-type Warnings = Vec<(String, String, String, usize, usize)>;
+/// Warnings as code, quantity, text, number of conditions, the worst or first of them, and whether
+/// all are equally severe.
+type Warnings = Vec<(String, String, String, usize, usize, bool)>;
 
 /// Forces on the wheel under many conditions, which are values of fields by their paths: columns by
 /// name, the number in [`condition_status`] of each, and warnings. An error is that of the first
@@ -377,11 +372,11 @@ pub fn batch<'py>(
             return Err(errors::of_case(py, &first.into()));
         }
         let text = first.message;
-        warnings.push(("failed".to_owned(), first.field, text, forces.failed, k));
+        warnings.push(("failed".to_owned(), first.field, text, forces.failed, k, true));
     }
     let of_states = std::mem::take(&mut forces.warnings).into_iter();
-    warnings.extend(of_states.map(|Repeated { message, first, count }| {
-        (message.code.to_owned(), message.quantity, message.text, count, first)
+    warnings.extend(of_states.map(|Tallied { worst, place, count, is_even }| {
+        (worst.code.to_owned(), worst.quantity, worst.text, count, place, is_even)
     }));
     let status = PyArray1::from_slice(py, &forces.status);
     Ok((forces.columns(py)?, status, warnings))

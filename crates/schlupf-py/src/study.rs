@@ -27,13 +27,16 @@ fn raised(py: Python<'_>, error: StudyError) -> PyErr {
     }
 }
 
-/// Rows, those that were there already, those not converged, those that failed, and the first of
-/// them with its reason.
-type Counts = (usize, usize, usize, usize, Option<(usize, String)>);
+/// Rows, those that were there already, those not converged, those that failed, the first of them
+/// with its reason, and warnings as code, field and text.
+type Counts =
+    (usize, usize, usize, usize, Option<(usize, String)>, Vec<(&'static str, String, String)>);
 
 fn counts(report: Report) -> Counts {
-    let Report { rows, resumed, not_converged, failed, first_failure } = report;
-    (rows, resumed, not_converged, failed, first_failure)
+    let Report { rows, resumed, not_converged, failed, first_failure, warnings } = report;
+    let messages = warnings.messages().into_iter();
+    let messages = messages.map(|told| (told.code, told.quantity, told.text)).collect();
+    (rows, resumed, not_converged, failed, first_failure, messages)
 }
 
 /// A study.

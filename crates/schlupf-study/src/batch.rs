@@ -2,15 +2,19 @@
 
 use std::collections::HashMap;
 
-use schlupf::{Solution, Warning, Watch};
+use schlupf::message::Message;
+use schlupf::tally::Tally;
+use schlupf::{Solution, Watch};
 use schlupf_case::Case;
-use schlupf_tasks::states::{CONTACTS, NoState, StateSolver};
+use schlupf_tasks::messages;
+use schlupf_tasks::states::{self, CONTACTS, NoState, StateSolver};
 
 use crate::chunks;
 use crate::columns::{Outcome, Row, push};
 use crate::design::Entry;
 use crate::error::StudyError;
 use crate::order::groups;
+use crate::run::Solved;
 use crate::study::Study;
 use crate::table::{Cells, Column, Contents, Rows};
 
@@ -20,17 +24,20 @@ pub(crate) fn solve(
     contents: &Contents,
     batch: usize,
     watch: Watch,
-) -> Result<(Rows, Option<Rows>), StudyError> {
+) -> Result<Solved, StudyError> {
     let indices = contents.rows_of(batch);
     let entries: Vec<Vec<Entry>> = indices.clone().map(|row| study.design.row(row)).collect();
-    let fields = study.design.varied().iter().map(|varied| varied.field).collect();
-    let mut solver = StateSolver::new(study.case.clone(), fields);
+    let varied: Vec<_> = study.design.varied().iter().map(|varied| varied.field).collect();
+    let mut solver = StateSolver::new(study.case.clone(), varied.clone());
     let is_condition = entries.first().map_or_else(Vec::new, |entries| solver.conditions(entries));
     let mut outcomes: HashMap<usize, Outcome> = HashMap::with_capacity(entries.len());
     for member in groups(&entries, &is_condition).into_iter().flatten() {
         let name = format!("row {}", indices.start + member);
         let outcome = match solver.solve(&entries[member], &name, watch) {
-            Ok((case, solution)) => solved(case, solution),
+            Ok((case, solution)) => {
+                let notices = states::notices(case, &varied, &entries[member], &name);
+                solved(case, solution, notices)
+            }
             Err(NoState::NoContact) => Outcome::NoContact,
             Err(NoState::Failed(errors)) => Outcome::Failed(errors.first.message),
             Err(NoState::Stopped) => return Err(StudyError::Stopped),
@@ -41,10 +48,14 @@ pub(crate) fn solve(
     let mut fields: Option<Rows> =
         study.fields.as_ref().map(|fields| empty(&chunks::columns(fields)));
     let has_wheel = study.has_wheel();
+    let mut warnings = Tally::default();
     for (k, (index, entries)) in indices.zip(&entries).enumerate() {
         let outcome = outcomes.remove(&k);
         let outcome = outcome.unwrap_or_else(|| Outcome::Failed("not solved".to_owned()));
         let carried = study.design.carried().iter().map(|column| column.values[index]).collect();
+        if let Outcome::Solved { warnings: of_row, .. } = &outcome {
+            of_row.iter().for_each(|warning| warnings.note(warning.clone(), index));
+        }
         push(&mut rows, &Row { index, carried, entries, has_wheel, outcome: &outcome });
         if let (Some(cells), Some(fields), Outcome::Solved { solution, .. }) =
             (&mut fields, &study.fields, &outcome)
@@ -52,24 +63,29 @@ pub(crate) fn solve(
             chunks::push(cells, fields, index, solution);
         }
     }
-    Ok((rows, fields))
+    Ok(Solved { rows, fields, warnings })
 }
 
 fn empty(columns: &[Column]) -> Rows {
     columns.iter().map(|column| Cells::empty(column.kind)).collect()
 }
 
-fn solved(case: &Case, solution: Solution) -> Outcome {
+fn solved(case: &Case, solution: Solution, notices: Vec<Message>) -> Outcome {
     let wheel = case.wheel.clone();
-    let mut codes: Vec<&'static str> = solution.warnings.iter().map(Warning::code).collect();
+    let mut warnings: Tally<Message, usize> = Tally::default();
+    let mut note = |message: Message| warnings.note(message, 0);
+    notices.into_iter().chain(messages(&solution.warnings)).for_each(&mut note);
     if let Some(wheel) = &wheel {
         let others = wheel.contacts.iter().skip(1).flat_map(|of| &of.solution.warnings);
-        codes.extend(wheel.warnings().iter().chain(others).map(Warning::code));
-        codes.extend((wheel.contacts.len() > CONTACTS).then_some(MORE_CONTACTS));
+        messages(wheel.warnings().iter().chain(others)).for_each(&mut note);
+        let count = wheel.contacts.len();
+        if count > CONTACTS {
+            let text = format!("the wheel has {count} contacts, the table columns for {CONTACTS}");
+            note(Message::new(MORE_CONTACTS, "normal.model", text).graded(count as f64));
+        }
     }
-    codes.sort_unstable();
-    codes.dedup();
-    Outcome::Solved { solution: Box::new(solution), wheel, codes }
+    let warnings = warnings.into_iter().map(|of_row| of_row.worst).collect();
+    Outcome::Solved { solution: Box::new(solution), wheel, warnings }
 }
 
 /// The code of a row of a wheel that has more contacts than the table.

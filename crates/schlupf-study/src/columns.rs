@@ -1,6 +1,7 @@
 //! The columns of a study's table, and a row of it.
 
 use schlupf::columns::{Column as ResultColumn, Record, Value};
+use schlupf::message::Message;
 use schlupf::wheel_rail::{Contact, WheelSolution};
 use schlupf::{Quantity, Solution, Status};
 use schlupf_tasks::states::CONTACTS;
@@ -106,8 +107,8 @@ pub(crate) enum Outcome {
         solution: Box<Solution>,
         /// The wheel, if the case has profiles.
         wheel: Option<std::sync::Arc<WheelSolution>>,
-        /// Codes of its warnings.
-        codes: Vec<&'static str>,
+        /// Its warnings, each kind once.
+        warnings: Vec<Message>,
     },
     /// There is no normal load, or the wheel does not touch the rail.
     NoContact,
@@ -177,7 +178,12 @@ pub(crate) fn push(rows: &mut Rows, row: &Row) {
         put(Put::Number(of.of(outcome)));
     }
     let codes = match outcome {
-        Outcome::Solved { codes, .. } => codes.join(" "),
+        Outcome::Solved { warnings, .. } => {
+            let mut codes: Vec<&str> = warnings.iter().map(|warning| warning.code).collect();
+            codes.sort_unstable();
+            codes.dedup();
+            codes.join(" ")
+        }
         Outcome::NoContact | Outcome::Failed(_) => String::new(),
     };
     put(Put::Text(codes));

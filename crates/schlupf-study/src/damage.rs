@@ -14,6 +14,7 @@ use tempfile::TempDir;
 
 use crate::batch::MORE_CONTACTS;
 use crate::columns::{NO_CONTACT, beside_field, contact_column};
+use crate::counts::{Counts, WARNINGS};
 use crate::error::StudyError;
 use crate::run;
 use crate::study::Study;
@@ -99,17 +100,21 @@ impl Plan {
         watch: Watch,
     ) -> Result<DamageReport, StudyError> {
         let Self { path, study, .. } = &self;
-        let run = match study {
-            None => Run::read(path, self.own_speed())?,
+        let (run, counts) = match study {
+            None => {
+                let run = Run::read(path, self.own_speed())?;
+                let counts = run.counts.clone();
+                (run, counts)
+            }
             Some(study) => {
                 let fail = |cause| StudyError::file(path, cause);
                 let folder = folder().map_err(fail)?;
                 let table = folder.path().join("run.parquet");
-                run::run(study, [1, 1], &table, watch)?;
-                Run::read(&table, self.own_speed())?
+                let done = run::run(study, [1, 1], &table, watch)?;
+                (Run::read(&table, self.own_speed())?, done.warnings)
             }
         };
-        run.report(&self)
+        run.report(&self, &counts)
     }
 }
 
@@ -188,9 +193,6 @@ const OF_WHEEL: &str = "wheel_force.z";
 /// The column that tells whether a state has a solution.
 const STATUS: &str = "status";
 
-/// The column with the codes of warnings.
-const WARNINGS: &str = "warnings";
-
 /// The columns of a run.
 struct Run {
     /// Of each contact.
@@ -201,6 +203,8 @@ struct Run {
     along: (&'static str, Vec<f64>),
     /// Whether the wheel has more contacts than the table; empty if nothing is known of it.
     has_others: Vec<bool>,
+    /// Warnings of all rows.
+    counts: Counts,
 }
 
 /// The columns of a contact.
@@ -277,6 +281,7 @@ impl Run {
             status,
             along: along.ok_or_else(|| StudyError::table(path, no_run()))?,
             has_others: table.warned(MORE_CONTACTS),
+            counts: table.counts(),
         };
         let (name, places) = &run.along;
         let across = table.numbers(ACROSS).filter(|_| !is_of_wheel);
@@ -310,7 +315,7 @@ impl Run {
         self.speed.iter().enumerate().map(distance).collect()
     }
 
-    fn report(self, plan: &Plan) -> Result<DamageReport, StudyError> {
+    fn report(self, plan: &Plan, counts: &Counts) -> Result<DamageReport, StudyError> {
         let mut states = Vec::with_capacity(self.status.len());
         let [mut unsolved, mut powerless] = [Gap::default(); 2];
         // Those of the last state that has a force.
@@ -354,6 +359,11 @@ impl Run {
         let others = self.has_others.iter().filter(|has| **has).count();
         let first = self.has_others.iter().position(|has| *has);
         let others = first.map(|first| Notice::MoreContacts { rows: others, first });
+        let is_told = |message: &Message| {
+            message.code == MORE_CONTACTS || notices.iter().any(|told| told.code == message.code)
+        };
+        let of_rows = counts.messages().into_iter().filter(|message| !is_told(message));
+        let of_rows: Vec<Message> = of_rows.collect();
         let gaps = left_out.into_iter().chain(no_power).chain(others).map(Message::from);
         Ok(DamageReport {
             title: path.display().to_string(),
@@ -363,7 +373,7 @@ impl Run {
                 states: unsolved.rows + powerless.rows,
                 distance: unsolved.distance + powerless.distance,
             },
-            warnings: notices.into_iter().chain(gaps).collect(),
+            warnings: notices.into_iter().chain(gaps).chain(of_rows).collect(),
         })
     }
 
@@ -469,6 +479,15 @@ impl Table {
             Cells::Numbers(numbers) => Some(numbers.clone()),
             _ => None,
         }
+    }
+
+    /// The warnings of all rows.
+    fn counts(&self) -> Counts {
+        let mut counts = Counts::default();
+        if let Some(Cells::Texts(texts)) = self.cells(WARNINGS) {
+            texts.iter().enumerate().for_each(|(row, codes)| counts.add(row, codes));
+        }
+        counts
     }
 
     /// In which rows a warning is given.

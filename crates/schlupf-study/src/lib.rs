@@ -11,6 +11,7 @@
 mod batch;
 mod chunks;
 mod columns;
+mod counts;
 pub mod damage;
 pub mod design;
 mod digest;
@@ -22,5 +23,6 @@ pub mod run;
 mod study;
 pub mod table;
 
+pub use counts::Counts;
 pub use error::StudyError;
 pub use study::Study;

@@ -4,19 +4,22 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use schlupf::message::Message;
 use schlupf::progress::{Progress, Stage};
+use schlupf::tally::Tally;
 use schlupf::{Watch, parallel};
 use tempfile::NamedTempFile;
 
 use crate::batch;
 use crate::chunks::{self, Chunks};
+use crate::counts::{Counts, WARNINGS};
 use crate::error::StudyError;
 use crate::parts::{Parts, folder_with, sync};
 use crate::study::Study;
 use crate::table::{Cells, Contents, Format, Reader, Rows, Writer};
 
 /// What a run has done.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Report {
     /// Rows of the table.
     pub rows: usize,
@@ -28,6 +31,8 @@ pub struct Report {
     pub failed: usize,
     /// The first row that failed, and why.
     pub first_failure: Option<(usize, String)>,
+    /// Warnings of the rows, counted by their codes.
+    pub warnings: Counts,
 }
 
 /// Solves the rows of a study, or of its share `[i, n]` from `[1, n]` to `[n, n]`, and writes their
@@ -55,23 +60,28 @@ pub fn run(
     if told(0).is_break() {
         return Err(StudyError::Stopped);
     }
-    parallel::try_map(run.left.clone(), |batch| {
+    let found = parallel::try_map(run.left.clone(), |batch| {
         // Progress is that of the study, but whoever watches may stop each solution.
         let within = |_| told(solved.load(Ordering::Relaxed));
-        run.keep(batch, &solve(study, batch, &within)?)?;
+        let found = solve(study, batch, &within)?;
+        run.keep(batch, &found)?;
         let count = run.contents.rows_of(batch).len();
         let solved = solved.fetch_add(count, Ordering::Relaxed) + count;
-        if told(solved).is_break() { Err(StudyError::Stopped) } else { Ok(()) }
+        if told(solved).is_break() { Err(StudyError::Stopped) } else { Ok(found.warnings) }
     })?;
-    run.finish()
+    let mut report = run.finish()?;
+    found.into_iter().for_each(|warnings| report.warnings.tell(warnings));
+    Ok(report)
 }
 
 /// Rows of a batch, to be kept by a [`Run`], with the fields of their cells where the study keeps
 /// them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solved {
-    rows: Rows,
-    fields: Option<Rows>,
+    pub(crate) rows: Rows,
+    pub(crate) fields: Option<Rows>,
+    /// Warnings by row; none where the rows come from a text.
+    pub(crate) warnings: Tally<Message, usize>,
 }
 
 /// Solves a batch of a study: on any machine the same.
@@ -79,8 +89,7 @@ pub struct Solved {
 /// # Errors
 /// [`StudyError::Stopped`].
 pub fn solve(study: &Study, batch: usize, watch: Watch) -> Result<Solved, StudyError> {
-    let (rows, fields) = batch::solve(study, &study.contents([1, 1]), batch, watch)?;
-    Ok(Solved { rows, fields })
+    batch::solve(study, &study.contents([1, 1]), batch, watch)
 }
 
 impl Solved {
@@ -112,7 +121,7 @@ impl Solved {
         if rows.first().map_or(0, Cells::len) != wanted {
             return Err(wrong(format!("it should have {wanted} rows")));
         }
-        Ok(Self { rows, fields: None })
+        Ok(Self { rows, fields: None, warnings: Tally::default() })
     }
 }
 
@@ -279,6 +288,11 @@ impl Report {
             return;
         };
         self.rows += index.len();
+        if let Some(Cells::Texts(codes)) = column(WARNINGS) {
+            for (index, codes) in index.iter().zip(codes) {
+                self.warnings.add(usize::try_from(*index).unwrap_or_default(), codes);
+            }
+        }
         for ((index, status), error) in index.iter().zip(status).zip(error) {
             match status.as_str() {
                 crate::columns::FAILED => {

@@ -21,6 +21,7 @@ use crate::design::{self, Design, Sample, Values, Varied, assignment, read_state
 use crate::digest::{digest, varied_files};
 use crate::error::StudyError;
 use crate::table::{Column, Contents};
+use schlupf::message::shortened;
 
 /// Fewest and most rows of a batch where each is solved in full, and where a fast method gives it:
 /// as many as make some batches for each core of a machine, whatever its number of cores.
@@ -409,7 +410,7 @@ impl StudyReader<'_> {
             let Some(field) = chunks::all().into_iter().find(|field| field.name == *name) else {
                 let help = fields::closest(name, names());
                 let help = help.map(|meant| format!("did you mean `{meant}`?"));
-                let message = format!("fields.columns: there is no `{name}`");
+                let message = format!("fields.columns: there is no `{}`", shortened(name));
                 return Err(self.error(&entry.span, message).help(help));
             };
             if found.iter().any(|other| other.name == field.name) {
@@ -531,7 +532,7 @@ impl StudyReader<'_> {
     ) -> Result<&'static Field, CaseError> {
         fields::find(path).ok_or_else(|| {
             let help = fields::closest_path(path).map(|meant| format!("did you mean `{meant}`?"));
-            self.error(span, format!("unknown field `{path}`")).help(help)
+            self.error(span, format!("unknown field `{}`", shortened(path))).help(help)
         })
     }
 
@@ -545,7 +546,9 @@ impl StudyReader<'_> {
             Some(meant) => format!("did you mean `{meant}`?"),
             None => format!("there are {}", names.join(", ")),
         };
-        Err(self.error(&key.span(), format!("unknown field `{path}` of a study")).help(help))
+        Err(self
+            .error(&key.span(), format!("unknown field `{}` of a study", shortened(&path)))
+            .help(help))
     }
 
     fn error(&self, span: &std::ops::Range<usize>, message: impl Into<String>) -> CaseError {

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use schlupf::message::Message;
 use schlupf::normal::Pressure;
 use schlupf::simplified::FastContact;
-use schlupf::{Error, Method, Problem, Solution, Solver, Warning, Watch, parallel};
+use schlupf::{Error, Method, Problem, Solution, Solver, Watch, parallel};
 use schlupf_case::fields::STIFFNESSES;
 use schlupf_case::{Case, CaseErrors, CaseFile, Effective, ElasticityModel, Place};
 use schlupf_output::comparison::{Answer, Comparison, Entry};
@@ -208,15 +208,11 @@ impl Solved {
     }
 }
 
-/// Warnings, except for what the table shows: that a fast method
-/// gives no fields.
+/// Warnings of all methods.
 fn warnings(entries: &[Entry]) -> Vec<Message> {
     let of = |entry: &Entry| match &entry.answer {
         Err(reason) => vec![Notice::NotAvailable { reason: reason.clone() }.into()],
-        Ok(answer) => {
-            let told = |warning: &&Warning| !matches!(warning, Warning::ForcesOnly { .. });
-            messages(answer.solution.warnings.iter().filter(told)).collect()
-        }
+        Ok(answer) => messages(&answer.solution.warnings).collect(),
     };
     entries.iter().flat_map(|entry| of(entry).into_iter().map(|m| m.about(entry.name))).collect()
 }

@@ -6,6 +6,7 @@
 use std::sync::Arc;
 
 use schlupf::kinematics::Kinematics;
+use schlupf::message::Message;
 use schlupf::method::FastMethod;
 use schlupf::normal::PressureSource;
 use schlupf::normal::at_load::AtLoad;
@@ -14,7 +15,7 @@ use schlupf::solution::Resultant;
 use schlupf::wheel_rail::WheelSolution;
 use schlupf::{Error, Method, Problem, Quantity, Solution, Solver, Status, Warning, Watch};
 use schlupf_case::fields::{Field, Kind};
-use schlupf_case::{Case, CaseErrors, CaseFile, Cause};
+use schlupf_case::{Case, CaseErrors, CaseFile, Cause, Notice, Place};
 
 /// The value of a field: numbers in SI units, temperatures in degC.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,6 +53,26 @@ pub fn assignment(field: &Field, entry: &Entry) -> String {
         Entry::Number(number) => format!("{}=\"{number:?} {unit}\"", field.path),
         Entry::Text(text) => format!("{}={text}", field.path),
     }
+}
+
+/// Notices of a state: those of the case that was posed for it or for one that differs in
+/// conditions, and what is unusual in its own values. `name` is what messages call the state.
+pub fn notices(
+    case: &Case,
+    fields: &[&'static Field],
+    entries: &[Entry],
+    name: &str,
+) -> Vec<Message> {
+    let is_of = |message: &Message, code| {
+        message.code == code && fields.iter().any(|field| field.path == message.quantity)
+    };
+    let of_case = case.notices.iter().filter(|message| !is_of(message, Notice::UNUSUAL)).cloned();
+    let own = fields.iter().zip(entries).filter_map(|(field, entry)| {
+        let text = assignment(field, entry);
+        let place = Place::Override { option: name.into(), text };
+        Notice::of_unusual(field, &[entry.number()?], &place)
+    });
+    of_case.chain(own.map(Message::from)).collect()
 }
 
 /// Contacts of a wheel that tables have columns for: those with the largest normal forces.
@@ -392,6 +413,10 @@ impl Posed {
             if let Some(load) = load.filter(|load| *load != fast.load) {
                 fast.contact.set_load(load)?;
                 fast.load = load;
+                let pressure = fast.contact.contact().normal.peak_pressure;
+                let of_load = |warning: &Warning| matches!(warning, Warning::BeyondElastic { .. });
+                fast.warnings.retain(|warning| !of_load(warning));
+                fast.warnings.extend(case.problem.beyond_elastic(pressure));
             }
             let force = fast.contact.force(&motion)?;
             fast.warnings.iter().chain(&fast.contact.beyond_friction(&force)).for_each(warn);

@@ -16,6 +16,7 @@ pub mod message;
 pub mod requirement;
 pub mod error;
 pub mod warning;
+pub mod tally;
 mod numerics;
 pub mod progress;
 pub mod parallel;

@@ -46,7 +46,7 @@ impl Words for Names {
 }
 
 /// An error or a warning in the words of a face.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Message {
@@ -56,6 +56,9 @@ pub struct Message {
     pub quantity: String,
     /// A sentence.
     pub text: String,
+    /// How severe it is among those of its kind, dimensionless: the larger, the worse.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub severity: f64,
 }
 
 impl Message {
@@ -64,7 +67,13 @@ impl Message {
 
     /// A message.
     pub fn new(code: &'static str, quantity: impl Into<String>, text: impl Into<String>) -> Self {
-        Self { code, quantity: quantity.into(), text: text.into() }
+        Self { code, quantity: quantity.into(), text: text.into(), severity: 0.0 }
+    }
+
+    /// The same with its severity, dimensionless.
+    #[must_use]
+    pub fn graded(self, severity: f64) -> Self {
+        Self { severity, ..self }
     }
 
     /// Whether it says why results did not converge.
@@ -79,9 +88,33 @@ impl Message {
     }
 }
 
+/// Quotes a text that somebody gave: in quotation marks, and only as much of it as fits on a line.
+pub fn quoted(text: &str) -> String {
+    format!("{:?}", shortened(text))
+}
+
+/// As much of a text that somebody gave as fits on a line.
+pub fn shortened(text: &str) -> Cow<'_, str> {
+    cut(text, 60)
+}
+
+/// A text of which no more than so many characters are kept.
+pub fn cut(text: &str, most: usize) -> Cow<'_, str> {
+    text.char_indices()
+        .nth(most)
+        .map_or(text.into(), |(end, _)| format!("{}…", &text[..end]).into())
+}
+
+/// Quotes a path: all of it but where no system takes one so long.
+pub fn quoted_path(path: &str) -> String {
+    const MOST: usize = 4096;
+    if path.len() > MOST { quoted(path) } else { format!("{path:?}") }
+}
+
 /// Declares an enum of messages: for each kind its code, its values, the quantity that it is about
 /// and its sentence in given [`Words`]. The code of a kind that holds another message is that of
-/// the other: `"code" [field]`. Messages may be about another [`Subject`] than quantities.
+/// the other: `"code" [field]`. Messages may be about another [`Subject`] than quantities. A kind of
+/// which one may be worse than another says by which number: `severity …`, the larger the worse.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! messages {
@@ -90,7 +123,7 @@ macro_rules! messages {
         $name:ident of $about_what:ty: $(
             $(#[doc = $doc:literal])*
             $code:literal $([$inner:ident])? $kind:ident { $($(#[$field_doc:meta])* $field:ident: $type:ty),* $(,)? }
-            $quantity:expr, |$subject:ident, $words:ident| $text:expr;
+            $quantity:expr, |$subject:ident, $words:ident| $text:expr $(, severity $severity:expr)?;
         )*
     ) => {
         $(#[$about])*
@@ -120,6 +153,11 @@ macro_rules! messages {
                 match self { $(Self::$kind { $($field),* } => $quantity),* }
             }
 
+            /// How severe it is among those of its kind, dimensionless: the larger, the worse.
+            pub fn severity(&self) -> f64 {
+                match self { $(Self::$kind { $($field),* } => { $(return $severity;)? 0.0 }),* }
+            }
+
             /// It as a sentence in the words of a face.
             pub fn text(&self, words: &dyn $crate::message::Words) -> String {
                 match self {
@@ -135,6 +173,7 @@ macro_rules! messages {
             pub fn message(&self, words: &dyn $crate::message::Words) -> $crate::message::Message {
                 let quantity = $crate::message::Subject::word(&self.quantity(), words);
                 $crate::message::Message::new(self.code(), quantity, self.text(words))
+                    .graded(self.severity())
             }
         }
 

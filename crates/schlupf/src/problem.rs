@@ -12,12 +12,13 @@ use crate::interface::friction::memory::FrictionMemory;
 use crate::interface::friction::{Friction, FrictionResponse, FrictionState};
 use crate::interface::third_body::ThirdBodyLayer;
 use crate::kinematics::{Kinematics, ReferencePoint};
-use crate::material::Body;
+use crate::material::{Body, contact_modulus};
 use crate::normal::PressureSource;
 use crate::patch::Cell;
 use crate::prescribed_forces::PrescribedForces;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
+use crate::warning::Warning;
 
 /// A rolling contact: two bodies, their motion, and the laws of their interaction.
 #[derive(Debug, Clone)]
@@ -69,6 +70,12 @@ impl Problem {
     /// Whether nothing that changes within the contact changes what bounds the traction.
     pub(crate) fn has_constant_bound(&self) -> bool {
         self.friction.law.is_constant() && !self.layer.is_some_and(|layer| layer.hardens())
+    }
+
+    /// A warning of a largest pressure (in Pa) that no body can bear.
+    pub fn beyond_elastic(&self, pressure: f64) -> Option<Warning> {
+        let modulus = contact_modulus(&self.wheel.material, &self.rail.material);
+        (pressure > YIELDING * modulus).then_some(Warning::BeyondElastic { pressure, modulus })
     }
 
     /// Heat partition and conduction of the two bodies at the speeds of `kinematics`.
@@ -143,6 +150,10 @@ impl Problem {
         self.friction.check(self.conduction(&self.kinematics).entry_temperature)
     }
 }
+
+/// Ratio of the largest pressure to E* above which even steel is no longer elastic: its hardness is
+/// lower.
+const YIELDING: f64 = 0.03;
 
 /// Maximum number of cells in one direction across the patch.
 pub const MAX_CELLS: usize = 1024;

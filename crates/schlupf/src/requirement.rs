@@ -86,6 +86,16 @@ impl Requirement {
         format!("{bounds} {unit}").trim_end().to_owned()
     }
 
+    /// How far a value is from the nearest bound, as the logarithm of their ratio, dimensionless.
+    pub fn remoteness(self, value: f64) -> f64 {
+        let bounds = match self {
+            Self::Radius(low, high) => [Some(low), Some(high)],
+            _ => self.bounds().map(|bound| bound.map(|(bound, _)| bound)),
+        };
+        let remoteness = bounds.into_iter().flatten().map(|bound| (value / bound).abs().ln().abs());
+        remoteness.fold(f64::INFINITY, f64::min)
+    }
+
     /// The bounds that do not depend on other quantities, lower and upper (in the unit of the
     /// quantity); `true` marks a bound that is included.
     pub fn bounds(self) -> [Option<(f64, bool)>; 2] {
@@ -103,7 +113,7 @@ impl Requirement {
 }
 
 /// A number with its unit, if it has one.
-pub(crate) fn with_unit(value: f64, unit: &str) -> String {
+pub fn with_unit(value: f64, unit: &str) -> String {
     format!("{} {unit}", readable(value)).trim_end().to_owned()
 }
 

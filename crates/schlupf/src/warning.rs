@@ -13,7 +13,7 @@ messages! {
     "not-converged" NotConverged {
         /// Why.
         cause: Unconverged,
-    } cause.quantity(), |name, words| cause.text(words);
+    } cause.quantity(), |name, words| cause.text(words), severity cause.severity();
 
     /// The steady state was marched to.
     "marched" Marched {
@@ -24,7 +24,7 @@ messages! {
     } Quantity::Driver, |name, words| format!(
         "the steady equilibrium was not found directly (residual {residual:.1e} after {newton_steps} \
          Newton steps); this is the end of a march, without derivatives"
-    );
+    ), severity *residual;
 
     /// There are several steady states.
     "several-states" SeveralStates {
@@ -98,7 +98,7 @@ messages! {
          elasticity with small strains: check load and radii and their units",
         readable(1e-6 * pressure),
         1e2 * pressure / modulus
-    );
+    ), severity pressure / modulus;
 
     /// Surroundings of the layer that are too small.
     "small-margin" SmallMargin {
@@ -108,7 +108,7 @@ messages! {
         "{name}: the displacement at the outer edge of the layer is {:.1} % of the largest; above 1 % \
          a larger margin is needed",
         100.0 * edge
-    );
+    ), severity *edge;
 
     /// Power that the bristles return.
     "returned-power" ReturnedPower {
@@ -120,7 +120,7 @@ messages! {
         "{name}: {returned:.3e} W of {friction:.3e} W friction power are returned, by the bristles \
          or, with Coulomb's law, by the error of the grid; that part is discarded: it neither heats \
          nor cools. Where it is large in steady rolling, the grid is too coarse for the contact law"
-    );
+    ), severity returned / friction.abs();
 
     /// Bodies whose pressure displaces their surfaces tangentially against each other.
     "dissimilar-bodies" DissimilarBodies {
@@ -129,7 +129,7 @@ messages! {
     } Quantity::Elasticity, |name, words| format!(
         "{name}: wheel and rail differ in their elastic constants (K = {constant:.3}); the tangential \
          displacement caused by the normal pressure is neglected"
-    );
+    ), severity constant.abs();
 
     /// A calibrated layer for a patch of several parts.
     "layer-of-parts" LayerOfParts {
@@ -140,7 +140,7 @@ messages! {
          one it takes the ellipse of their common extent, which is too compliant; {} needs no \
          calibration",
         words.choice(Quantity::Elasticity, "half-space")
-    );
+    ), severity *parts as f64;
 
     /// A patch that a calibration takes for an ellipse.
     "equivalent-ellipse" EquivalentEllipse {} Quantity::Calibration, |name, words| {
@@ -160,7 +160,7 @@ messages! {
          shape; give at least {fewest}{}",
         if *points == 1 { "" } else { "s" },
         if *parts == 1 { String::new() } else { format!(" in each of its {parts} parts") }
-    );
+    ), severity -(*points as f64);
 
     /// A patch that has shrunk to few cells.
     "few-cells" FewCells {
@@ -172,7 +172,7 @@ messages! {
         "{name}: under the smallest load the patch spans {cells} cells along rolling, because the grid \
          has {of} for the largest one; increase {}",
         words.word(Quantity::CellsX)
-    );
+    ), severity -(*cells as f64);
 
     /// Rolling so slowly that heat also flows along the surface.
     "slow-rolling" SlowRolling {
@@ -200,7 +200,7 @@ messages! {
              1 % at a Péclet number of 100, by 10 % at 10 and without bound below{}",
             if *is_narrow { " (less on a narrower patch)" } else { "" }
         )
-    };
+    }, severity -peclet[0].min(peclet[1]);
 
     /// A surface so hot that material constants do not hold.
     "hot-surface" HotSurface {
@@ -215,7 +215,7 @@ messages! {
          and friction are not valid there",
         if *body == Quantity::WheelBulkTemperature { "wheel" } else { "rail" },
         limit.text()
-    );
+    ), severity *temperature;
 
     /// Temperatures below the surface by another heat model than in the cells.
     "heat-model-of-cells" HeatModelOfCells {} Quantity::HeatModel, |name, words| format!(
@@ -233,7 +233,7 @@ messages! {
         "{name} = {method:?} needs Kalker's coefficients at a/b = {axis_ratio:.4}, beyond their table \
          (1/10 to 10), and takes them from Kalker's limits: C11, C22 and C23 are off by up to 7 % at \
          1/30 and 30, C33 is a limit only"
-    );
+    ), severity axis_ratio.ln().abs();
 
     /// A patch that a look-up table does not cover.
     "outside-table" OutsideTable {
@@ -246,7 +246,7 @@ messages! {
          forces beyond the linear range are those of the nearest a/b in the table",
         readable(range[0]),
         readable(range[1])
-    );
+    ), severity axis_ratio.ln().abs();
 
     /// A patch that is no ellipse but counts as one.
     "counts-as-ellipse" CountsAsEllipse {
@@ -264,7 +264,7 @@ messages! {
             "{name} = {method:?} takes Kalker's coefficients of the ellipse with the length and width of \
              the patch{apart}"
         )
-    };
+    }, severity *parts as f64;
 
     /// A method without memory of friction.
     "no-memory" NoMemory {
@@ -280,17 +280,6 @@ messages! {
         method: &'static str,
     } Quantity::LayerYieldStress, |name, words| format!(
         "{name}: {method:?} takes the layer to be elastic whatever the traction"
-    );
-
-    /// A method without fields.
-    "forces-only" ForcesOnly {
-        /// The method.
-        method: &'static str,
-        /// Whether it gives the moment.
-        has_moment: bool,
-    } Quantity::Method, |name, words| format!(
-        "{name} = {method:?} gives {} only, no fields and no temperatures",
-        if *has_moment { "forces and moment" } else { "forces" }
     );
 
     /// A method without temperatures where friction depends on them.
@@ -311,7 +300,7 @@ messages! {
     } Quantity::Method, |name, words| format!(
         "{name}: the force of {method:?} is {ratio:.3} times the friction limit μN, which the method \
          does not enforce; do not use it"
-    );
+    ), severity *ratio;
 
     /// A balance of power that is not closed.
     "power-gap" PowerGap {
@@ -325,7 +314,7 @@ messages! {
         "{name}: the friction power of FASTSIM, {friction:.4e} W, differs from the creep power, \
          {creep:.4e} W, by more than {} %; temperatures and wear are uncertain by as much",
         100.0 * part
-    );
+    ), severity (friction - creep).abs() / creep.abs();
 
     /// A creep curve without the slope at its origin.
     "no-initial-slope" NoInitialSlope {
@@ -347,7 +336,7 @@ messages! {
         "{name} and {} are correlated ({correlation:.3}): each by itself is less certain than both \
          together",
         words.word(*other)
-    );
+    ), severity correlation.abs();
 
     /// A fitted parameter at the end of its range.
     "at-end-of-range" AtEndOfRange {
@@ -387,7 +376,7 @@ messages! {
     } Quantity::ForceRatio, |name, words| format!(
         "the model explains only {:.0} % of the variance of the data",
         100.0 * r_squared.max(0.0)
-    );
+    ), severity -r_squared;
 
     /// A result about the first of several contacts of a wheel.
     "one-contact" OneContact {
@@ -398,7 +387,7 @@ messages! {
     } Quantity::ContactAngle, |name, words| format!(
         "the wheel has {contacts} contacts, and this is about the first of them, which carries \
          {:.0} % of the normal forces", 100.0 * share
-    );
+    ), severity -share;
 
     /// A contact whose surface is curved more than a plane can show.
     "conformal-contact" ConformalContact {
@@ -416,7 +405,7 @@ messages! {
             "{name}: the surface turns by {turn:.2} rad over a contact, which is solved in a plane: \
              beyond 0.3 rad the pressure is too high; {spin}"
         )
-    };
+    }, severity *turn;
 
     /// A patch of several parts on profiles that were not smoothed.
     "rough-profile" RoughProfile {
@@ -425,7 +414,7 @@ messages! {
     } Quantity::ProfileSmoothing, |name, words| format!(
         "{name}: a contact has {parts} separate parts, as noise of measured profiles makes them; smooth \
          measured profiles, over some 5 mm"
-    );
+    ), severity *parts as f64;
 
     /// Residuals beyond the standard deviations of the data.
     "excess-scatter" ExcessScatter {
@@ -434,7 +423,7 @@ messages! {
     } Quantity::StandardDeviation, |name, words| format!(
         "the residuals are {factor:.1} times what the standard deviations of the data allow; the \
          intervals are widened accordingly"
-    );
+    ), severity *factor;
 }
 
 impl Warning {
@@ -459,7 +448,7 @@ messages! {
     } Quantity::Tolerance, |name, words| format!(
         "after {newton_steps} Newton steps the equilibrium has a residual of {residual:.1e}, above the \
          tolerance {tolerance:.1e}"
-    );
+    ), severity *residual;
 
     /// The equilibrium of a time step.
     "time-step" TimeStep {
@@ -470,7 +459,7 @@ messages! {
     } Quantity::Tolerance, |name, words| format!(
         "the worst equilibrium of a time step has a residual of {residual:.1e}, above the tolerance \
          {tolerance:.1e}"
-    );
+    ), severity *residual;
 
     /// Prescribed forces that a time step did not end with.
     "missed-force" MissedForce {
@@ -502,7 +491,7 @@ messages! {
     } Quantity::MaxSteps, |name, words| format!(
         "after {steps} time steps traction or temperature still changes by {change:.1e} within a \
          passage of the patch, above the tolerance {tolerance:.1e}"
-    );
+    ), severity *change;
 
     /// Surfaces that are not equally hot.
     "heat-exchange" HeatExchange {} Quantity::HeatModel, |name, words| {
@@ -519,7 +508,7 @@ messages! {
         surplus: f64,
     } Quantity::WheelBulkTemperature, |name, words| format!(
         "after {states} steady states the wheel still receives {surplus:.1e} W more than it gives off"
-    );
+    ), severity surplus.abs();
 
     /// Points of a curve.
     "points" Points {
@@ -538,7 +527,7 @@ messages! {
             rest => format!(" and {rest} more"),
         };
         format!("{failed} of {count} points, at {name} = {}{rest}", named.join(", "))
-    };
+    }, severity *failed as f64;
 
     /// A fit that is at no minimum.
     "fit" Fit {

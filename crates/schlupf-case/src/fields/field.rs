@@ -5,7 +5,7 @@ use super::suggestion::{NOT_PER_CENT, closest, creepage_in_per_cent, is_per_cent
 use super::{Requirement, readable};
 use crate::document::{Content, Value};
 use crate::setting::{Refusal, Setting};
-use crate::units::{Measure, QuantityError, parse_quantity};
+use crate::units::{Measure, QuantityError, comma, comma_readings, parse_quantity, parse_unit};
 use schlupf::Quantity;
 use schlupf::message::Names;
 
@@ -35,6 +35,8 @@ pub struct Field {
     pub kind: Kind,
     /// What its number must be, in SI units.
     pub requirement: Requirement,
+    /// What its number is in almost all cases, in SI units: another one may be in a wrong unit.
+    pub usual: Option<Requirement>,
     /// What it is when left out.
     pub default: Default,
     /// The choice with which alone the default counts, if there is one.
@@ -167,6 +169,7 @@ impl Field {
             quantities: &[],
             kind,
             requirement,
+            usual: None,
             default,
             example: None,
             default_with: None,
@@ -243,17 +246,30 @@ impl Field {
     fn quantity(&self, measure: &Measure, value: &Value) -> Result<f64, Refusal> {
         let number = match &value.content {
             Content::Text(text) => parse_quantity(text, measure)
-                .map_err(|error| Self::wrong_quantity(&error, measure, value))?,
+                .map_err(|error| self.wrong_quantity(&error, measure, value))?,
             Content::Float(number) if number.is_infinite() => *number,
             content => {
                 let help = content.number().map(|number| {
-                    format!("write the unit and quotes, such as \"{number} {}\"", measure.unit)
+                    let units = self.usual_units(measure, number);
+                    let texts: Vec<_> =
+                        units.iter().map(|unit| format!("\"{number} {unit}\"")).collect();
+                    format!("write the unit and quotes, such as {}", texts.join(" or "))
                 });
                 return Err(Refusal::new(with_unit(measure), value).help(help));
             }
         };
         self.require(number, measure.unit, value)
             .map_err(|refusal| in_si(refusal, number, measure, &value.content))
+    }
+
+    /// The units with which a number is a usual value; that in SI if there are none.
+    fn usual_units(&self, measure: &Measure, number: f64) -> Vec<&'static str> {
+        let is_usual = |unit: &&str| {
+            let value = parse_unit(unit, measure).map(|convert| convert.apply(number));
+            value.is_ok_and(|value| self.usual.is_some_and(|usual| usual.holds(value)))
+        };
+        let units: Vec<_> = measure.units().filter(is_usual).collect();
+        if units.is_empty() { vec![measure.unit] } else { units }
     }
 
     fn require(&self, number: f64, unit: &str, value: &Value) -> Result<f64, Refusal> {
@@ -264,10 +280,22 @@ impl Field {
         Err(Refusal::new(self.requirement.text(unit, &Names), value).help(help))
     }
 
-    fn wrong_quantity(error: &QuantityError, measure: &Measure, value: &Value) -> Refusal {
+    fn wrong_quantity(&self, error: &QuantityError, measure: &Measure, value: &Value) -> Refusal {
         let refusal = Refusal::new(with_unit(measure), value).because(error.to_string());
-        let help = matches!(error, QuantityError::UnknownUnit { .. })
-            .then(|| format!("units may be combined, as in {}", measure.examples));
+        let help = match (error, &value.content) {
+            (QuantityError::UnknownUnit { .. }, _) => {
+                Some(format!("units may be combined, as in {}", measure.examples))
+            }
+            (QuantityError::NoUnit, Content::Text(text)) => {
+                text.trim().parse().ok().map(|number| {
+                    let units = self.usual_units(measure, number);
+                    let texts: Vec<_> =
+                        units.iter().map(|unit| format!("{number} {unit}")).collect();
+                    format!("such as {}", texts.join(" or "))
+                })
+            }
+            _ => None,
+        };
         refusal.help(help)
     }
 
@@ -281,7 +309,11 @@ impl Field {
             matches!(self.kind, Kind::Number | Kind::Count | Kind::NumberOr(_) | Kind::Numbers);
         let Content::Text(text) = &value.content else { return None };
         let digit = text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
+        let readings = comma_readings(text);
         let mut help = "write the number alone, without quotes and unit".to_owned();
+        if !readings.is_empty() {
+            help = comma(&readings);
+        }
         if is_per_cent(text) {
             help = format!("{help}; {NOT_PER_CENT}");
         }

@@ -31,6 +31,16 @@ pub fn section(name: &str) -> Option<&'static Section> {
     SECTIONS.iter().find(|section| section.name == name)
 }
 
+/// Which of some values of a field (in SI units) is farthest from what it is in almost all cases,
+/// and how many are beyond that, if there are any.
+pub fn unusual(field: &Field, values: &[f64]) -> Option<(usize, usize)> {
+    let usual = field.usual?;
+    let beyond = || (0..values.len()).filter(|place| !usual.holds(values[*place]));
+    let remoteness = |place: &usize| usual.remoteness(values[*place]);
+    let farthest = beyond().max_by(|one, other| remoteness(one).total_cmp(&remoteness(other)));
+    farthest.map(|place| (place, beyond().count()))
+}
+
 /// The dotted path that was probably meant: a field of the same section with a similar name, or a
 /// field of the same name in another section.
 pub fn closest_path(path: &str) -> Option<&'static str> {
@@ -46,6 +56,7 @@ pub fn closest_path(path: &str) -> Option<&'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::setting::Setting;
 
     #[test]
     fn every_default_and_example_is_legal() {
@@ -55,6 +66,29 @@ mod tests {
                 assert!(field.read(&field.value_of(text)).is_ok(), "{}: {text}", field.path);
             }
         }
+    }
+
+    /// What is usual comprises the defaults and the examples, and is allowed.
+    #[test]
+    fn every_default_and_example_is_usual() {
+        let mut count = 0;
+        for field in all() {
+            let Some(usual) = field.usual else { continue };
+            count += 1;
+            for (bound, _) in usual.bounds().into_iter().flatten() {
+                let is_allowed = [0.999, 1.001].map(|near| field.requirement.holds(bound * near));
+                assert!(is_allowed.contains(&true), "{}: {bound}", field.path);
+            }
+            let texts = [field.default.text(), field.example].into_iter().flatten();
+            for text in texts.filter(|text| !text.starts_with('[')) {
+                let values = match field.read(&field.value_of(text)) {
+                    Ok(Setting::Number(number)) => [number],
+                    other => panic!("{}: {other:?}", field.path),
+                };
+                assert_eq!(unusual(field, &values), None, "{}: {text}", field.path);
+            }
+        }
+        assert!(count > 50, "{count}");
     }
 
     #[test]

@@ -4,6 +4,9 @@ use strsim::{damerau_levenshtein, jaro_winkler};
 
 /// The candidate that a name was probably meant to be, if one is close.
 pub fn closest<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    /// Longer than any name, even a misspelt one.
+    const LONGEST: usize = 200;
+    let name = if name.len() > LONGEST { "" } else { name };
     let likeness = |candidate: &str| {
         // One or two wrong letters in a short name are alike; so is a long name cut short.
         let near = damerau_levenshtein(name, candidate) <= 1 + candidate.len() / 8;

@@ -63,6 +63,11 @@ impl Field {
         Self { example: Some(text), ..self }
     }
 
+    /// The same with what its number is in almost all cases.
+    const fn usually(self, usual: Requirement) -> Self {
+        Self { usual: Some(usual), ..self }
+    }
+
     /// The same; the default counts with these names of a choice only.
     const fn default_with(self, choice: &'static str, names: &'static [&'static str]) -> Self {
         Self { default_with: Some((choice, names)), ..self }
@@ -139,6 +144,18 @@ const SMOOTHING: Requirement = Between(0.0, 0.1);
 /// Bodies that are shifted by more than the size of a wheel do not touch where they did.
 const SHIFT: Requirement = Magnitude(1.0);
 
+/// What numbers are in almost all cases, on track and on test rigs: another one may be in a wrong
+/// unit. Each in the SI unit of its fields.
+const ROLLING_SPEED: Requirement = Between(1e-4, 300.0);
+/// A wheel that turns backwards or twice as fast is rare, and a percentage is not.
+const PART_OF_SPEED: Requirement = Inside(-1.0, 1.0);
+/// From small rollers on a disc to the flange of a wheel.
+const SPIN_OF_WHEEL: Requirement = Magnitude(500.0);
+const WHEEL_RADIUS: Requirement = Between(1e-3, 5.0);
+const RADIUS: Requirement = Radius(1e-3, 100.0);
+const LOAD_OF_WHEEL: Requirement = Between(0.1, 1e6);
+const FORCE_OF_WHEEL: Requirement = Magnitude(1e6);
+
 /// What stands in front of all sections.
 const TITLE: Section = Section {
     name: "",
@@ -159,34 +176,41 @@ section! {
     KINEMATICS "kinematics"
         "How the wheel moves over the rail. Braking has a positive creepage and a negative force.";
 
-    "speed" [Speed] quantity(&Measure::SPEED), SPEED, Text("108 km/h"), "v0, speed of the vehicle";
+    "speed" [Speed] quantity(&Measure::SPEED), SPEED, Text("108 km/h"), "v0, speed of the vehicle",
+        usually(ROLLING_SPEED);
     "creepage_x" [CreepageX] Kind::Number, CREEPAGE, Text("0.0"),
-        "ξ, longitudinal creepage: positive when braking", example("0.008");
+        "ξ, longitudinal creepage: positive when braking", example("0.008"),
+        usually(PART_OF_SPEED);
     "angular_velocity" [] quantity(&Measure::ANGULAR_VELOCITY), TURNING, Nothing,
         "ω of the wheel, in place of creepage_x", example("64.7 rad/s");
     "wheel_radius" [] quantity(&Measure::LENGTH), ROLLING_RADIUS, Same("wheel.radius_x"),
-        "R, rolling radius that goes with angular_velocity or wheel_torque", example("0.46 m");
+        "R, rolling radius that goes with angular_velocity or wheel_torque", example("0.46 m"),
+        usually(WHEEL_RADIUS);
     "creepage_y" [CreepageY] Kind::Number, Inside(-1.0, 1.0), Text("0.0"), "η, lateral creepage",
         idle_with(NORMAL_MODEL, WHEEL_RAIL);
     "yaw_angle" [] quantity(&Measure::ANGLE), Inside(-FRAC_PI_2, FRAC_PI_2), Nothing,
         "α, slip angle, in place of creepage_y", example("0.5 deg"),
         idle_with(NORMAL_MODEL, WHEEL_RAIL);
-    "spin" [Spin] quantity(&Measure::PER_LENGTH), TURNING, Text("0 1/m"), "φ, spin creepage",
-        idle_with(NORMAL_MODEL, WHEEL_RAIL);
+    "spin" [Spin] quantity(&Measure::SPIN), TURNING, Text("0 1/m"), "φ, spin creepage",
+        idle_with(NORMAL_MODEL, WHEEL_RAIL),
+        usually(SPIN_OF_WHEEL);
     "force_x" [ForceX] quantity(&Measure::FORCE), TANGENTIAL, Nothing,
         "Fx on the wheel, in place of creepage_x, which is found: negative when braking; of two \
          profiles that of all contacts together",
-        example("-20 kN");
+        example("-20 kN"),
+        usually(FORCE_OF_WHEEL);
     "traction_coefficient" [ForceOverLoad] Kind::Number, OVER_LOAD, Nothing,
         "-Fx/N, in place of creepage_x: positive when braking; of two profiles over the vertical \
          force",
-        example("0.2");
+        example("0.2"),
+        usually(Magnitude(1.5));
     "wheel_torque" [WheelTorque] quantity(&Measure::TORQUE), TANGENTIAL, Nothing,
         "T on the wheel about its axle, in place of creepage_x, with Fx = T/wheel_radius (of two \
          profiles in balance with the tractions of all contacts): negative when braking",
         example("-9.2 kN m");
     "force_y" [ForceY] quantity(&Measure::FORCE), TANGENTIAL, Nothing,
-        "Fy on the wheel, in place of creepage_y", example("5 kN");
+        "Fy on the wheel, in place of creepage_y", example("5 kN"),
+        usually(FORCE_OF_WHEEL);
     "moment_z" [MomentZ] quantity(&Measure::TORQUE), TANGENTIAL, Nothing,
         "Mz on the wheel, in place of spin", example("-20 N m");
     "reference" [Reference] Kind::Choice(Reference::CHOICES), Finite, Text("patch"),
@@ -197,36 +221,43 @@ section! {
 macro_rules! body {
     (
         $section:ident $body:literal $about:literal, $radius_x:literal, $radius_y:literal,
-        $along:expr, { $($profile:tt)* };
+        $along:expr, $usual:expr, { $($profile:tt)* };
         $young:ident, [$($poisson:ident)*], $conductivity:ident, $density:ident,
         $specific_heat:ident, $temperature:ident, $of_radius_x:ident, $of_radius_y:ident
     ) => { section! {
         $section $body $about;
 
         "young_modulus" [$young] quantity(&Measure::PRESSURE), MODULUS, Text("210 GPa"),
-            "E, Young's modulus", shaping();
+            "E, Young's modulus", shaping(),
+            usually(Between(1e6, 2e12));
         "poisson_ratio" [$($poisson)*] Kind::Number, Between(0.0, 0.5), Text("0.28"),
             "ν, Poisson's ratio", shaping();
         "conductivity" [$conductivity] quantity(&Measure::CONDUCTIVITY), THERMAL,
-            Text("50 W/(m K)"), "λ, thermal conductivity", with(HEAT_MODEL, HEATING);
+            Text("50 W/(m K)"), "λ, thermal conductivity", with(HEAT_MODEL, HEATING),
+            usually(Between(0.1, 2500.0));
         "density" [$density] quantity(&Measure::DENSITY), THERMAL, Text("7850 kg/m^3"), "ρ, density",
-            with(HEAT_MODEL, HEATING);
+            with(HEAT_MODEL, HEATING),
+            usually(Between(500.0, 25e3));
         "specific_heat" [$specific_heat] quantity(&Measure::SPECIFIC_HEAT), THERMAL,
-            Text("450 J/(kg K)"), "c, specific heat", with(HEAT_MODEL, HEATING);
+            Text("450 J/(kg K)"), "c, specific heat", with(HEAT_MODEL, HEATING),
+            usually(Between(100.0, 5e3));
         "bulk_temperature" [$temperature] quantity(&Measure::TEMPERATURE), TEMPERATURE,
-            Text("20 degC"), "temperature far from the contact";
+            Text("20 degC"), "temperature far from the contact",
+            usually(Between(-80.0, 800.0));
         "radius_x" [$of_radius_x] quantity(&Measure::LENGTH), CURVATURE, Text($radius_x),
             "radius of curvature along rolling: \"inf\" where straight, negative where concave",
-            shaping(), with(NORMAL_MODEL, $along);
+            shaping(), with(NORMAL_MODEL, $along),
+            usually($usual);
         "radius_y" [$of_radius_y] quantity(&Measure::LENGTH), CURVATURE, Text($radius_y),
-            "radius of curvature across rolling", shaping(), with(NORMAL_MODEL, &["hertz"]);
+            "radius of curvature across rolling", shaping(), with(NORMAL_MODEL, &["hertz"]),
+            usually(RADIUS);
         $($profile)*
     } };
 }
 
 body! {
     WHEEL "wheel" "The wheel: elastic and thermal constants, temperature, curvature radii.",
-    "0.46 m", "inf", &["hertz", "profile", "wheel-rail"], {
+    "0.46 m", "inf", &["hertz", "profile", "wheel-rail"], Radius(1e-3, 5.0), {
         "profile" [WheelProfile] Kind::Path, Finite, Nothing,
             "profile: a file (CSV with the header `y [mm],z [mm]`, Simpack, Miniprof, or two columns in \
              mm) or the name of one that is built in, such as \"S1002\"",
@@ -240,14 +271,16 @@ body! {
             with(NORMAL_MODEL, WHEEL_RAIL);
         "flange_back_position" [FlangeBackPosition] quantity(&Measure::LENGTH), Between(-1.0, 1.0),
             Text("-70 mm"), "y of the flange back in the profile, with y outwards", shaping(),
-            with(NORMAL_MODEL, WHEEL_RAIL);
+            with(NORMAL_MODEL, WHEEL_RAIL),
+            usually(Magnitude(0.2));
     };
     WheelYoungModulus, [WheelPoissonRatio PoissonRatio], WheelConductivity, WheelDensity,
     WheelSpecificHeat, WheelBulkTemperature, WheelRadiusX, WheelRadiusY
 }
 
 body! {
-    RAIL "rail" "The rail: the same fields as the wheel.", "inf", "300 mm", &["hertz", "profile"], {
+    RAIL "rail" "The rail: the same fields as the wheel.",
+    "inf", "300 mm", &["hertz", "profile"], RADIUS, {
         "profile" [RailProfile] Kind::Path, Finite, Nothing,
             "profile: a file or the name of one that is built in, such as \"60E1\"; as for the wheel",
             shaping(), example("60E1"), with(NORMAL_MODEL, WHEEL_RAIL);
@@ -261,7 +294,8 @@ body! {
         "cant" [RailCant] Kind::Number, Magnitude(0.5), Text("0.0"),
             "inclination of the rail towards the middle, such as 0.025 for 1:40; 0 for a profile that is \
              canted already",
-            shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
+            shaping(), with(NORMAL_MODEL, WHEEL_RAIL),
+            usually(Magnitude(0.1));
     };
     RailYoungModulus, [RailPoissonRatio], RailConductivity, RailDensity,
     RailSpecificHeat, RailBulkTemperature, RailRadiusX, RailRadiusY
@@ -274,16 +308,20 @@ section! {
     "model" [] Kind::Choice(NormalModel::CHOICES), Finite, Text("hertz"),
         "source of the pressure", shaping();
     "load" [Load] quantity(&Measure::FORCE), LOAD, Text("80 kN"), "N, normal load; with \"wheel-rail\" the vertical force on the wheel", shaping(),
-        default_with(NORMAL_MODEL, &["hertz"]);
+        default_with(NORMAL_MODEL, &["hertz"]),
+        usually(LOAD_OF_WHEEL);
     "semi_axis_x" [SemiAxisX] quantity(&Measure::LENGTH), SEMI_AXIS, Nothing,
         "a, semi-axis along rolling", shaping(), example("6 mm"),
-        with(NORMAL_MODEL, &["ellipse"]);
+        with(NORMAL_MODEL, &["ellipse"]),
+        usually(Between(1e-5, 0.05));
     "semi_axis_y" [SemiAxisY] quantity(&Measure::LENGTH), SEMI_AXIS, Nothing,
         "b, semi-axis across rolling", shaping(), example("5 mm"),
-        with(NORMAL_MODEL, &["ellipse"]);
+        with(NORMAL_MODEL, &["ellipse"]),
+        usually(Between(1e-5, 0.05));
     "peak_pressure" [PeakPressure] quantity(&Measure::PRESSURE), PEAK_PRESSURE, Nothing,
         "p0, largest pressure, in place of load", shaping(), example("1 GPa"),
-        with(NORMAL_MODEL, &["ellipse"]);
+        with(NORMAL_MODEL, &["ellipse"]),
+        usually(Between(1e6, 2e10));
     "file" [PressureTable UndeformedDistance] Kind::Path, Finite, Nothing,
         "CSV with the header `x [mm],y [mm],pressure [MPa]`, or with \"profile\" `x [mm],y \
          [mm],distance [um]` or `y [mm],distance [mm]` (across at x = 0); or .npy in Pa or \
@@ -338,12 +376,15 @@ section! {
         "What cools the wheel in the long run, for `schlupf bulk`." for "bulk";
 
     "film_coefficient" [FilmCoefficient] quantity(&Measure::HEAT_TRANSFER), THERMAL, Nothing,
-        "h, heat transfer coefficient between the wheel and the air", example("40 W/(m^2 K)");
+        "h, heat transfer coefficient between the wheel and the air", example("40 W/(m^2 K)"),
+        usually(Between(0.5, 5e4));
     "area" [CooledArea] quantity(&Measure::AREA), COOLED_AREA, Nothing,
-        "A, surface of the wheel that the air cools", example("1.5 m^2");
+        "A, surface of the wheel that the air cools", example("1.5 m^2"),
+        usually(Between(1e-4, 100.0));
     "air_temperature" [AirTemperature] quantity(&Measure::TEMPERATURE), TEMPERATURE,
         Same("rail.bulk_temperature"),
-        "temperature of the air", example("20 degC");
+        "temperature of the air", example("20 degC"),
+        usually(Between(-80.0, 200.0));
 }
 
 section! {
@@ -354,19 +395,25 @@ section! {
     "time" [Time] Kind::Quantities(&Measure::TIME), INSTANT, Nothing,
         "instants, increasing", shaping(), example("[\"0 s\", \"1 ms\"]");
     "creepage_x" [HistoryCreepageX] Kind::Numbers, CREEPAGE, Nothing,
-        "ξ at these instants; likewise the others", example("[0.0, 0.002]");
+        "ξ at these instants; likewise the others", example("[0.0, 0.002]"),
+        usually(PART_OF_SPEED);
     "creepage_y" [HistoryCreepageY] Kind::Numbers, Inside(-1.0, 1.0), Nothing,
         "η", example("[0.0, 0.0]");
-    "spin" [HistorySpin] Kind::Quantities(&Measure::PER_LENGTH), TURNING, Nothing,
-        "φ", example("[\"0 1/m\", \"0 1/m\"]");
+    "spin" [HistorySpin] Kind::Quantities(&Measure::SPIN), TURNING, Nothing,
+        "φ", example("[\"0 1/m\", \"0 1/m\"]"),
+        usually(SPIN_OF_WHEEL);
     "speed" [HistorySpeed] Kind::Quantities(&Measure::SPEED), SPEED, Nothing,
-        "v0", example("[\"30 m/s\", \"30 m/s\"]");
+        "v0", example("[\"30 m/s\", \"30 m/s\"]"),
+        usually(ROLLING_SPEED);
     "load" [HistoryLoad] Kind::Quantities(&Measure::FORCE), LOAD, Nothing,
-        "N", shaping(), example("[\"80 kN\", \"60 kN\"]");
+        "N", shaping(), example("[\"80 kN\", \"60 kN\"]"),
+        usually(LOAD_OF_WHEEL);
     "force_x" [HistoryForceX] Kind::Quantities(&Measure::FORCE), TANGENTIAL, Nothing,
-        "Fx on the wheel, in place of creepage_x", example("[\"0 kN\", \"-20 kN\"]");
+        "Fx on the wheel, in place of creepage_x", example("[\"0 kN\", \"-20 kN\"]"),
+        usually(FORCE_OF_WHEEL);
     "force_y" [HistoryForceY] Kind::Quantities(&Measure::FORCE), TANGENTIAL, Nothing,
-        "Fy on the wheel, in place of creepage_y", example("[\"0 kN\", \"5 kN\"]");
+        "Fy on the wheel, in place of creepage_y", example("[\"0 kN\", \"5 kN\"]"),
+        usually(FORCE_OF_WHEEL);
     "moment_z" [HistoryMomentZ] Kind::Quantities(&Measure::TORQUE), TANGENTIAL, Nothing,
         "Mz on the wheel, in place of spin", example("[\"0 N m\", \"-20 N m\"]");
     "shift_x" [ShiftX] quantity(&Measure::LENGTH), SHIFT, Nothing,

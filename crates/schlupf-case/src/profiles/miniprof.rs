@@ -3,6 +3,7 @@
 
 use super::points::File;
 use crate::error::CaseError;
+use schlupf::message::quoted;
 
 const MILLIMETRE: f64 = 1e-3;
 
@@ -59,7 +60,7 @@ fn column_places(file: &File, line: usize, definition: &str) -> Result<[usize; 2
         place.ok_or_else(|| {
             file.error(
                 line,
-                format!("{COLUMNS} must name a column {wanted}, but is {definition:?}"),
+                format!("{COLUMNS} must name a column {wanted}, but is {}", quoted(definition)),
             )
         })
     };

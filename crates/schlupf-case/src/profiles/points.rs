@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::error::CaseError;
 use crate::place::{Place, Source};
+use schlupf::message::quoted;
 
 /// A text file.
 pub struct File {
@@ -50,7 +51,7 @@ impl File {
     /// A finite number of a line.
     pub fn number(&self, line: usize, word: &str) -> Result<f64, CaseError> {
         let number = word.parse::<f64>().ok().filter(|number| number.is_finite());
-        number.ok_or_else(|| self.error(line, format!("{word:?} must be a finite number")))
+        number.ok_or_else(|| self.error(line, format!("{} must be a finite number", quoted(word))))
     }
 
     /// The words of a line as numbers, apart by spaces, tabs, commas or semicolons.

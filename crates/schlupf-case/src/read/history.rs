@@ -3,6 +3,8 @@
 use schlupf::history::History;
 
 use crate::error::CaseError;
+use crate::fields;
+use crate::notice::Notice;
 use crate::settings::Settings;
 use crate::tables;
 
@@ -27,6 +29,21 @@ pub fn history(settings: &Settings) -> Result<Option<History>, CaseError> {
         return Ok(None);
     }
     Ok(Some(History { shift, ..over_time.unwrap_or_default() }))
+}
+
+/// Values of a history's file that are far from what they are in almost all cases.
+pub fn unusual(settings: &Settings, history: &History) -> Vec<Notice> {
+    if !settings.is_given("history.file") {
+        return Vec::new();
+    }
+    let place = settings.place("history.file");
+    let History { speed, creepage_x, creepage_y, spin, load, force_x, force_y, moment_z, .. } =
+        history;
+    let series = [speed, creepage_x, creepage_y, spin, load, force_x, force_y, moment_z];
+    let unusual = |(path, values): (&str, &Option<Vec<f64>>)| {
+        Notice::of_unusual(fields::find(path)?, values.as_deref()?, &place)
+    };
+    SERIES.into_iter().zip(series).filter_map(unusual).collect()
 }
 
 fn over_time(settings: &Settings) -> Result<Option<History>, CaseError> {

@@ -31,6 +31,7 @@ use schlupf::{Error, Method, Options, Problem, Solver, Watch};
 
 pub use cooling::{cooling, missing as missing_cooling};
 pub use damage::damage;
+pub use history::unusual as unusual_history;
 pub use options::{driver, method};
 pub use subsurface::subsurface;
 

@@ -15,6 +15,7 @@ use zip::ZipArchive;
 
 use super::{MeasuredSurface, Reading, finish};
 use crate::error::CaseError;
+use schlupf::message::{quoted, shortened};
 
 /// What is wrong with a file, to follow its name in a sentence.
 type Message = String;
@@ -114,9 +115,10 @@ impl<'a> Axis<'a> {
             None => Ok(None),
             Some(text) => match text.trim().parse::<f64>() {
                 Ok(number) if number.is_finite() => Ok(Some(number)),
-                _ => {
-                    Err(format!("must have a finite number as {entry} of {name}, but has {text:?}"))
-                }
+                _ => Err(format!(
+                    "must have a finite number as {entry} of {name}, but has {}",
+                    quoted(text)
+                )),
             },
         };
         Ok(Self {
@@ -132,7 +134,7 @@ impl<'a> Axis<'a> {
     fn spacing(&self) -> Result<f64, Message> {
         let name = self.name;
         if self.kind != "I" {
-            let kind = self.kind;
+            let kind = shortened(self.kind);
             return Err(format!(
                 "must have points at regular steps, but {name} has AxisType {kind}"
             ));
@@ -154,12 +156,12 @@ impl<'a> Axis<'a> {
 fn lattice(root: Node<'_, '_>) -> Result<Lattice, Message> {
     let kind = text(root, &["Record1", "FeatureType"])?;
     if !["SUR", "PRF"].contains(&kind) {
-        return Err(format!("must be a surface (SUR) or a profile (PRF), but is {kind:?}"));
+        return Err(format!("must be a surface (SUR) or a profile (PRF), but is {}", quoted(kind)));
     }
     let size = |name: &str| {
         let text = text(root, &["Record3", "MatrixDimension", name])?;
         let count = text.parse::<usize>().ok().filter(|count| *count > 0);
-        count.ok_or_else(|| format!("must have a positive {name}, but has {text:?}"))
+        count.ok_or_else(|| format!("must have a positive {name}, but has {}", quoted(text)))
     };
     let [columns, rows, layers] = [size("SizeX")?, size("SizeY")?, size("SizeZ")?];
     if layers != 1 || (kind == "PRF" && rows != 1 && columns != 1) {
@@ -193,7 +195,12 @@ fn binary(
         "I" => 2,
         "L" | "F" => 4,
         "D" => 8,
-        _ => return Err(format!("must have numbers of type I, L, F or D, but has {data_type:?}")),
+        _ => {
+            return Err(format!(
+                "must have numbers of type I, L, F or D, but has {}",
+                quoted(data_type)
+            ));
+        }
     };
     let name = text(link, &["PointDataLink"])?;
     let wanted = lattice.len() * width;
@@ -245,8 +252,8 @@ fn text_list(list: Node<'_, '_>, lattice: &Lattice, axis: &Axis<'_>) -> Result<V
             return Ok(f64::NAN);
         }
         let number = last.parse::<f64>().ok().filter(|number| number.is_finite());
-        let number =
-            number.ok_or_else(|| format!("must have numbers in DataList, but has {last:?}"));
+        let number = number
+            .ok_or_else(|| format!("must have numbers in DataList, but has {}", quoted(last)));
         Ok(axis.value(number?))
     };
     let heights: Result<Vec<f64>, Message> = data.map(height).collect();

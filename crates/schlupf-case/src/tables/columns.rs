@@ -2,10 +2,13 @@
 
 use std::sync::Arc;
 
+use schlupf::message::{quoted, shortened};
+
+use super::records::Records;
 use crate::error::CaseError;
 use crate::fields::{NOT_PER_CENT, closest, is_per_cent};
 use crate::place::{Place, Source};
-use crate::units::{Conversion, Measure, parse_unit};
+use crate::units::{Conversion, Measure, comma, comma_readings, parse_unit};
 
 /// A column that a file may have.
 #[derive(Debug, Clone, Copy)]
@@ -135,23 +138,11 @@ impl Columns {
     fn fill(&mut self, wanted: &[Column]) -> Result<(), CaseError> {
         let source = Arc::clone(&self.source);
         let mut header: Option<Vec<Assigned>> = None;
-        let mut reader = csv::ReaderBuilder::new()
-            .has_headers(false)
-            .flexible(true)
-            .comment(Some(b'#'))
-            .from_reader(source.text.as_bytes());
-        let mut record = csv::StringRecord::new();
-        // It fails only on what is not UTF-8.
-        while reader.read_record(&mut record).is_ok_and(|is_record| is_record) {
-            let line = first_line(&source.text, &record);
-            // Quotation marks that stand behind a space are left.
-            let cells: Vec<&str> =
-                record.iter().map(|cell| cell.trim().trim_matches('"').trim()).collect();
+        let mut records = Records::new(&source.text);
+        while let Some(line) = records.read() {
+            let cells = records.cells();
             if cells.iter().any(|cell| cell.contains('\n')) {
                 return Err(self.error(line, "a quotation mark must be closed in its line"));
-            }
-            if cells == [""] {
-                continue;
             }
             match &header {
                 None => {
@@ -215,7 +206,10 @@ impl Columns {
 
     fn unknown_column(&self, cell: &str, name: &str, wanted: &[Column]) -> CaseError {
         let expected = expected_header(wanted);
-        let message = format!("the header must be such as `{expected}`, but has a column `{cell}`");
+        let message = format!(
+            "the header must be such as `{expected}`, but has a column `{}`",
+            shortened(cell)
+        );
         let meant = closest(name, wanted.iter().map(|column| column.name));
         let help = meant.map(|meant| format!("did you mean `{meant}`?"));
         self.error(self.header_line, message).help(help)
@@ -239,8 +233,10 @@ impl Columns {
             }
             (None, None | Some("" | "-" | "1")) => Ok(None),
             (None, Some(unit)) => {
-                let message =
-                    format!("column `{name}` must be dimensionless, but has the unit `{unit}`");
+                let message = format!(
+                    "column `{name}` must be dimensionless, but has the unit `{}`",
+                    shortened(unit)
+                );
                 let help = is_per_cent(unit).then(|| NOT_PER_CENT.to_owned());
                 Err(self.error(self.header_line, message).help(help))
             }
@@ -281,17 +277,11 @@ impl Columns {
             return Ok(f64::NAN);
         }
         let name = column.name;
-        Err(self.error(line, format!("{name} must be a finite number, but is {cell:?}")))
+        let message = format!("{name} must be a finite number, but is {}", quoted(cell));
+        let readings = comma_readings(cell);
+        let help = (!readings.is_empty()).then(|| comma(&readings));
+        Err(self.error(line, message).help(help))
     }
-}
-
-/// Line on which a record of a text begins: its position is that of the empty lines and comments
-/// before it.
-fn first_line(text: &str, record: &csv::StringRecord) -> usize {
-    let Some(position) = record.position() else { return 1 };
-    let before = text[position.byte() as usize..].split('\n');
-    let is_passed = |line: &&str| line.trim_end_matches('\r').is_empty() || line.starts_with('#');
-    position.line() as usize + before.take_while(is_passed).count()
 }
 
 /// What the last digit of a number stands for: 0.01 in `1.25`.

@@ -33,7 +33,7 @@ const DEVIATION: Requirement = Requirement::AboveUpTo(0.0, 1.0);
 const GIVEN: [Given; 9] = [
     plain("creepage_x", Ok("kinematics.creepage_x")),
     plain("creepage_y", Ok("kinematics.creepage_y")),
-    quantity("spin", &Measure::PER_LENGTH, "kinematics.spin"),
+    quantity("spin", &Measure::SPIN, "kinematics.spin"),
     plain("force_ratio", Err(RATIO)),
     plain("force_ratio_x", Err(RATIO)),
     plain("force_ratio_y", Err(RATIO)),

@@ -12,6 +12,7 @@ pub(crate) mod lattice;
 pub(crate) mod npy;
 mod points;
 mod pressure;
+mod records;
 mod time;
 mod wear_map;
 
@@ -22,5 +23,6 @@ pub use distance::{from_csv as distance_from_csv, from_npy as distance_from_npy}
 pub use lattice::NpyFile;
 pub use points::read as read_points;
 pub use pressure::{from_csv as pressure_from_csv, from_npy as pressure_from_npy};
+pub use records::Records;
 pub use time::{check as check_history, from_csv as history_from_csv};
 pub use wear_map::from_csv as wear_map_from_csv;

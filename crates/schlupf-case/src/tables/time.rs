@@ -14,7 +14,7 @@ const COLUMNS: [Column; 9] = [
     Column { name: "time", measure: Some(&Measure::TIME), required: true, holes: false },
     Column { name: "creepage_x", measure: None, required: false, holes: false },
     Column { name: "creepage_y", measure: None, required: false, holes: false },
-    Column { name: "spin", measure: Some(&Measure::PER_LENGTH), required: false, holes: false },
+    Column { name: "spin", measure: Some(&Measure::SPIN), required: false, holes: false },
     Column { name: "speed", measure: Some(&Measure::SPEED), required: false, holes: false },
     Column { name: "load", measure: Some(&Measure::FORCE), required: false, holes: false },
     Column { name: "force_x", measure: Some(&Measure::FORCE), required: false, holes: false },

@@ -1,13 +1,30 @@
 //! What may be wrong with a quantity.
 
+use schlupf::message::shortened;
+
+/// What to write in place of a number with a comma.
+pub fn comma(readings: &[String]) -> String {
+    match readings {
+        [] => "a comma cannot stand there in a number".to_owned(),
+        [one] => format!("a comma is no decimal point: write {}", shortened(one)),
+        several => {
+            let several: Vec<_> = several.iter().map(|reading| shortened(reading)).collect();
+            format!("a comma may separate thousands or decimals: write {}", several.join(" or "))
+        }
+    }
+}
+
 /// Why a text is not the quantity it should be.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum QuantityError {
     /// It does not begin with a number.
-    #[error("there is no number in front{}", if *decimal_comma { "; write a point for the decimal comma" } else { "" })]
-    NoNumber {
-        /// Whether it looks like a number with a decimal comma.
-        decimal_comma: bool,
+    #[error("there is no number in front")]
+    NoNumber,
+    /// Its number has a comma.
+    #[error("{}", comma(readings))]
+    Comma {
+        /// What it may mean.
+        readings: Vec<String>,
     },
     /// The number is beyond the range of double precision.
     #[error("the number is too large")]
@@ -16,19 +33,19 @@ pub enum QuantityError {
     #[error("the unit is missing")]
     NoUnit,
     /// A symbol is not known.
-    #[error("unknown unit `{symbol}`")]
+    #[error("unknown unit `{}`", shortened(symbol))]
     UnknownUnit {
         /// The symbol.
         symbol: String,
     },
     /// The unit cannot be read.
-    #[error("`{text}` is not a product or quotient of units")]
+    #[error("`{}` is not a product or quotient of units", shortened(text))]
     MalformedUnit {
         /// The unit.
         text: String,
     },
     /// The unit is one of another quantity.
-    #[error("`{unit}` is {kind}")]
+    #[error("`{}` is {kind}", shortened(unit))]
     WrongDimension {
         /// The unit.
         unit: String,

@@ -20,8 +20,21 @@ pub struct Measure {
 pub enum Scale {
     /// Multiples of a unit of this dimension.
     Ratio(Dimension),
+    /// The same, in which an angle may be named or not: 1/m is rad/m.
+    Turning(Dimension),
     /// Absolute temperatures, each unit with its own zero; converted to degC.
     AbsoluteTemperature,
+}
+
+impl Scale {
+    /// Whether a unit of a dimension fits.
+    pub fn takes(self, dimension: Dimension) -> bool {
+        match self {
+            Self::Ratio(own) => own == dimension,
+            Self::Turning(own) => [own, own * Dimension::ANGLE].contains(&dimension),
+            Self::AbsoluteTemperature => false,
+        }
+    }
 }
 
 const fn ratio(
@@ -34,8 +47,13 @@ const fn ratio(
 }
 
 impl Measure {
+    /// The units that it is given in as a rule.
+    pub fn units(&self) -> impl Iterator<Item = &'static str> {
+        self.examples.split(", ").flat_map(|units| units.split(" or "))
+    }
+
     /// All that have a dimension.
-    pub const RATIOS: [Self; 18] = [
+    pub const RATIOS: [Self; 19] = [
         Self::LENGTH,
         Self::TIME,
         Self::ANGLE,
@@ -47,6 +65,7 @@ impl Measure {
         Self::BEDDING,
         Self::DENSITY,
         Self::PER_LENGTH,
+        Self::SPIN,
         Self::PER_SPEED,
         Self::ANGULAR_VELOCITY,
         Self::CONDUCTIVITY,
@@ -74,6 +93,13 @@ impl Measure {
     /// Inverse length, in 1/m.
     pub const PER_LENGTH: Self =
         ratio("an inverse length", "1/m", "1/m or 1/mm", Dimension::LENGTH.power(-1));
+    /// Spin creepage: an angle per length rolled, in 1/m.
+    pub const SPIN: Self = Self {
+        name: "an inverse length or an angle per length",
+        unit: "1/m",
+        examples: "1/m, rad/m or 1/mm",
+        scale: Scale::Turning(Dimension::LENGTH.power(-1)),
+    };
     /// Inverse speed, in s/m.
     pub const PER_SPEED: Self =
         ratio("an inverse speed", "s/m", "s/m or h/km", Dimension::mechanical(-1, 0, 1));

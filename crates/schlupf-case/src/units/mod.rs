@@ -8,6 +8,6 @@ mod quantity;
 mod symbol;
 
 pub use dimension::Dimension;
-pub use error::QuantityError;
+pub use error::{QuantityError, comma};
 pub use measure::{Measure, Scale};
-pub use quantity::{Conversion, parse_quantity, parse_unit};
+pub use quantity::{Conversion, comma_readings, parse_quantity, parse_unit};

@@ -45,16 +45,16 @@ pub fn parse_unit(unit: &str, measure: &Measure) -> Result<Conversion, QuantityE
             let parsed = expression::parse(unit)?;
             Err(wrong_dimension(unit, parsed.dimension))
         }
-        (Scale::Ratio(dimension), Some(_)) if unit != "K" => {
-            if dimension == Dimension::TEMPERATURE {
+        (scale, Some(_)) if unit != "K" => {
+            if scale.takes(Dimension::TEMPERATURE) {
                 return Err(QuantityError::TemperatureForDifference { unit: unit.to_owned() });
             }
             let kind = "a temperature scale, not a unit".to_owned();
             Err(QuantityError::WrongDimension { unit: unit.to_owned(), kind })
         }
-        (Scale::Ratio(dimension), _) => {
+        (scale, _) => {
             let parsed = expression::parse(unit)?;
-            if parsed.dimension != dimension {
+            if !scale.takes(parsed.dimension) {
                 return Err(wrong_dimension(unit, parsed.dimension));
             }
             Ok(Conversion { factor: parsed.factor, offset: 0.0 })
@@ -63,7 +63,7 @@ pub fn parse_unit(unit: &str, measure: &Measure) -> Result<Conversion, QuantityE
 }
 
 fn wrong_dimension(unit: &str, dimension: Dimension) -> QuantityError {
-    let named = Measure::RATIOS.into_iter().find(|m| m.scale == Scale::Ratio(dimension));
+    let named = Measure::RATIOS.into_iter().find(|m| m.scale.takes(dimension));
     let kind = match named {
         Some(measure) => format!("the unit of {}", measure.name),
         None if dimension == Dimension::NONE => "without dimension".to_owned(),
@@ -97,15 +97,45 @@ fn split_number(text: &str) -> Result<(f64, &str), QuantityError> {
         }
     }
     let (digits, rest) = unsigned.split_at(number_length(unsigned));
-    let number: f64 =
-        digits.parse().map_err(|_| QuantityError::NoNumber { decimal_comma: false })?;
+    let number: f64 = digits.parse().map_err(|_| QuantityError::NoNumber)?;
     if rest.starts_with(',') {
-        return Err(QuantityError::NoNumber { decimal_comma: true });
+        return Err(QuantityError::Comma { readings: comma_readings(text) });
     }
     if number.is_infinite() {
         return Err(QuantityError::TooLarge);
     }
     Ok((sign * number, rest))
+}
+
+/// What a text that begins with a number with a comma may mean: with thousands or decimals after
+/// the comma, or both. Empty where there is no such number.
+pub fn comma_readings(text: &str) -> Vec<String> {
+    let is_of_number = |c: char| c.is_ascii_digit() || ".,".contains(c);
+    let signed = text.trim_start_matches(['-', '+', '−']);
+    let sign = &text[..text.len() - signed.len()];
+    let (digits, rest) = signed.split_at(signed.find(|c| !is_of_number(c)).unwrap_or(signed.len()));
+    let Some((before, after)) = digits.rsplit_once(',') else { return Vec::new() };
+    let (whole, decimals) = digits.split_once('.').unwrap_or((digits, ""));
+    let thousands = groups(whole, ',').filter(|_| !decimals.contains(['.', ',']));
+    let thousands = thousands.map(|whole| format!("{whole}.{decimals}"));
+    let is_fraction = !after.is_empty() && after.chars().all(|c| c.is_ascii_digit());
+    let plain = Some(before).filter(|before| before.chars().all(|c| c.is_ascii_digit()));
+    let whole = plain.map(str::to_owned).or_else(|| groups(before, '.'));
+    let decimals = whole.filter(|_| is_fraction).map(|whole| format!("{whole}.{after}"));
+    let numbers = thousands.into_iter().chain(decimals).filter_map(|text| text.parse::<f64>().ok());
+    numbers.map(|number| format!("{sign}{number}{rest}")).collect()
+}
+
+/// A whole number without the separators of its thousands, if it is one with such separators.
+fn groups(text: &str, separator: char) -> Option<String> {
+    let mut parts = text.split(separator);
+    let first = parts.next().filter(|first| (1..=3).contains(&first.len()))?;
+    let is_number = |part: &str| part.chars().all(|c| c.is_ascii_digit());
+    let are_thousands = is_number(first)
+        && !first.starts_with('0')
+        && text.contains(separator)
+        && parts.all(|part| part.len() == 3 && is_number(part));
+    are_thousands.then(|| text.replace(separator, ""))
 }
 
 /// Length of the decimal number that a text begins with: digits, point, exponent.
@@ -188,13 +218,50 @@ mod tests {
         assert_eq!(speed("108"), "the unit is missing");
         assert_eq!(speed("fast"), "there is no number in front");
         assert_eq!(speed(""), "there is no number in front");
-        assert_eq!(
-            speed("1,5 m/s"),
-            "there is no number in front; write a point for the decimal comma"
-        );
+        assert_eq!(speed("1,5 m/s"), "a comma is no decimal point: write 1.5 m/s");
         assert_eq!(speed("108 kmh"), "unknown unit `kmh`");
         assert_eq!(speed("108 km/"), "`km/` is not a product or quotient of units");
         assert_eq!(speed("1e999 m/s"), "the number is too large");
+    }
+
+    /// Issue 38: `80,000 N` was told to use a point, and is 80 N then.
+    #[test]
+    fn a_comma_that_may_be_of_thousands_or_decimals_is_told_both_ways() {
+        let readings = |text| comma_readings(text).join(" | ");
+        assert_eq!(readings("80,000 N"), "80000 N | 80 N");
+        assert_eq!(readings("-1,234 mm"), "-1234 mm | -1.234 mm");
+        assert_eq!(readings("1,234,567 N"), "1234567 N");
+        assert_eq!(readings("1,234.5 N"), "1234.5 N");
+        assert_eq!(readings("1.234,5 N"), "1234.5 N");
+        assert_eq!(readings("0,008"), "0.008");
+        assert_eq!(readings("1,5e3 N"), "1.5e3 N");
+        assert_eq!(readings("1,,5"), "");
+        assert_eq!(readings("80 kN"), "");
+        let force = parse_quantity("80,000 N", &Measure::FORCE).unwrap_err().to_string();
+        assert_eq!(force, "a comma may separate thousands or decimals: write 80000 N or 80 N");
+    }
+
+    /// Issue 38: spin is an angle per length; an angle is no part of other inverse lengths.
+    #[test]
+    fn spin_has_units_with_and_without_an_angle() {
+        assert_value("2 1/m", &Measure::SPIN, 2.0);
+        assert_value("2 rad/m", &Measure::SPIN, 2.0);
+        assert_value("2e-3 rad/mm", &Measure::SPIN, 2.0);
+        assert_value("2 mrad/mm", &Measure::SPIN, 2.0);
+        assert_value("180 deg/m", &Measure::SPIN, std::f64::consts::PI);
+        assert!(parse_quantity("2 rad^2/m", &Measure::SPIN).is_err());
+        assert!(parse_quantity("2 rad", &Measure::SPIN).is_err());
+        let other = parse_quantity("2 rad/m", &Measure::PER_LENGTH).unwrap_err().to_string();
+        assert_eq!(other, "`rad/m` is the unit of an inverse length or an angle per length");
+    }
+
+    #[test]
+    fn the_units_of_every_measure_are_read() {
+        for measure in Measure::RATIOS.iter().chain([&Measure::TORQUE, &Measure::TEMPERATURE]) {
+            for unit in measure.units() {
+                assert!(parse_unit(unit, measure).is_ok(), "{}: {unit}", measure.name);
+            }
+        }
     }
 
     #[test]

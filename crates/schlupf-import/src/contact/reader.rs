@@ -8,6 +8,7 @@ use std::sync::Arc;
 use schlupf_case::{CaseError, Place, Source};
 
 use super::given::{Given, GivenText, Item};
+use schlupf::message::shortened;
 
 /// A line that is more than a comment.
 #[derive(Debug)]
@@ -138,7 +139,10 @@ impl Reader {
             if let Some(name) = text.filter(|_| group.text.is_none()) {
                 let word = words.next().map_or("", String::as_str);
                 let Some(inner) = unquoted(word) else {
-                    let message = format!("{name} must be text in single quotes, but is `{word}`");
+                    let message = format!(
+                        "{name} must be text in single quotes, but is `{}`",
+                        shortened(word)
+                    );
                     return Err(self.error(name, line.number, message));
                 };
                 group.text = Some(GivenText { name, text: inner.to_owned(), line: line.number });
@@ -148,7 +152,8 @@ impl Reader {
                     let (name, form) = (item.name, item.form_name());
                     let expected = expected(text, items);
                     let message = format!(
-                        "{name} must be {form}, but is `{word}` (expected here: {expected})"
+                        "{name} must be {form}, but is `{}` (expected here: {expected})",
+                        shortened(word)
                     );
                     return Err(self.error(name, line.number, message));
                 };

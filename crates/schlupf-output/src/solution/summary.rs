@@ -2,7 +2,7 @@
 
 use schlupf::Method;
 use schlupf::kinematics::ReferencePoint;
-use schlupf::solution::{Power, Solution, Status};
+use schlupf::solution::{Power, Solution, Status, Temperature};
 
 use super::SolutionReport;
 use crate::number::significant as number;
@@ -25,7 +25,7 @@ pub(crate) fn text(report: &SolutionReport) -> Summary {
     }
     text.blank();
     forces(&mut text, solution);
-    heat(&mut text, solution);
+    heat_and_areas(&mut text, solution);
     work(&mut text, report);
     text
 }
@@ -101,6 +101,10 @@ fn forces(text: &mut Summary, solution: &Solution) {
         &format!("{} N with spin", number(t_gamma.with_spin)),
     );
     friction_power(text, solution);
+    if solution.method.has_fields() && solution.temperature.is_none() {
+        // Without a heat model friction heats nothing.
+        return text.blank();
+    }
     let (watts, unit) = unit_of_power(solution);
     let into = |heat: fn(&Power) -> f64| solution.power.as_ref().map(|power| heat(power) / watts);
     let rail = number(into(|power| power.into_rail));
@@ -109,13 +113,18 @@ fn forces(text: &mut Summary, solution: &Solution) {
     text.blank();
 }
 
-fn heat(text: &mut Summary, solution: &Solution) {
+fn heat_and_areas(text: &mut Summary, solution: &Solution) {
+    if let Some(temperature) = &solution.temperature {
+        heat(text, solution, temperature);
+    }
     let area = &solution.area;
-    let Some(temperature) = &solution.temperature else {
-        entry(text, "contact area", area.contact / 1e-6, "mm²", "");
-        text.blank();
-        return;
-    };
+    let share = area.slip.map(|slip| 100.0 * slip / area.contact);
+    let slides = share.map_or_else(String::new, |share| format!("{} % slides", number(share)));
+    entry(text, "contact area", area.contact / 1e-6, "mm²", &slides);
+    text.blank();
+}
+
+fn heat(text: &mut Summary, solution: &Solution, temperature: &Temperature) {
     let mut place = String::new();
     if temperature.max_rise != 0.0 {
         let (x, y) = (number(temperature.x / 1e-3), number(temperature.y / 1e-3));
@@ -137,10 +146,6 @@ fn heat(text: &mut Summary, solution: &Solution) {
         "",
         &format!("v a/κ of the wheel, {} of the rail", number(rail)),
     );
-    let share = area.slip.map(|slip| 100.0 * slip / area.contact);
-    let slides = format!("{} % slides", number(share));
-    entry(text, "contact area", area.contact / 1e-6, "mm²", &slides);
-    text.blank();
 }
 
 fn work(text: &mut Summary, report: &SolutionReport) {

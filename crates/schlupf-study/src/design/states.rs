@@ -4,9 +4,10 @@ use std::fs::File;
 use std::path::Path;
 use std::sync::Arc;
 
+use schlupf::message::{quoted, shortened};
 use schlupf_case::fields::{self, Field, Kind};
-use schlupf_case::units::{Conversion, Measure, parse_unit};
-use schlupf_case::{CaseError, LARGEST_FILE, Place, Source, read_up_to};
+use schlupf_case::units::{Conversion, Measure, comma, comma_readings, parse_unit};
+use schlupf_case::{CaseError, LARGEST_FILE, Place, Records, Source, read_up_to};
 
 use super::{Carried, Design, Values, Varied};
 use crate::error::StudyError;
@@ -106,8 +107,12 @@ impl Head {
             Some((name, unit)) => {
                 let unit =
                     unit.trim_end().strip_suffix(']').filter(|unit| !unit.contains(['[', ']']));
-                let form =
-                    || refused(format!("a column must be named as name [unit], not `{text}`"));
+                let form = || {
+                    refused(format!(
+                        "a column must be named as name [unit], not `{}`",
+                        shortened(text)
+                    ))
+                };
                 (name.trim(), Some(unit.ok_or_else(form)?))
             }
             None => (text.trim(), None),
@@ -126,15 +131,21 @@ impl Head {
                 (What::Field(field), measure)
             }
             (None, None) => {
-                let error =
-                    refused(format!("unknown column `{name}`: columns are named as fields"));
+                let error = refused(format!(
+                    "unknown column `{}`: columns are named as fields",
+                    shortened(name)
+                ));
                 return Err(error.help(help(text)));
             }
         };
         let convert = match (measure, unit) {
             (Some(measure), Some(unit)) => {
                 let convert = parse_unit(unit, measure);
-                Some(convert.map_err(|error| refused(format!("{name} [{unit}]: {error}")))?)
+                Some(
+                    convert.map_err(|error| {
+                        refused(format!("{name} [{}]: {error}", shortened(unit)))
+                    })?,
+                )
             }
             (Some(measure), None) => {
                 let unit = measure.unit;
@@ -142,7 +153,10 @@ impl Head {
                 return Err(refused(message));
             }
             (None, Some(unit)) => {
-                return Err(refused(format!("{name} has no unit, but the header gives [{unit}]")));
+                return Err(refused(format!(
+                    "{name} has no unit, but the header gives [{}]",
+                    shortened(unit)
+                )));
             }
             (None, None) => None,
         };
@@ -166,14 +180,14 @@ fn help(text: &str) -> Option<String> {
     let carried = CARRIED.iter().map(|(name, _)| *name).find(|carried| *carried == name);
     let meant = carried.or_else(|| fields::closest_path(name))?;
     Some(match unit {
-        Some(unit) => format!("did you mean `{meant} [{unit}]`?"),
+        Some(unit) => format!("did you mean `{meant} [{}]`?", shortened(unit)),
         None => format!("did you mean `{meant}`?"),
     })
 }
 
 /// Why the first line is no header, if its columns are not separated by commas.
-fn wrong_separator(header: &csv::StringRecord) -> Option<String> {
-    let only = header.get(0).filter(|_| header.len() == 1)?;
+fn wrong_separator(header: &[&str]) -> Option<String> {
+    let [only] = header else { return None };
     let separator = [(';', "semicolons"), ('\t', "tabs")].into_iter();
     let (_, what) = separator.into_iter().find(|(character, _)| only.contains(*character))?;
     Some(format!("columns must be separated by commas, but are by {what}"))
@@ -190,36 +204,16 @@ fn from_csv(path: &Path) -> Result<Vec<(Head, Cells)>, StudyError> {
     let text = text.trim_start_matches('\u{feff}').to_owned();
     let source = Arc::new(Source { name, text });
     let at_line = |line: usize| Place::line(&source, line);
-    let mut reader = csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .trim(csv::Trim::All)
-        .has_headers(false)
-        .from_reader(source.text.as_bytes());
-    let mut record = csv::StringRecord::new();
+    let mut records = Records::new(&source.text);
     let mut columns: Vec<(Head, Cells)> = Vec::new();
-    let mut has_header = false;
-    loop {
-        let is_record = reader.read_record(&mut record).map_err(|error| {
-            let line = error.position().map_or(1, |position| position.line() as usize);
-            let count = columns.len();
-            let message = match error.kind() {
-                csv::ErrorKind::UnequalLengths { len, .. } => {
-                    format!("a row must have {count} cells, but has {len}")
-                }
-                other => format!("{other:?}"),
-            };
-            CaseError::new("", message, at_line(line))
-        })?;
-        if !is_record {
-            break;
-        }
-        let line = record.position().map_or(1, |position| position.line() as usize);
-        if !has_header {
-            has_header = true;
-            if let Some(message) = wrong_separator(&record) {
-                return Err(CaseError::new("", message, at_line(line)).into());
+    while let Some(line) = records.read() {
+        let refused = |message: String| CaseError::new("", message, at_line(line));
+        let row = records.cells();
+        if columns.is_empty() {
+            if let Some(message) = wrong_separator(&row) {
+                return Err(refused(message).into());
             }
-            for head in &record {
+            for head in row {
                 let head = Head::read(head, &at_line(line))?;
                 let cells = if head.is_number() {
                     Cells::Numbers(Vec::new())
@@ -230,15 +224,20 @@ fn from_csv(path: &Path) -> Result<Vec<(Head, Cells)>, StudyError> {
             }
             continue;
         }
-        for ((head, cells), text) in columns.iter_mut().zip(&record) {
+        if row.len() != columns.len() {
+            let (found, count) = (row.len(), columns.len());
+            return Err(refused(format!("a row must have {count} cells, but has {found}")).into());
+        }
+        for ((head, cells), text) in columns.iter_mut().zip(row) {
             match cells {
                 Cells::Numbers(numbers) => numbers.push(text.parse().map_err(|_| {
                     let name = match head.what {
                         What::Field(field) => field.path,
                         What::Carried(name, _) => name,
                     };
-                    let message = format!("{name} must be a number, but is {text:?}");
-                    CaseError::new("", message, at_line(line))
+                    let readings = comma_readings(text);
+                    refused(format!("{name} must be a number, but is {}", quoted(text)))
+                        .help((!readings.is_empty()).then(|| comma(&readings)))
                 })?),
                 Cells::Texts(texts) => texts.push(text.to_owned()),
                 Cells::Counts(_) => {}
@@ -299,6 +298,28 @@ mod tests {
         for part in ["states.parquet", "kinematics.creepage_x", "ZSTD", "compression=\"snappy\""] {
             assert!(message.contains(part), "{part:?} is not in {message}");
         }
+    }
+
+    /// Issue 38: as a text editor counts lines, with comments, empty lines, line breaks within
+    /// quotation marks and both ends of lines; what is long is quoted short.
+    #[test]
+    fn a_wrong_cell_is_told_with_its_line() {
+        let text = "# a\n\nnormal.load [N],wheel.profile\n# b\n\n1,\"a\nb\"\n\nx,c\n";
+        for text in [text.to_owned(), text.replace('\n', "\r\n")] {
+            let message = states(&text).unwrap_err();
+            assert!(message.contains("states.csv:9:1: normal.load must be a number"), "{message}");
+        }
+        let long = "1x".repeat(30_000);
+        for text in [
+            format!("normal.load [N]\n{long}\n"),
+            format!("{long} [N]\n1\n"),
+            format!("normal.load [{long}]\n1\n"),
+            format!("normal.load [N\n{long}\n"),
+        ] {
+            assert!(states(&text).unwrap_err().len() < 600);
+        }
+        let comma = states("normal.load [N],title\n\"80,000\",a\n").unwrap_err();
+        assert!(comma.contains("write 80000 or 80"), "{comma}");
     }
 
     #[test]

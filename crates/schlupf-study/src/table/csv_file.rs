@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::{Cells, Column, Contents, Kind, Place, Rows};
 use crate::error::StudyError;
+use schlupf::message::quoted;
 
 /// What the first line begins with.
 const MARK: &str = "# schlupf study ";
@@ -90,7 +91,7 @@ fn read_some(
         }
         let all = rows.iter_mut().zip(&record).zip(columns);
         for ((cells, text), column) in all.filter(|(_, column)| is_read(column)) {
-            let wrong = || format!("{} must be a number, but is {text:?}", column.name);
+            let wrong = || format!("{} must be a number, but is {}", column.name, quoted(text));
             match cells {
                 Cells::Numbers(numbers) if text.is_empty() => numbers.push(f64::NAN),
                 Cells::Numbers(numbers) => numbers.push(text.parse().map_err(|_| wrong())?),

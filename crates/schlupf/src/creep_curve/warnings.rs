@@ -3,6 +3,7 @@
 use crate::message::{Message, Words};
 use crate::quantity::Quantity;
 use crate::solution::Status;
+use crate::tally::{Tallied, Tally, places};
 use crate::warning::{Unconverged, Warning};
 
 use super::Point;
@@ -12,7 +13,7 @@ use super::Point;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct CurveWarning {
-    /// The warning; the one of the first point that has it.
+    /// The warning; the worst one where several points have one.
     pub warning: Warning,
     /// Where it applies; `None` for the whole curve.
     pub at: Option<Points>,
@@ -24,45 +25,30 @@ pub struct CurveWarning {
 pub struct Points {
     /// The abscissa of the curve.
     pub abscissa: Quantity,
-    /// Abscissa of the first of them, in its unit or dimensionless.
-    pub first: f64,
+    /// Abscissa of the worst of them, or the first of equal ones, in its unit or dimensionless.
+    pub worst: f64,
     /// How many there are.
     pub count: usize,
+    /// Whether all of them are equally severe.
+    pub is_even: bool,
 }
 
 impl CurveWarning {
     /// The message in the words of an interface.
     pub fn message(&self, words: &dyn Words) -> Message {
         let message = self.warning.message(words);
-        let Some(Points { abscissa, first, count }) = self.at else { return message };
-        let first = format!("{} = {}", words.word(abscissa), abscissa.six_digits(first));
-        message.about(&match count {
-            1 => first,
-            2 => format!("{first} and one further point"),
-            count => format!("{first} and {} further points", count - 1),
-        })
+        let Some(Points { abscissa, worst, count, is_even }) = self.at else { return message };
+        let place = format!("{} = {}", words.word(abscissa), abscissa.six_digits(worst));
+        message.about(&places(&place, "point", count, is_even))
     }
 }
 
 /// Warnings of a curve.
 #[derive(Debug, Default)]
 pub(super) struct Warnings {
-    kinds: Vec<Kind>,
+    of_points: Tally<Warning, f64>,
     /// Warnings of the curve as a whole.
     others: Vec<Warning>,
-}
-
-/// Warnings that differ only in their values.
-#[derive(Debug)]
-struct Kind {
-    /// The warning of the first point that has it.
-    warning: Warning,
-    /// Abscissa of that point.
-    first: f64,
-    /// Number of points that have it.
-    count: usize,
-    /// Whether it is the same at all of them.
-    is_constant: bool,
 }
 
 /// Maximum number of points that a warning names.
@@ -71,24 +57,7 @@ const MOST_NAMES: usize = 12;
 impl Warnings {
     /// Warnings of the solution at an abscissa.
     pub(super) fn note(&mut self, abscissa: f64, warnings: &[Warning]) {
-        for warning in warnings {
-            let is_same = |kind: &&mut Kind| {
-                kind.warning.code() == warning.code()
-                    && kind.warning.quantity() == warning.quantity()
-            };
-            match self.kinds.iter_mut().find(is_same) {
-                Some(kind) => {
-                    kind.count += 1;
-                    kind.is_constant &= kind.warning == *warning;
-                }
-                None => self.kinds.push(Kind {
-                    warning: warning.clone(),
-                    first: abscissa,
-                    count: 1,
-                    is_constant: true,
-                }),
-            }
-        }
+        warnings.iter().for_each(|warning| self.of_points.note(warning.clone(), abscissa));
     }
 
     /// Adds a warning of the curve as a whole.
@@ -100,12 +69,12 @@ impl Warnings {
     pub(super) fn all(self, abscissa: Quantity, points: &[Point]) -> Vec<CurveWarning> {
         let of_curve = not_converged(abscissa, points).into_iter().chain(self.others);
         let of_curve = of_curve.map(|warning| CurveWarning { warning, at: None });
-        let of_points =
-            self.kinds.into_iter().map(|Kind { warning, first, count, is_constant }| {
-                let is_everywhere = is_constant && count == points.len();
-                let at = (!is_everywhere).then_some(Points { abscissa, first, count });
-                CurveWarning { warning, at }
-            });
+        let of_points = self.of_points.into_iter().map(|found| {
+            let Tallied { worst: warning, place: worst, count, is_even } = found;
+            let is_everywhere = is_even && count == points.len();
+            let at = (!is_everywhere).then_some(Points { abscissa, worst, count, is_even });
+            CurveWarning { warning, at }
+        });
         of_curve.chain(of_points).collect()
     }
 }
@@ -130,14 +99,13 @@ mod tests {
         let (always, once) = (Warning::BranchLost {}, Warning::NoSensitivity {});
         warnings.note(0.0, &[margin(0.013), always.clone()]);
         warnings.note(0.1, &[always.clone(), once]);
-        warnings.note(0.2, &[margin(1e-7), always]);
+        warnings.note(0.2, &[margin(0.05), always]);
         warnings.extend(Some(Warning::NoInitialSlope { abscissa: Quantity::Spin }));
-        let counts: Vec<usize> = warnings.kinds.iter().map(|kind| kind.count).collect();
-        assert_eq!(counts, [2, 3, 1]);
         let all = warnings.all(Quantity::Spin, &[]);
         let texts: Vec<String> = all.iter().map(|warning| warning.message(&Names).text).collect();
         assert!(texts[0].starts_with("no initial slope"));
-        assert!(texts[1].starts_with("spin = 0 1/m and one further point: margin: "));
+        assert!(texts[1].starts_with("spin = 0.2 1/m, the worst of 2 points: margin: "));
+        assert!(texts[2].starts_with("spin = 0 1/m and 2 more points: friction falls"));
         assert!(texts[3].starts_with("spin = 0.1 1/m: sensitivity: "));
     }
 }

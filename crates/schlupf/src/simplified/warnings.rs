@@ -21,10 +21,6 @@ pub(super) fn of(
     limit: f64,
 ) -> Vec<Warning> {
     let mut warnings = of_any_motion(problem, normal, method);
-    if !method.has_fields() {
-        let has_moment = force.moment_z.is_some();
-        warnings.push(Warning::ForcesOnly { method: method.name(), has_moment });
-    }
     warnings.extend(beyond_friction(method, force, limit));
     warnings
 }
@@ -41,6 +37,7 @@ pub(super) fn of_any_motion(
         _ => of_slender_patch(normal, name),
     });
     warnings.extend(of_shape(problem, name));
+    warnings.extend(problem.beyond_elastic(normal.peak_pressure));
     if problem.friction_memory().is_some() {
         warnings.push(Warning::NoMemory { method: name });
     }

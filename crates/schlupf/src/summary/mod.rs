@@ -54,7 +54,7 @@ pub(crate) fn solution(
         power: power(patch, now, &force)
             .map(|power| Power { exchanged: Some(exchanged(problem, patch, now)), ..power }),
         t_gamma: t_gamma(&now.kinematics, &force, patch.row_powers(&now.traction)),
-        temperature: Some(temperature(patch, now)),
+        temperature: problem.heat.model.as_ref().map(|_| temperature(patch, now)),
         peclet: problem.peclet(&now.kinematics, semi_axes(normal)).numbers,
         area: area(patch, now, options.slip_threshold),
         fields: fields(patch, now, options.slip_threshold),

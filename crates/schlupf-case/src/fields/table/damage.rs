@@ -18,9 +18,11 @@ section! {
         "What turns rolling into fatigue and wear, for `schlupf wear` and `schlupf damage`." for "wear";
 
     "shear_yield_stress" [ShearYieldStress] quantity(&Measure::PRESSURE), MODULUS, Text("300 MPa"),
-        "k, yield stress in pure shear, for the fatigue index (Ekberg, Kabo and Andersson 2002)";
+        "k, yield stress in pure shear, for the fatigue index (Ekberg, Kabo and Andersson 2002)",
+        usually(Between(1e6, 1e10));
     "hardness" [WearHardness] quantity(&Measure::PRESSURE), MODULUS, Text("2.7 GPa"),
-        "H of the softer body, for Archard's law of wear; that of rail steel R260";
+        "H of the softer body, for Archard's law of wear; that of rail steel R260",
+        usually(Between(1e7, 1e11));
     "wear_coefficient_mild" [WearCoefficientMild] Kind::Number, COEFFICIENT, Computed("5e-4"),
         "k of Archard's law for mild wear (Jendel 2002)", example("5e-4");
     "wear_coefficient_severe" [WearCoefficientSevere] Kind::Number, COEFFICIENT, Computed("35e-4"),
@@ -41,5 +43,6 @@ section! {
         "reciprocal of the number of passages until there is a crack; linear in between and beyond",
         example("[0.0, 0.0, 1e-5, 0.0]");
     "melting_temperature" [MeltingTemperature] quantity(&Measure::TEMPERATURE), TEMPERATURE, Text("1390 degC"),
-        "from which on a surface melts; solidus of iron with 0.75 % of carbon";
+        "from which on a surface melts; solidus of iron with 0.75 % of carbon",
+        usually(Between(0.0, 4e3));
 }

@@ -16,6 +16,10 @@ const MEMORY_DISTANCE: Requirement = Between(1e-9, 1e2);
 const MEMORY_SPEED: Requirement = Between(0.0, 1e6);
 const POSITION: Requirement = Magnitude(1e2);
 
+/// What coefficients are in almost all cases: clean metal in air stays below.
+const USUAL: Requirement = Between(1e-3, 1.5);
+const USUAL_PART: Requirement = Between(0.0, 1.5);
+
 const MODEL: &str = "friction.model";
 const SPEED_MODEL: &str = "friction.speed_model";
 
@@ -42,30 +46,38 @@ section! {
         Text("temperature-linear"),
         "law of friction";
     "coefficient" [FrictionCoefficient] Kind::Number, COEFFICIENT, Text("0.4"),
-        "μ0, without slip, at the reference temperature, at y = 0";
+        "μ0, without slip, at the reference temperature, at y = 0",
+        usually(USUAL);
     "temperature_at_zero_friction" [TemperatureAtZeroFriction] quantity(&Measure::TEMPERATURE_DIFFERENCE),
         DIFFERENCE, Text("700 K"),
-        "T_E, a difference", with(MODEL, LINEAR);
+        "T_E, a difference", with(MODEL, LINEAR),
+        usually(Between(20.0, 1e4));
     "reference_temperature" [ReferenceTemperature] quantity(&Measure::TEMPERATURE), TEMPERATURE,
         Same("rail.bulk_temperature"),
-        "T is counted from it", example("20 degC"), with(MODEL, OF_TEMPERATURE);
+        "T is counted from it", example("20 degC"), with(MODEL, OF_TEMPERATURE),
+        usually(Between(-80.0, 800.0));
     "minimum_coefficient" [MinimumCoefficient] Kind::Number, PART, Text("0.0"),
-        "floor of μ, before speed_model and the variation over y apply", with(MODEL, LINEAR);
+        "floor of μ, before speed_model and the variation over y apply", with(MODEL, LINEAR),
+        usually(USUAL_PART);
     "hot_coefficient" [HotCoefficient] Kind::Number, PART, Nothing,
-        "μ_hot; above μ0 where friction rises", example("0.2"), with(MODEL, PIECEWISE);
+        "μ_hot; above μ0 where friction rises", example("0.2"), with(MODEL, PIECEWISE),
+        usually(USUAL_PART);
     "temperature_range" [TemperatureRange] quantity(&Measure::TEMPERATURE_DIFFERENCE), DIFFERENCE,
         Nothing,
         "ΔT over which μ falls from μ0 to μ_hot, a difference", example("800 K"),
-        with(MODEL, PIECEWISE);
+        with(MODEL, PIECEWISE),
+        usually(Between(20.0, 1e4));
     "speed_model" [] Kind::Choice(SpeedModel::CHOICES), Finite, Text("none"),
         "law of the slip speed: μ is that of model times the fall μ/μ0 of this one",
         with(MODEL, COMBINED);
     "kinetic_coefficient" [KineticCoefficient] Kind::Number, PART, Nothing,
-        "μ_kin, limit at large slip speeds, at most μ0", example("0.2"), of_terms();
+        "μ_kin, limit at large slip speeds, at most μ0", example("0.2"), of_terms(),
+        usually(USUAL_PART);
     "half_speed" [HalfSpeed] quantity(&Measure::SPEED), SLIP_SPEED, Nothing,
         "s1, slip speed at which the term with μ1 has halved", example("1 m/s"), of_terms();
     "second_coefficient" [SecondCoefficient] Kind::Number, PART, Nothing,
-        "μ2, size of a second term, which needs second_half_speed", example("0.05"), of_terms();
+        "μ2, size of a second term, which needs second_half_speed", example("0.05"), of_terms(),
+        usually(USUAL_PART);
     "second_half_speed" [SecondHalfSpeed] quantity(&Measure::SPEED), SLIP_SPEED, Nothing,
         "s2, slip speed at which the second term has halved", example("0.1 m/s"), of_terms();
     "limit_ratio" [LimitRatio] Kind::Number, Between(0.0, 1.0), Nothing,

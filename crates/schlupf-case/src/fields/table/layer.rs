@@ -16,12 +16,15 @@ section! {
         "A third body between the surfaces, such as oxides, leaves or sand; left out: none.";
 
     "thickness" [LayerThickness] quantity(&Measure::LENGTH), THICKNESS, Nothing,
-        "h, thickness of the layer", shaping(), example("1.25 mm");
+        "h, thickness of the layer", shaping(), example("1.25 mm"),
+        usually(Between(1e-9, 1e-2));
     "shear_modulus" [LayerShearModulus] quantity(&Measure::PRESSURE), MODULUS, Nothing,
-        "G, shear modulus of the layer, which is sheared by t h/G", shaping(), example("8200 MPa");
+        "G, shear modulus of the layer, which is sheared by t h/G", shaping(), example("8200 MPa"),
+        usually(Between(1e4, 1e12));
     "yield_stress" [LayerYieldStress] quantity(&Measure::PRESSURE), MODULUS, Nothing,
         "τ_c0, traction at which the layer yields; left out: it is elastic", shaping(),
-        example("560 MPa");
+        example("560 MPa"),
+        usually(Between(1e3, 1e11));
     "hardening" [LayerHardening] quantity(&Measure::BEDDING), HARDENING, Nothing,
         "k_τ, growth of that with the plastic way of the layer; negative: it softens; left out: 0",
         shaping(), example("400 MPa/mm");

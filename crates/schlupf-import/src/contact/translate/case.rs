@@ -6,6 +6,7 @@ use schlupf_case::{CaseError, Place, Source};
 
 use crate::contact::given::Given;
 use crate::document::Document;
+use schlupf::message::shortened;
 
 /// What is written of a case, and what is not available.
 #[derive(Debug)]
@@ -43,7 +44,7 @@ impl Translation {
 
     /// The same of text.
     pub fn refuse_text(&mut self, given: Given, text: &str, what: &str) {
-        let message = format!("{} = '{text}': {what}", given.name);
+        let message = format!("{} = '{}': {what}", given.name, shortened(text));
         let place = Place::line(&self.source, given.line);
         self.errors.push(CaseError::new(given.name, message, place));
     }

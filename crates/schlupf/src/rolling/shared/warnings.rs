@@ -1,6 +1,5 @@
 //! Warnings of the full solver for whoever uses the results.
 
-use crate::material::contact_modulus;
 use crate::problem::{Options, Problem};
 use crate::summary::{
     self,
@@ -17,16 +16,6 @@ const LARGEST_EDGE_DISPLACEMENT: f64 = 0.01;
 /// Largest fraction of the friction power that the bristles may return without a warning.
 const LARGEST_RETURNED_POWER: f64 = 0.01;
 
-/// Ratio of the largest pressure to E* above which even steel is no longer elastic: its hardness is
-/// lower.
-const YIELDING: f64 = 0.03;
-
-/// A warning of a largest pressure (in Pa) that no body can bear.
-pub(crate) fn yielding(problem: &Problem, pressure: f64) -> Option<Warning> {
-    let modulus = contact_modulus(&problem.wheel.material, &problem.rail.material);
-    (pressure > YIELDING * modulus).then_some(Warning::BeyondElastic { pressure, modulus })
-}
-
 /// All warnings of the solution.
 pub(crate) fn warnings(
     problem: &Problem,
@@ -37,7 +26,7 @@ pub(crate) fn warnings(
     let mut warnings: Vec<Warning> = problem.elasticity.caveat().into_iter().collect();
     warnings.extend(problem.elasticity.caveat_of_parts(contact.normal.parts));
     warnings.extend(problem.normal.caveat());
-    warnings.extend(yielding(problem, contact.normal.peak_pressure));
+    warnings.extend(problem.beyond_elastic(contact.normal.peak_pressure));
     let view = View { normal: &contact.normal, patch: &contact.patch, now };
     warnings.extend(summary::caveats::of_temperatures(problem, view));
     let edge = contact.edge_displacement(&now.traction);

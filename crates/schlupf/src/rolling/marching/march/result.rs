@@ -1,7 +1,7 @@
 //! The result of a march, and why it is none.
 
 use crate::method::Method;
-use crate::rolling::shared::warnings::{warnings, yielding};
+use crate::rolling::shared::warnings::warnings;
 use crate::solution::{Solution, Status};
 use crate::state::State;
 use crate::summary::{self, snapshot::View};
@@ -17,7 +17,7 @@ impl March<'_> {
         let [cells, of] = self.strip_lengths;
         let coarse = (cells < FEWEST && cells < of).then_some(Warning::FewCells { cells, of });
         let is_past = self.largest_pressure > self.contact.normal.peak_pressure;
-        let yields = is_past.then(|| yielding(self.problem, self.largest_pressure)).flatten();
+        let yields = self.problem.beyond_elastic(self.largest_pressure).filter(|_| is_past);
         coarse.into_iter().chain(yields).collect()
     }
 
