@@ -155,7 +155,9 @@ impl CaseFile {
     /// What was given without effect, each with its place.
     pub fn notices(&self) -> Vec<Message> {
         let nothing = self.entries.is_empty().then_some(Notice::NothingGiven {});
-        nothing.into_iter().chain(self.settings.idle()).map(Message::from).collect()
+        let of_profiles = self.parts.notices().iter().cloned();
+        let all = nothing.into_iter().chain(self.settings.idle()).chain(of_profiles);
+        all.map(Message::from).collect()
     }
 
     /// Materials of wheel and rail.
