@@ -5,8 +5,8 @@ use std::io::ErrorKind;
 use std::path::Path;
 
 use schlupf_case::{
-    Case, CaseErrors, CaseFile, Effective, Folder, Overrides, Place, Preset, conditions,
-    schema as case_schema, template, template_with,
+    Case, CaseErrors, CaseFile, Effective, FieldNames, Folder, Overrides, Place, Preset,
+    conditions, schema as case_schema, template, template_with,
 };
 use schlupf_output::significant;
 use schlupf_tasks::contact_law;
@@ -60,6 +60,8 @@ pub fn check(arguments: &CheckArguments) -> Result<u8, Failure> {
         .map_err(|error| Failure::Case(case.explain(&error).into()))?
         .summary;
     case.notices.iter().for_each(report::warn);
+    let of_wheel = case.wheel.iter().flat_map(|wheel| wheel.warnings());
+    of_wheel.for_each(|warning| report::warn(&warning.message(&FieldNames::CASE)));
     let effective = case.effective();
     let mut text = format!(
         "{}\n\npatch      a = {} mm, b = {} mm, load {} kN, largest pressure {} MPa\n\

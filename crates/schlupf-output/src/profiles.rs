@@ -40,8 +40,7 @@ fn drawing(title: &str, wheel: &WheelOnRail, height: f64) -> String {
     let shift = pair.wheel_offset() - outwards * wheel.position.lateral;
     let on_rail = |[y, z]: [f64; 2]| [1e3 * outwards * y, 1e3 * z];
     let on_wheel = |[y, z]: [f64; 2]| [1e3 * outwards * (y + shift), 1e3 * (z + height)];
-    let curves: [Placed; 2] =
-        [(pair.rail(), &on_rail, VERMILION), (pair.wheel(), &on_wheel, BLUE)];
+    let curves: [Placed; 2] = [(pair.rail(), &on_rail, VERMILION), (pair.wheel(), &on_wheel, BLUE)];
     let frame = frame(&curves);
     let top = frame.corner[1];
     let mut drawing = Drawing::new(WIDTH, top + frame.size[1] + 66.0);

@@ -129,10 +129,11 @@ fn file_content(settings: &Settings, fields: &ProfileFields) -> Result<Content, 
         Some("prr" | "prw") => simpack::read(&file, is_wheel),
         Some("ban" | "whl" | "mpt") => miniprof::read(&file, is_wheel),
         // Gensys: y towards the middle of the track, z down.
-        Some("wheel" | "rail") => Ok(Content {
-            axes: Axes { is_inwards: Some(true), is_down: Some(true) },
-            ..plain::read(&file)?
-        }),
+        Some("wheel" | "rail") => {
+            let content = plain::read(&file)?;
+            let axes = Axes { is_inwards: Some(true), is_down: Some(true) };
+            Ok(Content { format: format!("Gensys, {}", content.format), axes, ..content })
+        }
         _ if simpack::is_one(&file) => simpack::read(&file, is_wheel),
         _ if miniprof::is_one(&file) => miniprof::read(&file, is_wheel),
         _ => plain::read(&file),
@@ -194,7 +195,7 @@ impl Reader<'_> {
             self.notices.push(Notice::ProfileUnits { field, text });
             let scaled = |row: Row| Row { place: row.place.map(|c| 1e3 * c), ..row };
             let rows = content.rows.into_iter().map(scaled).collect();
-            return Ok(Content { rows, ..content });
+            return Ok(Content { rows, format: format!("{}, in m", content.format), ..content });
         }
         let others = [("m", 1e3), ("inches", 25.4)].into_iter();
         let other = others.filter(|(_, factor)| FULL_SIZE.contains(&(factor * width))).next();
@@ -211,7 +212,8 @@ impl Reader<'_> {
             let text = format!("the profile is {}; {other}", shown(1.0));
             self.notices.push(Notice::ProfileUnits { field, text });
         }
-        Ok(content)
+        let unit = if content.has_units { "" } else { ", in mm" };
+        Ok(Content { format: format!("{}{unit}", content.format), ..content })
     }
 
     /// The points in the order of the outline.
@@ -234,9 +236,7 @@ impl Reader<'_> {
             let (field, text) = (field, change.text());
             self.notices.push(match change {
                 Change::Overlap { .. } => Notice::ProfileOverlap { field, text },
-                Change::Repeated { .. } | Change::Sorted { .. } => {
-                    Notice::ProfileOrder { field, text }
-                }
+                _ => Notice::ProfileOrder { field, text },
             });
         }
         if orientation::is_swapped(&places(&outline.points), outline.is_closed) {
@@ -335,7 +335,8 @@ impl Reader<'_> {
         names: [&'static str; 2],
     ) -> Taken {
         let by_shape = (shape.abs() >= orientation::CLEAR).then_some(shape > 0.0);
-        let contradicts = |other: Option<bool>| other.is_some() && by_shape.is_some_and(|is| Some(is) != other);
+        let contradicts =
+            |other: Option<bool>| other.is_some() && by_shape.is_some_and(|is| Some(is) != other);
         let axis = &field[field.len() - 1..];
         let name = |is: bool| names[usize::from(is)];
         let (taken, text) = match (given, by_shape, by_format) {
@@ -372,11 +373,7 @@ impl Reader<'_> {
 
     /// y of the flange back: that given, that of the format, or where the tip of the flange cannot
     /// belong to it the other one of both that are usual; in m.
-    fn flange_back(
-        &mut self,
-        content: &Content,
-        points: &[[f64; 2]],
-    ) -> Result<f64, CaseError> {
+    fn flange_back(&mut self, content: &Content, points: &[[f64; 2]]) -> Result<f64, CaseError> {
         if let Some(given) = self.settings.optional_number(FLANGE_BACK_FIELD)? {
             return Ok(given);
         }

@@ -12,7 +12,7 @@ use super::points::Row;
 const TURNS_BACK: f64 = -0.866;
 
 /// Longest branch that is noise of a measurement, in m.
-const LONGEST_TWIG: f64 = 5e-4;
+pub const LONGEST_TWIG: f64 = 5e-4;
 
 /// Ends that are closer than so many usual steps close a loop, dimensionless.
 const CLOSED: f64 = 3.0;
@@ -43,6 +43,8 @@ pub enum Change {
     Repeated { count: usize, first: Row },
     /// Points were sorted.
     Sorted { count: usize, first: Row },
+    /// Points on which the line turns back, as noise makes them, were left out.
+    Beside { count: usize, first: Row },
     /// Two passes cover the same part: the second one was left out there.
     Overlap { ends: [Row; 2], count: usize, distance: f64 },
 }
@@ -61,10 +63,18 @@ pub fn outline(rows: &[Row]) -> Result<Outline, NoLine> {
     let mut changes = Vec::new();
     let distinct = distinct(rows, &mut changes);
     let spaced = spaced(&distinct);
-    let points = match turning_back(&spaced) {
+    let turns = turns_back(&spaced);
+    let is_cusp = |no_line: &NoLine| {
+        // Out of order, a line turns back twice in a row; in a sharp corner only once.
+        matches!(no_line, NoLine::Branches(_)) && turns.windows(2).all(|k| k[1] > k[0] + 1)
+    };
+    let points = match turns.first().map(|k| spaced[*k]) {
         None => distinct,
         Some(first) if spaced.len() > MOST_SORTED => return Err(NoLine::TooMany(first)),
-        Some(first) => sorted(&spaced, first, &mut changes)?,
+        Some(first) => match sorted(&spaced, first, &mut changes) {
+            Err(no_line) if is_cusp(&no_line) => spaced,
+            points => points?,
+        },
     };
     let ends = points.first().zip(points.last());
     let is_closed = ends.is_some_and(|(first, last)| {
@@ -115,15 +125,15 @@ fn spaced(points: &[Row]) -> Vec<Row> {
     kept
 }
 
-/// The first point at which the line turns back.
-fn turning_back(points: &[Row]) -> Option<Row> {
-    let turns = |three: &&[Row]| {
-        let step = |one: &Row, two: &Row| [0, 1].map(|k| two.place[k] - one.place[k]);
-        let (before, after) = (step(&three[0], &three[1]), step(&three[1], &three[2]));
+/// Where the line turns back.
+fn turns_back(points: &[Row]) -> Vec<usize> {
+    let turns = |k: &usize| {
+        let step = |from: usize| [0, 1].map(|c| points[from + 1].place[c] - points[from].place[c]);
+        let (before, after) = (step(k - 1), step(*k));
         let along = before[0] * after[0] + before[1] * after[1];
         along < TURNS_BACK * before[0].hypot(before[1]) * after[0].hypot(after[1])
     };
-    points.windows(3).find(turns).map(|three| three[1])
+    (1..points.len().saturating_sub(1)).filter(turns).collect()
 }
 
 /// The points along the line that they form.
@@ -140,12 +150,19 @@ fn sorted(points: &[Row], first: Row, changes: &mut Vec<Change>) -> Result<Vec<R
     for (position, k) in line.iter().enumerate() {
         place[*k] = Some(position);
     }
+    let beside = place.iter().zip(points).filter(|(place, _)| place.is_none());
+    let beside: Vec<Row> = beside.map(|(_, point)| *point).collect();
+    if let Some(first) = beside.first() {
+        changes.push(Change::Beside { count: beside.len(), first: *first });
+    }
     let given: Vec<usize> = place.into_iter().flatten().collect();
     let left_out = overlaps(points, &line, &given, changes);
     if left_out.is_empty() {
         let is_beside = |pair: &&[usize]| pair[0].abs_diff(pair[1]) == 1;
         let count = given.windows(2).filter(|pair| !is_beside(pair)).count();
-        changes.push(Change::Sorted { count, first });
+        if count > 0 {
+            changes.push(Change::Sorted { count, first });
+        }
     }
     let is_kept = |k: &usize| !left_out.contains(k);
     Ok(line.into_iter().filter(is_kept).map(|k| points[k]).collect())
@@ -203,8 +220,7 @@ fn passes(given: &[usize]) -> Vec<Vec<usize>> {
         let goes_on = passes.last().is_some_and(|pass| {
             let last = pass[pass.len() - 1];
             let is_near = last.abs_diff(*position) <= LONGEST_STRIDE;
-            let is_same_way = pass.len() < 2
-                || (last > pass[pass.len() - 2]) == (*position > last);
+            let is_same_way = pass.len() < 2 || (last > pass[pass.len() - 2]) == (*position > last);
             is_near && is_same_way
         });
         match passes.last_mut().filter(|_| goes_on) {

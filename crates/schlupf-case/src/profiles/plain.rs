@@ -118,9 +118,8 @@ fn cells(line: &str, separator: Option<char>) -> Vec<&str> {
 /// Name, in small letters, and unit of a column: `Y [mm]`, `y (mm)` or `y_mm`.
 fn name(cell: &str) -> (String, Option<&str>) {
     let within = |open: char, close: char| cell.strip_suffix(close)?.split_once(open);
-    let below = || {
-        cell.split_once('_').filter(|(name, _)| NAMES.contains(&name.to_lowercase().as_str()))
-    };
+    let below =
+        || cell.split_once('_').filter(|(name, _)| NAMES.contains(&name.to_lowercase().as_str()));
     let split = within('[', ']').or_else(|| within('(', ')')).or_else(below);
     let (name, unit) = split.map_or((cell, None), |(name, unit)| (name, Some(unit.trim())));
     (name.trim().to_lowercase(), unit)

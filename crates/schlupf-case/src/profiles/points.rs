@@ -109,9 +109,8 @@ impl File {
 /// measuring devices are in any, numbers are in ASCII.
 fn decoded(bytes: &[u8]) -> String {
     // ASCII in UTF-16 without a byte order mark.
-    let is_every_second = |zero: usize| {
-        bytes.len() > 3 && (0..4).all(|k| (bytes[k] == 0) == (k % 2 == zero))
-    };
+    let is_every_second =
+        |zero: usize| bytes.len() > 3 && (0..4).all(|k| (bytes[k] == 0) == (k % 2 == zero));
     let is_little = bytes.starts_with(&[0xff, 0xfe]) || is_every_second(1);
     let is_big = bytes.starts_with(&[0xfe, 0xff]) || is_every_second(0);
     if is_little || is_big {

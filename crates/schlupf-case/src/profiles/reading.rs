@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::outline::{Change, distance, median_step};
+use super::outline::{Change, LONGEST_TWIG, distance, median_step};
 use super::points::Row;
 use crate::fields::readable;
 
@@ -75,6 +75,14 @@ impl Change {
                     at(first)
                 )
             }
+            Self::Beside { count, first } => {
+                let are = if *count == 1 { "point is" } else { "points are" };
+                format!(
+                    "{count} {are} left out where the outline turns back within {}, the first in {}",
+                    millimetres(LONGEST_TWIG),
+                    at(first)
+                )
+            }
             Self::Overlap { ends, count, distance } => format!(
                 "two passes overlap from {} to {} and are up to {} apart: the {count} points of the \
                  later one are left out there",
@@ -92,7 +100,11 @@ impl fmt::Display for ProfileReading {
         let [usual, largest] = self.spacing.map(millimetres);
         let [all, used] = self.points;
         writeln!(f, "{}: {}", self.field, self.name)?;
-        writeln!(f, "  read       {}, {all} points, {used} of them on the side that runs", self.format)?;
+        writeln!(
+            f,
+            "  read       {}, {all} points, {used} of them on the side that runs",
+            self.format
+        )?;
         writeln!(f, "  size       {width} wide, {height} high")?;
         writeln!(f, "  axes       y {}, z {}", self.y, self.z)?;
         if let Some(position) = self.flange_back {
