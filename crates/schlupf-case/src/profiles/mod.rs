@@ -359,12 +359,11 @@ impl Reader<'_> {
             }
             (None, None, Some(is)) => (Taken { is, from: "by its format" }, None),
             (None, None, None) => {
-                let is = shape > FAINT;
                 let text = format!(
                     "the shape hardly shows where {axis} points; {} is taken; {field} decides",
-                    name(is)
+                    name(false)
                 );
-                (Taken { is, from: "a guess" }, Some(text))
+                (Taken { is: false, from: "a guess" }, Some(text))
             }
         };
         self.notices.extend(text.map(|text| Notice::ProfileAxes { field, text }));
@@ -402,6 +401,3 @@ impl Reader<'_> {
         Ok(taken)
     }
 }
-
-/// A shape that says less says nothing, dimensionless.
-const FAINT: f64 = 0.02;

@@ -21,7 +21,7 @@ const FLAT: f64 = 3e-4;
 const BUMP: f64 = 5e-3;
 
 /// Evidence that counts as clear, dimensionless.
-pub const CLEAR: f64 = 0.15;
+pub const CLEAR: f64 = 0.1;
 
 /// Width at the ends of a rail within which its depth counts, in m.
 const END: f64 = 3e-3;
@@ -43,7 +43,9 @@ pub fn downwards(points: &[[f64; 2]], is_wheel: bool) -> f64 {
             return (down - up).signum();
         }
     }
-    0.5 * (turned.level() - as_drawn.level())
+    let [up, down] = [as_drawn.level(), turned.level()];
+    // A rail beside a groove, or a nose on its base, looks like a running side from both.
+    0.5 * (down - up) * (1.0 - up.min(down).max(0.0))
 }
 
 /// Whether y points inwards, with z up: 1 if the flange of a wheel is at the largest y, or if a

@@ -14,8 +14,12 @@ const TURNS_BACK: f64 = -0.866;
 /// Longest branch that is noise of a measurement, in m.
 pub const LONGEST_TWIG: f64 = 5e-4;
 
-/// Ends that are closer than so many usual steps close a loop, dimensionless.
-const CLOSED: f64 = 3.0;
+/// Fewest points of a loop, whose ends are at most its largest step apart.
+const FEWEST_OF_LOOP: usize = 5;
+
+/// Length of a line in the order of the file over that of the shortest tree below which it is a
+/// line with a sharp corner, dimensionless.
+const AS_SHORT: f64 = 1.01;
 
 /// Fewest points of one pass of a measurement, and of an overlap of two.
 const FEWEST_OF_PASS: usize = 5;
@@ -63,23 +67,15 @@ pub fn outline(rows: &[Row]) -> Result<Outline, NoLine> {
     let mut changes = Vec::new();
     let distinct = distinct(rows, &mut changes);
     let spaced = spaced(&distinct);
-    let turns = turns_back(&spaced);
-    let is_cusp = |no_line: &NoLine| {
-        // Out of order, a line turns back twice in a row; in a sharp corner only once.
-        matches!(no_line, NoLine::Branches(_)) && turns.windows(2).all(|k| k[1] > k[0] + 1)
-    };
-    let points = match turns.first().map(|k| spaced[*k]) {
+    let points = match turns_back(&spaced).first().map(|k| spaced[*k]) {
         None => distinct,
         Some(first) if spaced.len() > MOST_SORTED => return Err(NoLine::TooMany(first)),
-        Some(first) => match sorted(&spaced, first, &mut changes) {
-            Err(no_line) if is_cusp(&no_line) => spaced,
-            points => points?,
-        },
+        Some(first) => sorted(&spaced, first, &mut changes)?,
     };
+    let largest = steps(&points).fold(0.0, f64::max);
     let ends = points.first().zip(points.last());
-    let is_closed = ends.is_some_and(|(first, last)| {
-        points.len() > FEWEST_OF_PASS && distance(first, last) <= CLOSED * median_step(&points)
-    });
+    let is_closed = points.len() > FEWEST_OF_LOOP
+        && ends.is_some_and(|(first, last)| distance(first, last) <= largest);
     Ok(Outline { points, is_closed, changes })
 }
 
@@ -88,9 +84,13 @@ pub fn distance(one: &Row, two: &Row) -> f64 {
     (two.place[0] - one.place[0]).hypot(two.place[1] - one.place[1])
 }
 
+fn steps(points: &[Row]) -> impl Iterator<Item = f64> {
+    points.windows(2).map(|pair| distance(&pair[0], &pair[1]))
+}
+
 /// The usual step from one point to the next, in m.
 pub fn median_step(points: &[Row]) -> f64 {
-    let mut steps: Vec<f64> = points.windows(2).map(|pair| distance(&pair[0], &pair[1])).collect();
+    let mut steps: Vec<f64> = steps(points).collect();
     steps.sort_by(f64::total_cmp);
     steps.get(steps.len() / 2).copied().unwrap_or(0.0)
 }
@@ -104,7 +104,7 @@ fn distinct(rows: &[Row], changes: &mut Vec<Change>) -> Vec<Row> {
     for (k, row) in rows.iter().enumerate() {
         if seen.insert(row.place.map(f64::to_bits)) {
             kept.push(*row);
-        } else if k < last && kept.last().is_some_and(|before| before.place != row.place) {
+        } else if k < last && k > 0 && rows[k - 1].place != row.place {
             repeated.push(*row);
         }
     }
@@ -144,6 +144,11 @@ fn sorted(points: &[Row], first: Row, changes: &mut Vec<Change>) -> Result<Vec<R
         line.reverse();
     }
     if let Some(branch) = tree.beside(&line) {
+        // Out of order, a line turns back twice in a row; in a sharp corner only once.
+        let is_once = turns_back(points).windows(2).all(|k| k[1] > k[0] + 1);
+        if is_once && steps(points).sum::<f64>() < AS_SHORT * tree.length() {
+            return Ok(points.to_vec());
+        }
         return Err(NoLine::Branches(points[branch]));
     }
     let mut place = vec![None; points.len()];
@@ -264,6 +269,11 @@ impl Tree {
             next = new;
         }
         Self { beside }
+    }
+
+    /// Its length, in m.
+    fn length(&self) -> f64 {
+        0.5 * self.beside.iter().flatten().map(|(_, length)| length).sum::<f64>()
     }
 
     /// Distances along the tree from some points (in m), and from where each is reached.
