@@ -206,7 +206,9 @@ impl CaseFile {
             .history
             .iter()
             .flat_map(|history| read::unusual_history(&self.settings, history));
-        nothing.into_iter().chain(of_fields).chain(of_history).map(Message::from).collect()
+        let of_profiles = self.parts.notices().iter().cloned();
+        let of_files = of_history.chain(of_profiles);
+        nothing.into_iter().chain(of_fields).chain(of_files).map(Message::from).collect()
     }
 
     /// Materials of wheel and rail.

@@ -14,6 +14,7 @@ use crate::files::{Files, Folder, read_up_to};
 use crate::laws::Laws;
 use crate::names::FieldNames;
 use crate::place::{Place, Source};
+use crate::profiles::ProfileReading;
 use crate::read::{self, Parts};
 use crate::settings::Settings;
 use crate::template::template;
@@ -167,6 +168,11 @@ impl CaseFile {
     /// A case with another normal contact.
     pub fn wheel(&self) -> Result<&WheelOnRail, CaseError> {
         self.parts.wheel(&self.settings)
+    }
+
+    /// What was read of the profiles of the wheel and of the rail; nothing in a case without.
+    pub fn profiles(&self) -> &[ProfileReading] {
+        self.parts.profiles()
     }
 
     /// The left and the right wheel with all their contacts, both resting on their rails, at a

@@ -46,6 +46,7 @@ pub use names::{FieldNames, quantity_field};
 pub use notice::Notice;
 pub use place::{Place, Source};
 pub use presets::{Preset, conditions, presets};
+pub use profiles::ProfileReading;
 pub use range::{depths, direction, length, position, pressures, range};
 pub use roughness_request::{GivenByOption, RoughnessRequest};
 pub use schema::schema;

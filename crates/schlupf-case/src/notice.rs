@@ -155,6 +155,54 @@ messages! {
         1e6 * wavelength
     );
 
+    /// Axes of a profile that its shape hardly shows, or other ones than those of its format.
+    "profile-axes" ProfileAxes {
+        /// Dotted path.
+        field: &'static str,
+        /// What was taken and why.
+        text: String,
+    } *field, |subject, words| format!("{subject}: {text}");
+
+    /// Numbers of a profile in an unusual unit.
+    "profile-units" ProfileUnits {
+        /// Dotted path.
+        field: &'static str,
+        /// What was read, and what it would be in other units.
+        text: String,
+    } *field, |subject, words| format!("{subject}: {text}");
+
+    /// Points of a profile that are not in order.
+    "profile-order" ProfileOrder {
+        /// Dotted path.
+        field: &'static str,
+        /// Where.
+        text: String,
+    } *field, |subject, words| format!("{subject}: {text}");
+
+    /// A part of a profile that was measured twice.
+    "profile-overlap" ProfileOverlap {
+        /// Dotted path.
+        field: &'static str,
+        /// Where, and how far apart.
+        text: String,
+    } *field, |subject, words| format!("{subject}: {text}");
+
+    /// A setting in the file of a profile that is not applied.
+    "profile-setting" ProfileSetting {
+        /// Dotted path.
+        field: &'static str,
+        /// The setting, and what to do.
+        setting: String,
+    } *field, |subject, words| format!("{subject}: the file's setting is not applied: {setting}");
+
+    /// A flange that does not belong to the usual position of its back.
+    "flange-back" FlangeBack {
+        /// Dotted path.
+        field: &'static str,
+        /// What was taken and why.
+        text: String,
+    } *field, |subject, words| format!("{subject}: {text}");
+
     /// Many points had no height.
     "filled-points" FilledPoints {
         /// The file and how many points of it were filled, as a sentence.

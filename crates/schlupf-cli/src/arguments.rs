@@ -17,6 +17,17 @@ pub struct CaseArguments {
     pub overrides: Vec<String>,
 }
 
+/// The case that `schlupf check` reads.
+#[derive(Debug, Args)]
+pub struct CheckArguments {
+    #[command(flatten)]
+    pub case: CaseArguments,
+    /// Draw the profiles of wheel and rail in place (PNG and SVG) into a directory, created if
+    /// missing
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub figures: Option<PathBuf>,
+}
+
 /// What stands for standard input or output.
 pub const STANDARD_STREAM: &str = "-";
 

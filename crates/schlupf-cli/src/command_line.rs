@@ -3,7 +3,7 @@
 use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 
-use crate::arguments::{CaseArguments, InitArguments};
+use crate::arguments::{CheckArguments, InitArguments};
 use crate::bulk::Bulk;
 use crate::calibrate::Calibrate;
 use crate::compare::Compare;
@@ -99,7 +99,7 @@ pub enum Command {
     #[command(after_help = EXIT_CODES)]
     Table(Table),
     /// Validate a case file and show what would be solved
-    Check(CaseArguments),
+    Check(CheckArguments),
     /// Write the cases of an input file of CONTACT as case files
     #[command(after_help = EXIT_CODES)]
     Import(ImportArguments),

@@ -5,17 +5,17 @@ use std::io::ErrorKind;
 use std::path::Path;
 
 use schlupf_case::{
-    Case, CaseErrors, CaseFile, Effective, Folder, Overrides, Place, Preset, conditions,
-    schema as case_schema, template, template_with,
+    Case, CaseErrors, CaseFile, Effective, FieldNames, Folder, Overrides, Place, Preset,
+    conditions, schema as case_schema, template, template_with,
 };
 use schlupf_output::significant;
 use schlupf_tasks::contact_law;
 
-use crate::arguments::{CaseArguments, InitArguments, STANDARD_STREAM};
+use crate::arguments::{CaseArguments, CheckArguments, InitArguments, STANDARD_STREAM};
 use crate::failure::{Failure, SUCCESS};
 use crate::outputs::{self, Output};
 use crate::progress::Progress;
-use crate::{report, stdout};
+use crate::{profiles, report, stdout};
 
 /// Reads the case that was named, or the default one; nothing is solved yet.
 pub fn read_case(arguments: &CaseArguments) -> Result<CaseFile, Failure> {
@@ -35,15 +35,24 @@ pub fn read_case(arguments: &CaseArguments) -> Result<CaseFile, Failure> {
 }
 
 /// `schlupf check`: reads a case and says what it would solve.
-pub fn check(arguments: &CaseArguments) -> Result<u8, Failure> {
+pub fn check(arguments: &CheckArguments) -> Result<u8, Failure> {
     let progress = Progress::start();
     progress.stage("posing the problem");
-    let file = read_case(arguments)?;
+    let file = read_case(&arguments.case)?;
+    profiles::check(arguments, &file)?;
     if file.given().any(|path| path.starts_with("damage.")) {
         file.damage_laws().map_err(CaseErrors::from)?;
     }
-    let case = file.pose(&progress.watch())?;
+    let posed = file.pose(&progress.watch());
     drop(progress);
+    let height = posed.as_ref().ok().and_then(|case| Some(case.wheel.as_ref()?.height));
+    profiles::draw(arguments, &file, height.unwrap_or(0.0))?;
+    if posed.is_err() {
+        // What was read of profiles may say why.
+        file.notices().iter().for_each(report::warn);
+        stdout::write(&profiles::text(&file))?;
+    }
+    let case = posed?;
     let normal = case
         .problem
         .normal
@@ -53,10 +62,12 @@ pub fn check(arguments: &CaseArguments) -> Result<u8, Failure> {
     let beyond = case.problem.beyond_elastic(normal.peak_pressure);
     let beyond = schlupf_tasks::messages(&beyond);
     case.notices.iter().cloned().chain(beyond).for_each(|message| report::warn(&message));
+    let of_wheel = case.wheel.iter().flat_map(|wheel| wheel.warnings());
+    of_wheel.for_each(|warning| report::warn(&warning.message(&FieldNames::CASE)));
     let effective = case.effective();
     let mut text = format!(
         "{}\n\npatch      a = {} mm, b = {} mm, load {} kN, largest pressure {} MPa\n\
-         {}{}\nfields in effect\n",
+         {}{}{}\nfields in effect\n",
         case.title,
         significant(normal.semi_axis_x / 1e-3),
         significant(normal.semi_axis_y / 1e-3),
@@ -64,6 +75,7 @@ pub fn check(arguments: &CaseArguments) -> Result<u8, Failure> {
         significant(normal.peak_pressure / 1e6),
         resolution(&case, &effective),
         creepages(&case, &effective),
+        profiles::text(&file),
     );
     let section = |path: &str| path.rsplit_once('.').map(|(section, _)| section.to_owned());
     let is_default = |field: &Effective| matches!(field.place, Place::Default);

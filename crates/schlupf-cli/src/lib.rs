@@ -16,6 +16,7 @@ mod import;
 mod interrupt;
 mod notice;
 mod outputs;
+mod profiles;
 mod progress;
 mod report;
 mod roughness;

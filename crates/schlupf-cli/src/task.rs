@@ -139,7 +139,7 @@ fn print(outputs: &OutputArguments, report: &impl Report) -> Result<(), Failure>
 }
 
 /// Names of the files of a figure: the drawing and the picture.
-fn figure_files(name: &str) -> [String; 2] {
+pub(crate) fn figure_files(name: &str) -> [String; 2] {
     [format!("{name}.svg"), format!("{name}.png")]
 }
 
@@ -184,7 +184,7 @@ impl<'a> Outputs<'a> {
 }
 
 /// Refuses to write over, or to remove later, a figure that is not ours.
-fn refuse_foreign(path: &Path) -> Result<(), Failure> {
+pub(crate) fn refuse_foreign(path: &Path) -> Result<(), Failure> {
     if !path.exists() || is_ours(path) {
         return Ok(());
     }

@@ -19,6 +19,7 @@ pub mod figures;
 pub mod identification;
 mod json;
 mod number;
+pub mod profiles;
 pub mod report;
 pub mod roughness;
 pub mod solution;

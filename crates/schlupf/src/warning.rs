@@ -416,6 +416,22 @@ messages! {
          measured profiles, over some 5 mm"
     ), severity *parts as f64;
 
+    /// A part of a contact under which a profile has no points.
+    "hole-under-contact" HoleUnderContact {
+        /// Of the wheel or of the rail.
+        profile: Quantity,
+        /// y of the points on both sides of it, outwards from the origin of the profile, in m.
+        ends: [f64; 2],
+        /// Part of the width of the contact, dimensionless.
+        share: f64,
+    } *profile, |name, words| format!(
+        "{name} has no points between y = {:.2} and {:.2} mm, under {:.0} % of the width of a contact: \
+         its shape there is that of the curve that bridges them",
+        1e3 * ends[0],
+        1e3 * ends[1],
+        1e2 * share
+    );
+
     /// Residuals beyond the standard deviations of the data.
     "excess-scatter" ExcessScatter {
         /// How many times they are, dimensionless.

@@ -71,14 +71,14 @@ choices! {
 
     /// `wheel.profile_z` and `rail.profile_z`.
     VerticalAxis {
-        Auto "auto" "found from the shape: flange and foot point away from the running surface";
+        Auto "auto" "found from the shape (what runs is level, sides and flange hang down), else that of the format";
         Up "up" "upwards";
         Down "down" "downwards";
     }
 
     /// `wheel.profile_y` and `rail.profile_y`.
     LateralAxis {
-        Auto "auto" "outwards; that of a wheel is found from its flange";
+        Auto "auto" "found from the flange of a wheel and the deeper side of a rail, else that of the format";
         Outwards "outwards" "away from the middle of the track";
         Inwards "inwards" "towards the middle of the track";
     }

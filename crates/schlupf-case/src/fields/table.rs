@@ -41,7 +41,7 @@ use super::choice::{
     Choose, HeatChoice, LateralAxis, NormalModel, PartitionChoice, Reference, RowMotion,
     VerticalAxis,
 };
-use super::field::Default::{Nothing, Same, Text};
+use super::field::Default::{Computed, Nothing, Same, Text};
 use super::field::{Field, Kind, Section};
 use crate::units::Measure;
 use schlupf::Quantity;
@@ -270,9 +270,9 @@ body! {
             "L: what is shorter along the profile is levelled out; 5 mm for a measured one", shaping(),
             with(NORMAL_MODEL, WHEEL_RAIL);
         "flange_back_position" [FlangeBackPosition] quantity(&Measure::LENGTH), Between(-1.0, 1.0),
-            Text("-70 mm"), "y of the flange back in the profile, with y outwards", shaping(),
-            with(NORMAL_MODEL, WHEEL_RAIL),
-            usually(Magnitude(0.2));
+            Computed("-70 mm; 0 mm in files of Miniprof, and where the flange lies so"),
+            "y of the flange back in the profile, with y outwards", shaping(), example("-70 mm"),
+            with(NORMAL_MODEL, WHEEL_RAIL), usually(Magnitude(0.2));
     };
     WheelYoungModulus, [WheelPoissonRatio PoissonRatio], WheelConductivity, WheelDensity,
     WheelSpecificHeat, WheelBulkTemperature, WheelRadiusX, WheelRadiusY

@@ -1,7 +1,13 @@
-//! Miniprof's profiles, `.ban` and `.whl`: lines `Key=Value`, then rows of numbers in mm, y
-//! upwards. `ColumnDef` names the columns; without it the first two are X and Y.
+//! Miniprof's profiles, `.ban` and `.whl`: lines `Key=Value`, then rows of numbers in mm.
+//! `ColumnDef` names the columns; without it the first two are X and Y.
+//!
+//! The X of a wheel grows outwards from its flange back, its Y towards the tip of the flange; the
+//! X of a rail grows towards the middle of the track, its Y upwards. Files before Miniprof for
+//! Windows begin with `MINIPROF` and have a head without keys, which ends with an empty line.
+//! `"` begins a comment. Files of several parts (`.mpt`) have them between `[Profile1Points]` and
+//! the next `[`.
 
-use super::points::File;
+use super::points::{Axes, Content, File, Row, leading_numbers, number};
 use crate::error::CaseError;
 use schlupf::message::quoted;
 
@@ -9,47 +15,123 @@ const MILLIMETRE: f64 = 1e-3;
 
 const COLUMNS: &str = "ColumnDef";
 
+/// Lines in which the name of the device stands in old files.
+const FIRST_LINES: usize = 3;
+
 /// Whether a file has the head of one of Miniprof's.
 pub fn is_one(file: &File) -> bool {
-    file.lines(&[]).any(|(_, line)| {
+    let has_key = |(_, line): (usize, &str)| {
         line.split_once('=').is_some_and(|(key, _)| key.trim().eq_ignore_ascii_case(COLUMNS))
+    };
+    is_old(file) || file.lines(&[]).any(has_key)
+}
+
+/// Whether it is older than Miniprof for Windows.
+fn is_old(file: &File) -> bool {
+    let is_name = |line: &str| {
+        let line = line.trim_start_matches(['#', ' ']).to_ascii_uppercase();
+        ["MINIPROF", "MINIWHEELPROF", "MINIRAILPROF"].iter().any(|name| line.starts_with(name))
+    };
+    file.source.text.lines().take(FIRST_LINES).any(is_name)
+}
+
+/// What the head says.
+struct Head {
+    columns: [usize; 2],
+    offset: [f64; 2],
+}
+
+impl Head {
+    fn set(&mut self, file: &File, line: usize, key: &str, value: &str) -> Result<(), CaseError> {
+        let key = key.to_ascii_lowercase();
+        match key.as_str() {
+            // Keys may have no value.
+            _ if value.is_empty() => {}
+            "columndef" => self.columns = column_places(file, line, value)?,
+            "xoffset" => self.offset[0] = file.number(line, value)?,
+            "yoffset" => self.offset[1] = file.number(line, value)?,
+            _ => {}
+        }
+        Ok(())
+    }
+}
+
+/// The points of a file.
+pub fn read(file: &File, is_wheel: bool) -> Result<Content, CaseError> {
+    let mut head = Head { columns: [0, 1], offset: [0.0; 2] };
+    let mut rows: Vec<Row> = Vec::new();
+    let mut is_head_without_keys = is_old(file);
+    let mut part: Option<usize> = None;
+    // A comment is not an empty line.
+    let lines = (1..).zip(file.source.text.lines()).map(|(number, line)| {
+        let code = line.split(['"', '!', '#', '%']).next().unwrap_or_default().trim();
+        (number, code, line.trim().is_empty())
+    });
+    for (number, line, is_empty) in lines {
+        if is_empty {
+            is_head_without_keys = false;
+        }
+        if line.is_empty() || is_head_without_keys && !line.contains('=') {
+            continue;
+        }
+        if line.starts_with('[') {
+            // Several parts.
+            if line.ends_with("Points]") {
+                refuse_second(file, number, part.filter(|_| !rows.is_empty()))?;
+                part = Some(number);
+            }
+        } else if let Some((key, value)) = line.split_once('=') {
+            if part.is_none() {
+                refuse_second(file, number, rows.first().map(|row| row.line))?;
+            }
+            head.set(file, number, key.trim(), value.trim())?;
+        } else if let Some(place) = point(file, number, line, &head, !rows.is_empty())? {
+            rows.push(Row { place, line: number });
+        }
+    }
+    if rows.is_empty() {
+        return Err(file.error_of_all("a Miniprof profile must have rows of X and Y, but has none"));
+    }
+    Ok(Content {
+        axes: Axes { is_inwards: Some(!is_wheel), is_down: Some(is_wheel) },
+        flange_back: is_wheel.then_some(0.0),
+        ..Content::of("Miniprof, in mm", rows)
     })
 }
 
-/// The points of a file, in m, z up.
-pub fn read(file: &File) -> Result<Vec<[f64; 2]>, CaseError> {
-    let mut columns = [0, 1];
-    let mut offset = [0.0; 2];
-    let mut points = Vec::new();
-    for (number, line) in file.lines(&['!', '#', '%']).filter(|(_, line)| !line.is_empty()) {
-        if let Some((key, value)) = line.split_once('=') {
-            match key.trim().to_ascii_lowercase().as_str() {
-                "columndef" => columns = column_places(file, number, value)?,
-                "xoffset" => offset[0] = file.number(number, value.trim())?,
-                "yoffset" => offset[1] = file.number(number, value.trim())?,
-                _ => {}
+/// The point of a row in m; nothing for a line of text before the first one.
+fn point(
+    file: &File,
+    line: usize,
+    text: &str,
+    head: &Head,
+    has_points: bool,
+) -> Result<Option<[f64; 2]>, CaseError> {
+    let numbers = leading_numbers(text);
+    if numbers.is_empty() {
+        return match text.split_whitespace().next() {
+            Some(word) if has_points && number(word).is_none() => {
+                Err(file.number(line, word).err().unwrap_or_else(|| file.error(line, "no row")))
             }
-            continue;
-        }
-        let is_number = |word: &str| word.parse::<f64>().is_ok();
-        let first = line.split([' ', '\t', ',', ';']).find(|word| !word.is_empty());
-        if points.is_empty() && !first.is_some_and(is_number) {
-            // Old files have keys without values.
-            continue;
-        }
-        let numbers = file.numbers(number, line)?;
-        let last = columns[0].max(columns[1]);
-        if numbers.len() <= last {
-            let (needed, given) = (last + 1, numbers.len());
-            let message = format!("a row must have at least {needed} numbers, but has {given}");
-            return Err(file.error(number, message));
-        }
-        points.push([0, 1].map(|k| MILLIMETRE * (numbers[columns[k]] + offset[k])));
+            _ => Ok(None),
+        };
     }
-    if points.is_empty() {
-        return Err(file.error_of_all("a Miniprof profile must have rows of X and Y, but has none"));
+    let last = head.columns[0].max(head.columns[1]);
+    if numbers.len() <= last {
+        let (needed, given) = (last + 1, numbers.len());
+        let message = format!("a row must have at least {needed} numbers, but has {given}");
+        return Err(file.error(line, message));
     }
-    Ok(points)
+    Ok(Some([0, 1].map(|k| MILLIMETRE * (numbers[head.columns[k]] + head.offset[k]))))
+}
+
+/// Refuses what begins another profile at a line, after one that begins at `first`.
+fn refuse_second(file: &File, line: usize, first: Option<usize>) -> Result<(), CaseError> {
+    let Some(first) = first else { return Ok(()) };
+    let message = format!(
+        "a file must have one profile, but another one begins here, after that of line {first}"
+    );
+    Err(file.error(line, message).help("give each profile a file of its own".to_owned()))
 }
 
 /// Places of the columns X and Y.

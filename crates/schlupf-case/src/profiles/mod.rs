@@ -1,12 +1,17 @@
 //! Profiles of wheels and rails: files of several formats, and some that are built in.
 //!
-//! A file is read as its points in metres, in the axes of the file; then y is made to point
-//! outwards and z upwards.
+//! A file is read as its points in metres, in the axes of the file, and these are put in the order
+//! of the outline; then y is made to point outwards and z upwards, and what runs is cut out. The
+//! axes are those that the case gives, or those of the shape, or where that is not clear those of
+//! the format.
 
 mod built_in;
 mod miniprof;
+mod orientation;
+mod outline;
 mod plain;
 mod points;
+mod reading;
 mod simpack;
 
 use std::ffi::OsStr;
@@ -17,9 +22,14 @@ use schlupf::wheel_rail::ProfileCurve;
 
 use crate::error::CaseError;
 use crate::fields::choice::{LateralAxis, VerticalAxis};
+use crate::notice::Notice;
 use crate::settings::Settings;
+use outline::{Change, NoLine, Outline};
+use points::{Axes, Content, File, Row};
+use reading::millimetres;
 
 pub use built_in::is_name as is_built_in;
+pub use reading::ProfileReading;
 
 /// Paths of the fields of a profile.
 #[derive(Debug)]
@@ -52,60 +62,342 @@ pub const RAIL: ProfileFields = ProfileFields {
     is_wheel: false,
 };
 
-/// The curve of a profile, y outwards and z up.
-pub fn curve(settings: &Settings, fields: &ProfileFields) -> Result<ProfileCurve, CaseError> {
-    let smoothing = settings.number(fields.smoothing)?;
-    let name = settings.text(fields.profile)?;
-    let points = match built_in::points(&name, fields.is_wheel) {
-        Some(points) => points,
-        None => oriented(settings, fields, read(settings, fields)?)?,
-    };
-    ProfileCurve::new(&points, smoothing, fields.quantity)
-        .map_err(|error| settings.error(fields.profile, error.text(&settings.names())))
+/// A profile.
+#[derive(Debug, Clone)]
+pub struct Profile {
+    /// y outwards and z up.
+    pub curve: ProfileCurve,
+    /// y of the flange back of a wheel, in m.
+    pub flange_back: f64,
+    /// What was read.
+    pub reading: ProfileReading,
+    /// What users should know of it.
+    pub notices: Vec<Notice>,
 }
 
-/// The points of a file, in its axes.
-fn read(settings: &Settings, fields: &ProfileFields) -> Result<Vec<[f64; 2]>, CaseError> {
+/// Position of the flange back in profiles whose origin is at the running circle, in m.
+const FLANGE_BACK: f64 = -0.07;
+
+const FLANGE_BACK_FIELD: &str = "wheel.flange_back_position";
+
+/// Distances of the tip of a flange from its back, in m.
+const TIP: std::ops::RangeInclusive<f64> = 2e-3..=4e-2;
+
+/// Least height of what counts as a flange, in m.
+const LEAST_FLANGE: f64 = 0.015;
+
+/// Widths that profiles have, in m; a wider one is refused with its first coordinate that is too
+/// large.
+const NARROWEST: f64 = 2e-3;
+
+/// Widths of profiles of full size, in m.
+const FULL_SIZE: std::ops::RangeInclusive<f64> = 0.03..=0.3;
+
+/// Reads a profile.
+pub fn read(settings: &Settings, fields: &ProfileFields) -> Result<Profile, CaseError> {
+    let name = settings.text(fields.profile)?;
+    let built_in = built_in::points(&name, fields.is_wheel);
+    let is_built_in = built_in.is_some();
+    let content = match built_in {
+        Some(points) => {
+            let rows = points.into_iter().map(|place| Row { place, line: 0 }).collect();
+            let axes = Axes { is_inwards: Some(false), is_down: Some(false) };
+            Content { axes, ..Content::of("built in", rows) }
+        }
+        None => file_content(settings, fields)?,
+    };
+    let mut reader = Reader { settings, fields, notices: Vec::new() };
+    let content = reader.in_metres(content)?;
+    let outline = if is_built_in {
+        Outline { points: content.rows.clone(), is_closed: false, changes: Vec::new() }
+    } else {
+        reader.outline(&content)?
+    };
+    reader.profile(name, &content, outline)
+}
+
+/// What a file says.
+fn file_content(settings: &Settings, fields: &ProfileFields) -> Result<Content, CaseError> {
     let (name, bytes) = settings.read_file(fields.profile).map_err(|error| {
         let names = built_in::names(fields.is_wheel);
         error.help(format!("paths are relative to the case file; built in are {names}"))
     })?;
     let ending = Path::new(&name).extension().map(OsStr::to_ascii_lowercase);
-    let file = points::File::new(name, bytes, fields.profile)?;
+    let file = File::new(name, &bytes, fields.profile)?;
+    let is_wheel = fields.is_wheel;
     match ending.as_ref().and_then(|ending| ending.to_str()) {
-        Some("prr" | "prw") => simpack::read(&file),
-        Some("ban" | "whl") => miniprof::read(&file),
-        _ if simpack::is_one(&file) => simpack::read(&file),
-        _ if miniprof::is_one(&file) => miniprof::read(&file),
+        Some("prr" | "prw") => simpack::read(&file, is_wheel),
+        Some("ban" | "whl" | "mpt") => miniprof::read(&file, is_wheel),
+        // Gensys: y towards the middle of the track, z down.
+        Some("wheel" | "rail") => {
+            let content = plain::read(&file)?;
+            let axes = Axes { is_inwards: Some(true), is_down: Some(true) };
+            Ok(Content { format: format!("Gensys, {}", content.format), axes, ..content })
+        }
+        _ if simpack::is_one(&file) => simpack::read(&file, is_wheel),
+        _ if miniprof::is_one(&file) => miniprof::read(&file, is_wheel),
         _ => plain::read(&file),
     }
 }
 
-/// The points with y outwards and z up.
-fn oriented(
-    settings: &Settings,
-    fields: &ProfileFields,
-    mut points: Vec<[f64; 2]>,
-) -> Result<Vec<[f64; 2]>, CaseError> {
-    let is_down = match settings.chosen(fields.z)? {
-        VerticalAxis::Up => false,
-        VerticalAxis::Down => true,
-        VerticalAxis::Auto => points::is_upside_down(&points),
-    };
-    if is_down {
-        for [_, z] in &mut points {
-            *z = -*z;
-        }
+/// Lowest and highest coordinate of points, in m.
+fn range(rows: &[Row], axis: usize) -> [f64; 2] {
+    rows.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], row| {
+        [low.min(row.place[axis]), high.max(row.place[axis])]
+    })
+}
+
+fn size(rows: &[Row]) -> [f64; 2] {
+    [0, 1].map(|axis| {
+        let [low, high] = range(rows, axis);
+        high - low
+    })
+}
+
+fn places(rows: &[Row]) -> Vec<[f64; 2]> {
+    rows.iter().map(|row| row.place).collect()
+}
+
+/// Reads one profile.
+struct Reader<'a> {
+    settings: &'a Settings,
+    fields: &'a ProfileFields,
+    notices: Vec<Notice>,
+}
+
+/// A direction that was taken, and how it is known.
+struct Taken {
+    is: bool,
+    from: &'static str,
+}
+
+impl Reader<'_> {
+    fn error(&self, message: String) -> CaseError {
+        self.settings.error(self.fields.profile, message)
     }
-    let is_inwards = match settings.chosen(fields.y)? {
-        LateralAxis::Outwards => false,
-        LateralAxis::Inwards => true,
-        LateralAxis::Auto => fields.is_wheel && points::has_flange_outside(&points),
-    };
-    if is_inwards {
-        for [y, _] in &mut points {
-            *y = -*y;
+
+    /// The points in metres: numbers without a unit are in mm, or in m where they would be too
+    /// small by three orders of magnitude.
+    fn in_metres(&mut self, content: Content) -> Result<Content, CaseError> {
+        let field = self.fields.profile;
+        let [width, height] = size(&content.rows);
+        let shown = |factor: f64| {
+            let [width, height] = [width, height].map(|length| millimetres(factor * length));
+            format!("{width} wide and {height} high")
+        };
+        if !content.has_units && FULL_SIZE.contains(&(1e3 * width)) {
+            let text = format!(
+                "the numbers have no unit and are taken for metres, so that the profile is {}; in mm it \
+                 would be {}",
+                shown(1e3),
+                shown(1.0)
+            );
+            self.notices.push(Notice::ProfileUnits { field, text });
+            let scaled = |row: Row| Row { place: row.place.map(|c| 1e3 * c), ..row };
+            let rows = content.rows.into_iter().map(scaled).collect();
+            return Ok(Content { rows, format: format!("{}, in m", content.format), ..content });
         }
+        let others = [("m", 1e3), ("inches", 25.4)].into_iter();
+        let other = others.filter(|(_, factor)| FULL_SIZE.contains(&(factor * width))).next();
+        let other = other.map(|(unit, factor)| {
+            format!("were its numbers {unit} in place of mm, it would be {}", shown(factor))
+        });
+        if width.max(height) < NARROWEST {
+            let least = millimetres(NARROWEST);
+            let message =
+                format!("{field} must be at least {least} wide or high, but is {}", shown(1.0));
+            return Err(self.error(message).help(other));
+        }
+        if let Some(other) = other.filter(|_| !FULL_SIZE.contains(&width)) {
+            let text = format!("the profile is {}; {other}", shown(1.0));
+            self.notices.push(Notice::ProfileUnits { field, text });
+        }
+        let unit = if content.has_units { "" } else { ", in mm" };
+        Ok(Content { format: format!("{}{unit}", content.format), ..content })
     }
-    Ok(points)
+
+    /// The points in the order of the outline.
+    fn outline(&mut self, content: &Content) -> Result<Outline, CaseError> {
+        let field = self.fields.profile;
+        let outline = outline::outline(&content.rows).map_err(|no_line| {
+            let (row, why) = match no_line {
+                NoLine::Branches(row) => {
+                    (row, "the points must form one line, but lines meet or cross")
+                }
+                NoLine::TooMany(row) => {
+                    (row, "so many points must be in the order of the outline, but turn back")
+                }
+            };
+            let [y, z] = row.place.map(millimetres);
+            let line = row.line;
+            self.error(format!("{field}: {why} at y = {y}, z = {z} (line {line} of the file)"))
+        })?;
+        for change in &outline.changes {
+            let (field, text) = (field, change.text());
+            self.notices.push(match change {
+                Change::Overlap { .. } => Notice::ProfileOverlap { field, text },
+                _ => Notice::ProfileOrder { field, text },
+            });
+        }
+        if orientation::is_swapped(&places(&outline.points), outline.is_closed) {
+            let [width, height] = size(&content.rows).map(millimetres);
+            let text = format!(
+                "y and z seem to be swapped: the profile is {width} wide and {height} high"
+            );
+            if !content.has_units {
+                let help = "a header such as `z [mm],y [mm]` names the columns".to_owned();
+                return Err(self.error(format!("{field}: {text}")).help(help));
+            }
+            self.notices.push(Notice::ProfileAxes { field, text });
+        }
+        Ok(outline)
+    }
+
+    /// The profile, y outwards and z up.
+    fn profile(
+        mut self,
+        name: String,
+        content: &Content,
+        outline: Outline,
+    ) -> Result<Profile, CaseError> {
+        let (settings, fields) = (self.settings, self.fields);
+        for setting in &content.left_out {
+            let (field, setting) = (fields.profile, setting.clone());
+            self.notices.push(Notice::ProfileSetting { field, setting });
+        }
+        let mut points = outline.points;
+        let closed = |points: &[Row]| {
+            let again = points.first().filter(|_| outline.is_closed);
+            points.iter().chain(again).map(|row| row.place).collect::<Vec<_>>()
+        };
+        let z = self.vertical(content, &closed(&points))?;
+        for row in points.iter_mut().filter(|_| z.is) {
+            row.place[1] = -row.place[1];
+        }
+        let y = self.lateral(content, &closed(&points))?;
+        for row in points.iter_mut().filter(|_| y.is) {
+            row.place[0] = -row.place[0];
+        }
+        let running = outline::running_part(&points, outline.is_closed, fields.is_wheel);
+        let smoothing = settings.number(fields.smoothing)?;
+        let curve = ProfileCurve::new(&places(&running), smoothing, fields.quantity)
+            .map_err(|error| settings.error(fields.profile, error.text(&settings.names())))?;
+        let flange_back = self.flange_back(content, &places(&running))?;
+        let direction = |taken: &Taken, names: [&str; 2]| {
+            format!("{} ({})", names[usize::from(taken.is)], taken.from)
+        };
+        let reading = ProfileReading {
+            field: fields.profile,
+            name,
+            format: content.format.clone(),
+            points: [content.rows.len(), running.len()],
+            size: size(&content.rows),
+            y: direction(&y, ["outwards", "inwards"]),
+            z: direction(&z, ["up", "down"]),
+            flange_back: fields.is_wheel.then_some(flange_back),
+            spacing: [0.0; 2],
+            holes: Vec::new(),
+            order: outline.changes.iter().map(Change::text).collect(),
+        };
+        let reading = reading.spaced(&running);
+        Ok(Profile { curve, flange_back, reading, notices: self.notices })
+    }
+
+    fn vertical(&mut self, content: &Content, points: &[[f64; 2]]) -> Result<Taken, CaseError> {
+        let given = match self.settings.chosen(self.fields.z)? {
+            VerticalAxis::Up => Some(false),
+            VerticalAxis::Down => Some(true),
+            VerticalAxis::Auto => None,
+        };
+        let shape = orientation::downwards(points, self.fields.is_wheel);
+        Ok(self.taken(self.fields.z, [given, content.axes.is_down], shape, ["up", "down"]))
+    }
+
+    fn lateral(&mut self, content: &Content, points: &[[f64; 2]]) -> Result<Taken, CaseError> {
+        let given = match self.settings.chosen(self.fields.y)? {
+            LateralAxis::Outwards => Some(false),
+            LateralAxis::Inwards => Some(true),
+            LateralAxis::Auto => None,
+        };
+        let depth = self.settings.number("track.gauge_depth")?;
+        let shape = orientation::inwards(points, self.fields.is_wheel, depth);
+        let by_format = content.axes.is_inwards.or((!self.fields.is_wheel).then_some(false));
+        Ok(self.taken(self.fields.y, [given, by_format], shape, ["outwards", "inwards"]))
+    }
+
+    /// A direction that is given, or that the shape shows, or that the format has; says where two
+    /// of them contradict each other, or where there is none.
+    fn taken(
+        &mut self,
+        field: &'static str,
+        [given, by_format]: [Option<bool>; 2],
+        shape: f64,
+        names: [&'static str; 2],
+    ) -> Taken {
+        let by_shape = (shape.abs() >= orientation::CLEAR).then_some(shape > 0.0);
+        let contradicts =
+            |other: Option<bool>| other.is_some() && by_shape.is_some_and(|is| Some(is) != other);
+        let axis = &field[field.len() - 1..];
+        let name = |is: bool| names[usize::from(is)];
+        let (taken, text) = match (given, by_shape, by_format) {
+            (Some(is), ..) => {
+                let text = contradicts(given).then(|| {
+                    let (given, other) = (name(is), name(!is));
+                    format!("{axis} is said to point {given}, but by its shape it points {other}")
+                });
+                (Taken { is, from: "given" }, text)
+            }
+            (None, Some(is), _) => {
+                let text = contradicts(by_format).then(|| {
+                    let (taken, other) = (name(is), name(!is));
+                    format!(
+                        "by its shape {axis} points {taken}, which is taken, but in files of this \
+                         format it points {other}; {field} decides"
+                    )
+                });
+                (Taken { is, from: "by its shape" }, text)
+            }
+            (None, None, Some(is)) => (Taken { is, from: "by its format" }, None),
+            (None, None, None) => {
+                let text = format!(
+                    "the shape hardly shows where {axis} points; {} is taken; {field} decides",
+                    name(false)
+                );
+                (Taken { is: false, from: "a guess" }, Some(text))
+            }
+        };
+        self.notices.extend(text.map(|text| Notice::ProfileAxes { field, text }));
+        taken
+    }
+
+    /// y of the flange back: that given, that of the format, or where the tip of the flange cannot
+    /// belong to it the other one of both that are usual; in m.
+    fn flange_back(&mut self, content: &Content, points: &[[f64; 2]]) -> Result<f64, CaseError> {
+        if let Some(given) = self.settings.optional_number(FLANGE_BACK_FIELD)? {
+            return Ok(given);
+        }
+        let usual = content.flange_back.unwrap_or(FLANGE_BACK);
+        let tip = orientation::flange_tip(points).filter(|[depth, _]| *depth > LEAST_FLANGE);
+        let Some([_, tip]) = tip.filter(|_| self.fields.is_wheel) else { return Ok(usual) };
+        let fits = |back: &f64| TIP.contains(&(tip - back));
+        if fits(&usual) {
+            return Ok(usual);
+        }
+        let other = [0.0, FLANGE_BACK].into_iter().find(fits);
+        let taken = other.unwrap_or(usual);
+        let [tip, usual, shown] = [tip, usual, taken].map(millimetres);
+        let text = match other {
+            Some(_) => format!(
+                "the tip of the flange is at y = {tip}, so its back is taken to be at {shown}, not at \
+                 {usual} as usual"
+            ),
+            None => format!(
+                "the tip of the flange is at y = {tip}, too far from its back, which is taken to be at \
+                 {usual}"
+            ),
+        };
+        let field = FLANGE_BACK_FIELD;
+        self.notices.push(Notice::FlangeBack { field, text });
+        Ok(taken)
+    }
 }

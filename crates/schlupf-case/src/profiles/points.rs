@@ -1,4 +1,4 @@
-//! Text files of points, and which way their axes point.
+//! Text files of points.
 
 use std::sync::Arc;
 
@@ -13,20 +13,65 @@ pub struct File {
     pub field: &'static str,
 }
 
+/// What a file says.
+pub struct Content {
+    /// What kind of file it is, and what its numbers are.
+    pub format: String,
+    /// Its points in the file's axes, in m, each with the number of its line.
+    pub rows: Vec<Row>,
+    /// Which way its axes point where the format says so.
+    pub axes: Axes,
+    /// y of the flange back where the format says so, with y outwards, in m.
+    pub flange_back: Option<f64>,
+    /// Whether lengths have their unit in the file or by its format.
+    pub has_units: bool,
+    /// Settings of the file that are not applied.
+    pub left_out: Vec<String>,
+}
+
+/// A point of a file.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Row {
+    /// y and z in m.
+    pub place: [f64; 2],
+    /// Number of its line.
+    pub line: usize,
+}
+
+/// Which way the axes of a file point.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Axes {
+    /// Whether y points towards the middle of the track.
+    pub is_inwards: Option<bool>,
+    /// Whether z points down.
+    pub is_down: Option<bool>,
+}
+
+impl Content {
+    /// Points in a format with units that says nothing about axes.
+    pub fn of(format: impl Into<String>, rows: Vec<Row>) -> Self {
+        Self {
+            format: format.into(),
+            rows,
+            axes: Axes::default(),
+            flange_back: None,
+            has_units: true,
+            left_out: Vec::new(),
+        }
+    }
+}
+
 impl File {
     /// # Errors
     /// Bytes that are no text.
-    pub fn new(name: String, bytes: Vec<u8>, field: &'static str) -> Result<Self, CaseError> {
-        // Names of places in measuring devices are in any code page; numbers are in ASCII.
-        let text = match String::from_utf8(bytes) {
-            Ok(text) => text,
-            Err(error) => error.as_bytes().iter().map(|byte| char::from(*byte)).collect(),
-        };
+    pub fn new(name: String, bytes: &[u8], field: &'static str) -> Result<Self, CaseError> {
+        let text = decoded(bytes);
         if text.contains('\0') {
             let message = format!("{field} must be a text file, but is not");
             return Err(CaseError::new(field, message, Place::File { name }));
         }
-        let text = text.trim_start_matches('\u{feff}').to_owned();
+        // Lines as text editors count them.
+        let text = text.trim_start_matches('\u{feff}').replace("\r\n", "\n").replace('\r', "\n");
         Ok(Self { source: Arc::new(Source { name, text }), field })
     }
 
@@ -50,49 +95,50 @@ impl File {
 
     /// A finite number of a line.
     pub fn number(&self, line: usize, word: &str) -> Result<f64, CaseError> {
-        let number = word.parse::<f64>().ok().filter(|number| number.is_finite());
-        number.ok_or_else(|| self.error(line, format!("{} must be a finite number", quoted(word))))
+        number(word)
+            .ok_or_else(|| self.error(line, format!("{} must be a finite number", quoted(word))))
     }
 
     /// The words of a line as numbers, apart by spaces, tabs, commas or semicolons.
     pub fn numbers(&self, line: usize, text: &str) -> Result<Vec<f64>, CaseError> {
-        let words = text.split([' ', '\t', ',', ';']).filter(|word| !word.is_empty());
-        words.map(|word| self.number(line, word)).collect()
+        words(text).map(|word| self.number(line, word)).collect()
     }
 }
 
-/// Whether z of a profile points down: the mean of z over y of a running surface is near its top,
-/// from which flange or sides hang down.
-pub fn is_upside_down(points: &[[f64; 2]]) -> bool {
-    let (mut area, mut width) = (0.0, 0.0);
-    for pair in points.windows(2) {
-        let step = (pair[1][0] - pair[0][0]).abs();
-        area += 0.5 * (pair[0][1] + pair[1][1]) * step;
-        width += step;
+/// Text in UTF-8 or UTF-16, or in a code page of which only ASCII is understood: names of places in
+/// measuring devices are in any, numbers are in ASCII.
+fn decoded(bytes: &[u8]) -> String {
+    // ASCII in UTF-16 without a byte order mark.
+    let is_every_second =
+        |zero: usize| bytes.len() > 3 && (0..4).all(|k| (bytes[k] == 0) == (k % 2 == zero));
+    let is_little = bytes.starts_with(&[0xff, 0xfe]) || is_every_second(1);
+    let is_big = bytes.starts_with(&[0xfe, 0xff]) || is_every_second(0);
+    if is_little || is_big {
+        let unit = |pair: &[u8]| {
+            let pair = [pair[0], pair[1]];
+            if is_little { u16::from_le_bytes(pair) } else { u16::from_be_bytes(pair) }
+        };
+        let units: Vec<u16> = bytes.chunks_exact(2).map(unit).collect();
+        return String::from_utf16_lossy(&units);
     }
-    let mean = area / width;
-    let [low, high] = range(points, 1);
-    mean - low < CLEARLY * (high - mean)
+    match std::str::from_utf8(bytes) {
+        Ok(text) => text.to_owned(),
+        Err(_) => bytes.iter().map(|byte| char::from(*byte)).collect(),
+    }
 }
 
-/// Ratio of the distances of the mean from both ends above which it counts as near neither,
-/// dimensionless.
-const CLEARLY: f64 = 0.9;
-
-/// Whether the lowest point of a wheel, that of its flange, has the larger y.
-pub fn has_flange_outside(points: &[[f64; 2]]) -> bool {
-    let [from, to] = range(points, 0);
-    let lowest = points.iter().min_by(|p, q| p[1].total_cmp(&q[1]));
-    let [low, high] = range(points, 1);
-    let is_flanged = high - low > LEAST_FLANGE;
-    is_flanged && lowest.is_some_and(|[y, _]| *y > 0.5 * (from + to))
+/// The words of a line, apart by spaces, tabs, commas or semicolons.
+pub fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split([' ', '\t', ',', ';']).filter(|word| !word.is_empty())
 }
 
-/// Least height of what counts as a flange, in m.
-const LEAST_FLANGE: f64 = 0.015;
+/// A finite number, also with the exponent of Fortran's double precision.
+pub fn number(word: &str) -> Option<f64> {
+    let parsed = word.parse::<f64>().or_else(|_| word.replacen(['d', 'D'], "e", 1).parse());
+    parsed.ok().filter(|number| number.is_finite())
+}
 
-fn range(points: &[[f64; 2]], axis: usize) -> [f64; 2] {
-    points.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], point| {
-        [low.min(point[axis]), high.max(point[axis])]
-    })
+/// The numbers with which a line begins.
+pub fn leading_numbers(line: &str) -> Vec<f64> {
+    words(line).map_while(number).collect()
 }

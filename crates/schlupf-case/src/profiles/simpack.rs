@@ -1,18 +1,22 @@
 //! Simpack's profiles, `.prr` and `.prw`.
 //!
 //! Sections `header` and `spline`, in the latter a list of points between `point.begin` and
-//! `point.end`: y, z and a weight. What changes the points is done in Simpack's order: shift,
-//! bounds, mirrors, inversion of the order; a length in the file over `units.len.f` is in metres.
+//! `point.end`: y, z and a weight. What changes the points is done in Simpack's order: least
+//! distance, shift, bounds, mirrors; a length in the file over `units.len.f` is in metres. The
+//! inversion of the order changes nothing here. y then points outwards and z down. Comments begin
+//! with `!` or `%`.
 
-use super::points::File;
+use super::points::{Axes, Content, File, Row};
 use crate::error::CaseError;
 
 /// Where a file may be recognised.
 const BEGIN: &str = "spline.begin";
 
+const COMMENTS: &[char] = &['!', '%'];
+
 /// Whether a file is one of Simpack's.
 pub fn is_one(file: &File) -> bool {
-    file.lines(&['!']).any(|(_, line)| line.eq_ignore_ascii_case(BEGIN))
+    file.lines(COMMENTS).any(|(_, line)| line.eq_ignore_ascii_case(BEGIN))
 }
 
 /// What is done with the points.
@@ -21,7 +25,10 @@ struct Changes {
     /// Lower and upper bounds of y and z; without effect unless the lower one is below the upper.
     bounds: [[f64; 2]; 2],
     is_mirrored: [bool; 2],
-    is_inverted: bool,
+    /// Points that are closer to the one before are left out.
+    least_distance: f64,
+    /// Simpack smooths with it.
+    smoothing: f64,
     /// User's length over the metre.
     unit: f64,
 }
@@ -33,7 +40,8 @@ impl Default for Changes {
             shift: [0.0; 2],
             bounds: [[1.0, 0.0]; 2],
             is_mirrored: [false; 2],
-            is_inverted: false,
+            least_distance: 0.0,
+            smoothing: 0.0,
             unit: 1e3,
         }
     }
@@ -51,7 +59,8 @@ impl Changes {
             "bound.z.max" => self.bounds[1][1] = number()?,
             "mirror.y" => self.is_mirrored[0] = number()? != 0.0,
             "mirror.z" => self.is_mirrored[1] = number()? != 0.0,
-            "inversion" => self.is_inverted = number()? != 0.0,
+            "point.dist.min" => self.least_distance = number()?,
+            "approx.smooth" => self.smoothing = number()?,
             "units.len.f" => {
                 self.unit = number()?;
                 if self.unit <= 0.0 {
@@ -66,38 +75,75 @@ impl Changes {
         Ok(())
     }
 
-    fn apply(&self, points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    fn apply(&self, rows: Vec<Row>) -> Vec<Row> {
         let [across, up] = self.bounds;
         let is_bound = |[low, high]: [f64; 2]| low < high;
-        let mut points: Vec<[f64; 2]> = points
-            .into_iter()
-            .map(|[y, z]| [y + self.shift[0], z + self.shift[1]])
-            .filter(|[y, _]| !is_bound(across) || (across[0]..=across[1]).contains(y))
-            .map(|[y, z]| [y, if is_bound(up) { z.clamp(up[0], up[1]) } else { z }])
-            .map(|point| {
-                [0, 1].map(|k| if self.is_mirrored[k] { -point[k] } else { point[k] } / self.unit)
-            })
-            .collect();
-        if self.is_inverted {
-            points.reverse();
+        let mut kept: Vec<Row> = Vec::with_capacity(rows.len());
+        for row in rows {
+            let is_apart = |last: &Row| {
+                let [y, z] = [0, 1].map(|k| row.place[k] - last.place[k]);
+                y.hypot(z) >= self.least_distance
+            };
+            if kept.last().is_none_or(is_apart) {
+                kept.push(row);
+            }
         }
-        points
+        kept.into_iter()
+            .map(|row| Row { place: [0, 1].map(|k| row.place[k] + self.shift[k]), ..row })
+            .filter(|row| !is_bound(across) || (across[0]..=across[1]).contains(&row.place[0]))
+            .map(|row| {
+                let [y, z] = row.place;
+                let place = [y, if is_bound(up) { z.clamp(up[0], up[1]) } else { z }];
+                let mirrored = |k: usize| if self.is_mirrored[k] { -place[k] } else { place[k] };
+                Row { place: [0, 1].map(|k| mirrored(k) / self.unit), ..row }
+            })
+            .collect()
+    }
+
+    /// What is not applied.
+    fn left_out(&self) -> Vec<String> {
+        let smooths = self.smoothing > 0.0;
+        let smoothing = format!(
+            "approx.smooth = {}: Simpack smooths with it, here profile_smoothing does",
+            self.smoothing
+        );
+        smooths.then_some(smoothing).into_iter().collect()
     }
 }
 
-/// The points of a file, in m.
-pub fn read(file: &File) -> Result<Vec<[f64; 2]>, CaseError> {
+/// Refuses a rail as a wheel and the reverse.
+fn check_type(file: &File, line: usize, value: &str, is_wheel: bool) -> Result<(), CaseError> {
+    let body = |is_wheel: bool| if is_wheel { "a wheel" } else { "a rail" };
+    let is = file.number(line, value)? != 0.0;
+    if is == is_wheel {
+        return Ok(());
+    }
+    let (wanted, given) = (body(is_wheel), body(is));
+    let message = format!("the file must be that of {wanted}, but its type is {value}, {given}");
+    Err(file.error(line, message))
+}
+
+/// The points of a file.
+pub fn read(file: &File, is_wheel: bool) -> Result<Content, CaseError> {
     let mut changes = Changes::default();
-    let mut points = Vec::new();
-    let (mut is_spline, mut is_point) = (false, false);
-    for (number, line) in file.lines(&['!']).filter(|(_, line)| !line.is_empty()) {
+    let mut rows = Vec::new();
+    let (mut is_header, mut is_spline, mut is_point) = (false, false, false);
+    for (number, line) in file.lines(COMMENTS).filter(|(_, line)| !line.is_empty()) {
         match line.to_ascii_lowercase().as_str() {
-            BEGIN => is_spline = true,
+            "header.begin" => is_header = true,
+            "header.end" => is_header = false,
+            BEGIN => {
+                if !rows.is_empty() {
+                    let message = "a file must have one profile, but another one begins here";
+                    return Err(file.error(number, message));
+                }
+                is_spline = true;
+            }
             "spline.end" => is_spline = false,
             "point.begin" if is_spline => is_point = true,
             "point.end" => is_point = false,
             _ if is_point => match file.numbers(number, line)?[..] {
-                [y, z] | [y, z, _] => points.push([y, z]),
+                [y, z] | [y, z, _] => rows.push(Row { place: [y, z], line: number }),
                 ref numbers => {
                     let message = format!(
                         "a point must have y, z and at most a weight, but has {} numbers",
@@ -106,18 +152,25 @@ pub fn read(file: &File) -> Result<Vec<[f64; 2]>, CaseError> {
                     return Err(file.error(number, message));
                 }
             },
-            _ if is_spline => {
-                if let Some((key, value)) = line.split_once('=') {
-                    changes.set(file, number, &key.trim().to_ascii_lowercase(), value.trim())?;
+            _ => {
+                let Some((key, value)) = line.split_once('=') else { continue };
+                let (key, value) = (key.trim().to_ascii_lowercase(), value.trim());
+                if is_spline {
+                    changes.set(file, number, &key, value)?;
+                } else if is_header && key == "type" {
+                    check_type(file, number, value, is_wheel)?;
                 }
             }
-            _ => {}
         }
     }
-    if points.is_empty() {
+    if rows.is_empty() {
         let message = "a Simpack profile must have points between point.begin and point.end in \
                        spline.begin, but has none";
         return Err(file.error_of_all(message));
     }
-    Ok(changes.apply(points))
+    Ok(Content {
+        axes: Axes { is_inwards: Some(false), is_down: Some(true) },
+        left_out: changes.left_out(),
+        ..Content::of("Simpack", changes.apply(rows))
+    })
 }

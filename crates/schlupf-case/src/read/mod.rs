@@ -39,6 +39,8 @@ use crate::error::CaseError;
 use crate::fields::choice::{Driver, NormalModel};
 use crate::law_stiffness::{LawStiffness, MicroContact};
 use crate::laws::Laws;
+use crate::notice::Notice;
+use crate::profiles::ProfileReading;
 use crate::settings::Settings;
 use elasticity::Deformation;
 use roughness::OfRoughness;
@@ -230,6 +232,16 @@ impl Parts {
     pub fn wheel(&self, settings: &Settings) -> Result<&WheelOnRail, CaseError> {
         let request = self.wheel.as_ref();
         request.map(WheelRequest::wheel).ok_or_else(|| wheel_rail::no_profiles(settings))
+    }
+
+    /// What was read of the profiles of the wheel and of the rail, if the case has profiles.
+    pub fn profiles(&self) -> &[ProfileReading] {
+        self.wheel.as_ref().map_or(&[], |wheel| wheel.readings())
+    }
+
+    /// What users should know of what was read.
+    pub fn notices(&self) -> &[Notice] {
+        self.wheel.as_ref().map_or(&[], WheelRequest::notices)
     }
 
     /// The left and the right wheel at another lateral position (in m), resting on both rails.

@@ -16,7 +16,8 @@ use super::roughness::OfRoughness;
 use crate::error::CaseError;
 use crate::fields::ROUGHNESS;
 use crate::fields::choice::{BranchChoice, ForceAxis, NormalModel, RowMotion, WheelSide};
-use crate::profiles;
+use crate::notice::Notice;
+use crate::profiles::{self, ProfileReading};
 use crate::settings::Settings;
 
 const LOAD: &str = "normal.load";
@@ -35,6 +36,10 @@ pub struct WheelRequest {
     wheel: WheelOnRail,
     /// Whether the roll angle follows from both wheels resting on their rails.
     rests: bool,
+    /// What was read of the profiles of the wheel and of the rail.
+    readings: [ProfileReading; 2],
+    /// What users should know of them.
+    notices: Vec<Notice>,
 }
 
 /// The wheel that a case describes, if its normal contact is that of two profiles.
@@ -43,15 +48,15 @@ pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
         return Ok(None);
     }
     let explain = |error: Error| settings.explain(&error);
+    let on_wheel = profiles::read(settings, &profiles::WHEEL)?;
+    let on_rail = profiles::read(settings, &profiles::RAIL)?;
+    let notices = on_wheel.notices.into_iter().chain(on_rail.notices).collect();
     let wheel = WheelShape {
-        profile: profiles::curve(settings, &profiles::WHEEL)?,
+        profile: on_wheel.curve,
         nominal_radius: settings.number("wheel.radius_x")?,
-        flange_back_position: settings.number("wheel.flange_back_position")?,
+        flange_back_position: on_wheel.flange_back,
     };
-    let rail = RailShape {
-        profile: profiles::curve(settings, &profiles::RAIL)?,
-        cant: settings.number("rail.cant")?,
-    };
+    let rail = RailShape { profile: on_rail.curve, cant: settings.number("rail.cant")? };
     let track = Track {
         gauge: settings.number("track.gauge")?,
         gauge_depth: settings.number("track.gauge_depth")?,
@@ -83,7 +88,8 @@ pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
         cells: settings.optional_number("normal.cells")?.map_or(CELLS, |cells| cells as usize),
     };
     wheel.check().map_err(explain)?;
-    Ok(Some(WheelRequest { wheel, rests: !settings.is_given(ROLL) }))
+    let readings = [on_wheel.reading, on_rail.reading];
+    Ok(Some(WheelRequest { wheel, rests: !settings.is_given(ROLL), readings, notices }))
 }
 
 /// Refuses what goes with one contact only.
@@ -261,6 +267,16 @@ impl WheelRequest {
             None if self.rests => self.wheel.solve_resting(&tangential, watch).map(Vec::from),
             None => Ok(vec![self.wheel.solve(&tangential, watch)?]),
         }
+    }
+
+    /// What was read of the profiles of the wheel and of the rail.
+    pub fn readings(&self) -> &[ProfileReading; 2] {
+        &self.readings
+    }
+
+    /// What users should know of the profiles.
+    pub fn notices(&self) -> &[Notice] {
+        &self.notices
     }
 
     /// The wheel as described.

@@ -28,6 +28,7 @@ mod rows;
 mod equilibrium;
 mod side;
 mod patch;
+mod holes;
 mod driven;
 mod sliding;
 mod wheel;

@@ -125,6 +125,16 @@ impl ProfileCurve {
         &self.points
     }
 
+    /// The step between two points that covers most of an interval of arc lengths (in m): the part of
+    /// the interval that it covers, dimensionless, and y and z of its ends in m.
+    pub(super) fn widest_step(&self, [from, to]: [f64; 2]) -> Option<(f64, [[f64; 2]; 2])> {
+        let covered = |k: &usize| self.length[k + 1].min(to) - self.length[*k].max(from);
+        let steps = 0..self.length.len() - 1;
+        let k = steps.max_by(|j, k| covered(j).total_cmp(&covered(k)))?;
+        let share = covered(&k) / (to - from);
+        share.is_finite().then(|| (share, [self.points[k], self.points[k + 1]]))
+    }
+
     /// The point at an arc length `s` (in m) from the first one; at the ends the outermost cubics
     /// are continued.
     pub fn at(&self, s: f64) -> CurvePoint {

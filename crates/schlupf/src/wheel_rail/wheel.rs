@@ -7,6 +7,7 @@ use super::creepage::Motion;
 use super::driven::Drive;
 use super::equilibrium::{FrictionRatio, Guess, Lowered, Lowering, weight};
 use super::gap::Gap;
+use super::holes;
 use super::pair::Pair;
 use super::pose::{Attitude, minus};
 use super::pressed::Accuracy;
@@ -116,6 +117,8 @@ pub struct WheelSolution {
     rows: RowsMove,
     /// Whether one of the profiles was smoothed.
     is_smoothed: bool,
+    /// Where the profiles have no points under its contacts.
+    holes: Vec<Warning>,
 }
 
 impl WheelSolution {
@@ -159,7 +162,8 @@ impl WheelSolution {
         let turned = self.contacts.iter().filter_map(warning);
         let parts = self.contacts.iter().map(|contact| contact.solution.normal.parts);
         let rough = parts.max().filter(|parts| !self.is_smoothed && *parts >= MANY_PARTS);
-        turned.chain(rough.map(|parts| Warning::RoughProfile { parts })).collect()
+        let rough = rough.map(|parts| Warning::RoughProfile { parts });
+        turned.chain(rough).chain(self.holes.iter().cloned()).collect()
     }
 }
 
@@ -359,6 +363,8 @@ impl WheelOnRail {
     ) -> WheelSolution {
         let Turning { angular_velocity, contacts: mut solved, .. } = turning;
         solved.sort_by(|one, two| two.0.force.total_cmp(&one.0.force));
+        let holes =
+            solved.iter().flat_map(|(pressed, ..)| holes::under(&self.pair, pressed)).collect();
         let contacts: Vec<Contact> =
             solved.into_iter().map(|solved| self.contact(lowering, lowered, solved)).collect();
         let mut force = [0.0; 3];
@@ -380,6 +386,7 @@ impl WheelOnRail {
             rows: self.rows,
             rounds,
             is_smoothed: self.pair.wheel.smoothing() + self.pair.rail.smoothing() > 0.0,
+            holes,
         }
     }
 
