@@ -14,6 +14,7 @@ import xarray as xr
 from . import _core
 from ._errors import SchlupfWarning
 from ._report import Damage
+from ._result import with_folder
 from ._tables import along
 
 if TYPE_CHECKING:
@@ -95,7 +96,7 @@ def sweep(
     OSError
         If a file cannot be read or written; what is done is kept.
     """
-    path, output = Path(study), Path(output)
+    path, output = Path(study), with_folder(output)
     if client is not None and not hasattr(client, "submit"):
         raise TypeError(f"client must be a distributed.Client, but is {client!r}")
     if not 1 <= shard[0] <= shard[1]:
@@ -125,8 +126,9 @@ def merge(tables: Sequence[str | PathLike[str]], output: str | PathLike[str]) ->
     OSError
         If a file cannot be read or written.
     """
-    counts = _core.merge([Path(table) for table in tables], Path(output))
-    return Sweep(Path(output), *counts)
+    output = with_folder(output)
+    counts = _core.merge([Path(table) for table in tables], output)
+    return Sweep(output, *counts)
 
 
 def damage(
