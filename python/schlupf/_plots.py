@@ -87,9 +87,7 @@ def legend_above(ax: Axes, **options: Any) -> None:
     ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), **options)
 
 
-def line(
-    ax: Axes, x: Any, y: Any, label: str, style: dict[str, Any], **own: Any
-) -> None:
+def line(ax: Axes, x: Any, y: Any, label: str, style: dict[str, Any], **own: Any) -> None:
     """A line with a label and a style of its own, where the given style says nothing else."""
     from matplotlib.cbook import normalize_kwargs
     from matplotlib.lines import Line2D
@@ -143,7 +141,8 @@ class ResultPlots:
         shown = {"cmap": ListedColormap(colors), "vmin": 0, "vmax": 1, **style}
         mesh = _mesh(ax, sliding, 1.0, **shown)
         self._cut_to_patch(ax)
-        labels = ((mesh.to_rgba(sliding), label) for sliding, label in enumerate(("stick", "slip")))
+        shown_colors = [cast("Any", mesh.cmap(mesh.norm(sliding))) for sliding in (0.0, 1.0)]
+        labels = zip(shown_colors, ("stick", "slip"), strict=True)
         legend_beside(ax, handles=[Patch(color=color, label=label) for color, label in labels])
         _patch_axes(ax, self._result.title)
         return ax
@@ -197,7 +196,9 @@ class ResultPlots:
             low, high = ends.min() - half, ends.max() + half
             raise ValueError(f"{axis} must be from {low:.3g} to {high:.3g} m, but is {where:.3g}")
         row = fields.sel(place, method="nearest")
-        shown = [variable(row, name) for name in names or ("friction_limit", "traction_x", "traction_y")]
+        shown = [
+            variable(row, name) for name in names or ("friction_limit", "traction_x", "traction_y")
+        ]
         units = {entry.attrs["units"] for entry in shown}
         if len(units) > 1:
             raise ValueError(f"fields of a cut must have one unit, but have {sorted(units)}")
