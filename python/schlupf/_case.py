@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 from warnings import warn
 
 from . import _core
-from ._errors import CaseError, SchlupfWarning, quoted
-from ._fields import FIELDS, SECTIONS, Field
+from ._errors import CaseError, SchlupfWarning, UnknownName, quoted
+from ._fields import FIELDS, SECTIONS, Field, no_field
 from ._laws import LARGEST, Law, checked, sampled
 from ._report import (
     BulkTemperature,
@@ -50,6 +50,8 @@ def toml_value(field: Field | None, value: Any) -> str:
     path = field.path if field else "a field"
     if is_quantity(value):
         value = magnitude(value, field.units if field else "", path)
+    if field is not None and field.kind in ONE_VALUE:
+        _check_one(field, value)
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, os.PathLike):
@@ -73,6 +75,27 @@ def toml_value(field: Field | None, value: Any) -> str:
     raise TypeError(
         f"{path} must be a number, text, a sequence or a quantity, but is a {type(value).__name__}"
     )
+
+
+#: Kinds of fields with a name, a text or a path, of which the library reads any text.
+ONE_VALUE = {
+    "path": "the path of a file",
+    "text": "text",
+    "choice": "one of several names",
+    "flag": "True or False",
+}
+
+
+def _check_one(field: Field, value: Any) -> None:
+    """Refuses what would only become text, such as an array."""
+    is_text = isinstance(value, (str, os.PathLike))
+    wanted = isinstance(value, bool) if field.kind == "flag" else is_text
+    # A wrong text has a better message of the library.
+    if not wanted and not is_text:
+        found = f"an array of shape {value.shape}" if hasattr(value, "shape") else repr(value)
+        advice = "; write the array to a file" if field.kind == "path" else ""
+        expected = ONE_VALUE[field.kind]
+        raise refused(field.path, f"{field.path} must be {expected}, but is {found}{advice}")
 
 
 def assignments(values: Mapping[str, Any], parent: str = "") -> Iterator[str]:
@@ -211,7 +234,7 @@ class Section:
             return Section(self._case, path)
         if path in FIELDS:
             return self._case[path]
-        raise AttributeError(f"no field {path}; the fields are {', '.join(self._names())}")
+        raise AttributeError(no_field(path))
 
     def __setattr__(self, name: str, value: Any) -> None:
         self._case[f"{self._path}.{name}"] = value
@@ -451,7 +474,7 @@ class Case:
             return Section(self, name)
         if name in FIELDS:
             return self[name]
-        raise AttributeError(f"no section {name}; the sections are {', '.join(_top())}")
+        raise AttributeError(no_field(name))
 
     def __setattr__(self, name: str, value: Any) -> None:
         self[name] = value
@@ -460,7 +483,7 @@ class Case:
         if path in SECTIONS:
             return Section(self, path)
         if path not in FIELDS:
-            raise KeyError(path)
+            raise UnknownName(no_field(path))
         return self._file.value(path)
 
     def __setitem__(self, path: str, value: Any) -> None:
@@ -655,7 +678,7 @@ class Case:
 
     def _family(self, path: str, values: Sequence[Any]) -> _Family:
         if path not in FIELDS:
-            raise KeyError(path)
+            raise UnknownName(no_field(path))
         self._check_varied(path)
         values = [values] if isinstance(values, str) else values
         texts = [toml_value(FIELDS[path], value) for value in values]

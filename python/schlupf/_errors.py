@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
     from ._report import Report
     from ._result import Result
@@ -52,6 +53,22 @@ def _sentence(error: dict[str, Any]) -> str:
 
 class CaseFileError(CaseError, OSError):
     """A file that a case names cannot be read."""
+
+
+class UnknownName(KeyError):
+    """Something has no such name; the message tells which it has."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+def no_such(what: str, name: object, known: Iterable[object]) -> str:
+    """That something has no such name, with the names like it or else all that there are."""
+    names = [str(entry) for entry in known]
+    like = get_close_matches(str(name), names, n=3)
+    if like:
+        return f"no {what} {name}; did you mean {' or '.join(like)}?"
+    return f"no {what} {name}; there are {', '.join(names)}" if names else f"no {what} {name}"
 
 
 class NotConverged(RuntimeError):

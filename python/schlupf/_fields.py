@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ._core import field_table
+from ._errors import no_such
 
 
 @dataclass(frozen=True)
@@ -60,3 +61,22 @@ SECTIONS: dict[str, SectionTable] = _read()
 FIELDS: dict[str, Field] = {
     field.path: field for section in SECTIONS.values() for field in section.fields
 }
+
+
+def no_field(path: object) -> str:
+    """That there is no such field or section."""
+    section, _, _ = str(path).rpartition(".")
+    inside = [known for known in FIELDS if section and known.startswith(f"{section}.")]
+    if not inside:
+        # A field of another section, or a section.
+        inside = [*(name for name in SECTIONS if name), *FIELDS]
+        return no_such("field", path, inside) if "." in str(path) else _no_section(path)
+    return no_such("field", path, inside)
+
+
+def _no_section(name: object) -> str:
+    """That there is no such section; a field without its section is told where it is."""
+    paths = [path for path in FIELDS if path.rpartition(".")[2] == name]
+    if paths:
+        return f"no section {name}; did you mean {' or '.join(paths[:3])}?"
+    return no_such("section", name, [name for name in SECTIONS if name and "." not in name])

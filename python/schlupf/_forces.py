@@ -131,8 +131,8 @@ def forces(
     return xr.Dataset(shaped).assign_coords(coordinates)
 
 
-#: Code, quantity and text of a warning, how many conditions have it, which of them is the worst, and
-#: whether all are equally severe.
+#: Code, quantity and text of a warning, how many conditions have it, which of them is the worst,
+#: and whether all are equally severe.
 Counted = tuple[str, str, str, int, int, bool]
 
 

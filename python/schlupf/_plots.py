@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar, cast
 
 import numpy as np
 
-from ._errors import quoted
+from ._errors import UnknownName, no_such, quoted
 from ._prefixes import scaled
 from ._result import Record
 
@@ -87,9 +87,13 @@ def legend_above(ax: Axes, **options: Any) -> None:
     ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), **options)
 
 
-def line(ax: Axes, x: Any, y: Any, label: str, style: dict[str, Any]) -> None:
-    """A line with a label, where the style has none of its own."""
-    ax.plot(x, y, **{"label": label, **style})
+def line(ax: Axes, x: Any, y: Any, label: str, style: dict[str, Any], **own: Any) -> None:
+    """A line with a label and a style of its own, where the given style says nothing else."""
+    from matplotlib.cbook import normalize_kwargs
+    from matplotlib.lines import Line2D
+
+    # Short names, such as `c`, in place of our long ones.
+    ax.plot(x, y, **{"label": label, **own, **normalize_kwargs(style, Line2D)})
 
 
 class ResultPlots:
@@ -134,9 +138,11 @@ class ResultPlots:
         ax = axes_or_new(ax)
         colors = ["#4477aa", "#ee6677"]
         sliding = fields["sliding"].where(fields["contact"])
-        _mesh(ax, sliding, 1.0, cmap=ListedColormap(colors), vmin=0, vmax=1, **style)
+        shown = {"cmap": ListedColormap(colors), "vmin": 0, "vmax": 1, **style}
+        mesh = _mesh(ax, sliding, 1.0, **shown)
         self._cut_to_patch(ax)
-        labels = zip(colors, ("stick", "slip"), strict=True)
+        shown_colors = [cast("Any", mesh.cmap(mesh.norm(sliding))) for sliding in (0.0, 1.0)]
+        labels = zip(shown_colors, ("stick", "slip"), strict=True)
         legend_beside(ax, handles=[Patch(color=color, label=label) for color, label in labels])
         _patch_axes(ax, self._result.title)
         return ax
@@ -150,7 +156,8 @@ class ResultPlots:
         found = self._result.temperature
         bulk = found[f"max_{body}"] - found[f"max_rise_{body}"]
         celsius = (rise + bulk).assign_attrs(units="degC")
-        return self._map(celsius, f"temperature, {body}", ax, cmap="inferno", **style)
+        label = f"temperature, {body}"
+        return self._map(celsius, label, ax, **{"cmap": "inferno", **style})
 
     @styled
     def cut(
@@ -189,7 +196,9 @@ class ResultPlots:
             low, high = ends.min() - half, ends.max() + half
             raise ValueError(f"{axis} must be from {low:.3g} to {high:.3g} m, but is {where:.3g}")
         row = fields.sel(place, method="nearest")
-        shown = [row[name] for name in names or ("friction_limit", "traction_x", "traction_y")]
+        shown = [
+            variable(row, name) for name in names or ("friction_limit", "traction_x", "traction_y")
+        ]
         units = {entry.attrs["units"] for entry in shown}
         if len(units) > 1:
             raise ValueError(f"fields of a cut must have one unit, but have {sorted(units)}")
@@ -209,14 +218,15 @@ class ResultPlots:
         import matplotlib.pyplot as plt
         from mpl_toolkits.mplot3d import Axes3D  # type: ignore[import-untyped]
 
-        values = self._fields()[name].fillna(0.0)
+        values = variable(self._fields(), name).fillna(0.0)
         factor, unit = scaled(largest(values), values.attrs["units"])
         if ax is None:
             _, ax = plt.subplots(figsize=(WIDTH, 3.0), subplot_kw={"projection": "3d"})
         if not isinstance(ax, Axes3D):
             raise TypeError("ax must be three-dimensional, of projection '3d'")
         x, y = np.meshgrid(values["x"] * 1e3, values["y"] * 1e3)
-        ax.plot_surface(x, y, values.values * factor, **{"cmap": "viridis", **style})
+        colors = {} if {"color", "facecolors"} & style.keys() else {"cmap": "viridis"}
+        ax.plot_surface(x, y, values.values * factor, **{**colors, **style})
         ax.set_xlabel("$x$ (mm)")
         ax.set_ylabel("$y$ (mm)")
         ax.set_zlabel(labelled(values.assign_attrs(units=unit)))
@@ -237,7 +247,7 @@ class ResultPlots:
                 ratio = history[name] / history["load"]
                 line(ax, history["time"] * 1e3, ratio, f"$F_{name[-1]}/N$", style)
         for name in names:
-            entry = history[name]
+            entry = variable(history, name)
             factor, unit = scaled(largest(entry), entry.attrs["units"])
             label = labelled(entry.assign_attrs(units=unit))
             line(ax, history["time"] * 1e3, entry * factor, label, style)
@@ -370,6 +380,19 @@ def _places(ax: Axes) -> None:
         ax.tick_params(axis="x", labelrotation=90)
 
 
+def variable(fields: xr.Dataset, name: str) -> xr.DataArray:
+    """A variable of fields or of a history.
+
+    Raises
+    ------
+    KeyError
+        If there is none of this name.
+    """
+    if not isinstance(name, str) or name not in fields:
+        raise UnknownName(no_such("field", name, fields))
+    return fields[name]
+
+
 def labelled(values: xr.DataArray) -> str:
     """Label of an axis: what it is, and its unit."""
     name, unit = str(values.attrs["long_name"]), values.attrs["units"]
@@ -382,9 +405,8 @@ def largest(values: xr.DataArray) -> float:
 
 
 def _mesh(ax: Axes, values: xr.DataArray, factor: float, **style: Any) -> QuadMesh:
-    return ax.pcolormesh(
-        values["x"] * 1e3, values["y"] * 1e3, values * factor, shading="nearest", **style
-    )
+    style = {"shading": "nearest", **style}
+    return ax.pcolormesh(values["x"] * 1e3, values["y"] * 1e3, values * factor, **style)
 
 
 def _patch_axes(ax: Axes, title: str) -> None:
@@ -426,7 +448,7 @@ def comparison(
         raise ValueError(
             f"ax must have {len(results)} axes, one for each result, but has {len(ax)}"
         )
-    shown = [result.fields[field] for result in results]
+    shown = [variable(result.fields, field) for result in results]
     bound = max(largest(values) for values in shown)
     factor, unit = scaled(bound, shown[0].attrs["units"])
     colors = _colors(shown, bound * factor)
@@ -479,7 +501,8 @@ def frames(
         ax.set_title(titles[k])
         return [mesh]
 
-    return FuncAnimation(cast("Figure", ax.figure), draw, frames=len(shown), **options)
+    options = {"frames": len(shown), **options}
+    return FuncAnimation(cast("Figure", ax.figure), draw, **options)
 
 
 def _colors(shown: Sequence[xr.DataArray], bound: float) -> dict[str, Any]:
@@ -495,10 +518,11 @@ def _over_time(
 ) -> tuple[list[xr.DataArray], list[str]]:
     """A field at successive times, with a title for each."""
     if isinstance(results, Record):
-        values = results.field_history[field]
+        values = variable(results.field_history, field)
         shown = [values.isel(time=k) for k in range(values.sizes["time"])]
         return shown, [f"{results.title}, {float(v['time']) * 1e3:.4g} ms" for v in shown]
     results = list(results)
     if not all(hasattr(result, "fields") for result in results):
         raise TypeError("animate takes a result, or results of successive times")
-    return [result.fields[field] for result in results], [result.title for result in results]
+    shown = [variable(result.fields, field) for result in results]
+    return shown, [result.title for result in results]

@@ -6,6 +6,7 @@ import json
 from typing import TYPE_CHECKING, Any
 
 from ._core import presets
+from ._errors import UnknownName, no_such
 
 if TYPE_CHECKING:
     from collections.abc import ItemsView, Iterator
@@ -47,10 +48,13 @@ class Presets:
         try:
             return self._presets[name]
         except KeyError:
-            raise AttributeError(f"no {name}; there are {', '.join(self)}") from None
+            raise AttributeError(no_such("preset", name, self)) from None
 
     def __getitem__(self, name: str) -> Preset:
-        return self._presets[name]
+        try:
+            return self._presets[name]
+        except (KeyError, TypeError):
+            raise UnknownName(no_such("preset", name, self)) from None
 
     def __contains__(self, name: object) -> bool:
         return name in self._presets

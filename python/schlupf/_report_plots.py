@@ -7,7 +7,16 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from ._plots import axes_or_new, colored_map, labelled, largest, legend_beside, line, styled
+from ._plots import (
+    axes_or_new,
+    colored_map,
+    labelled,
+    largest,
+    legend_beside,
+    line,
+    styled,
+    variable,
+)
 from ._prefixes import scaled
 
 if TYPE_CHECKING:
@@ -48,8 +57,8 @@ def curve(curve: Curve, ax: Axes | None = None, **style: Any) -> Axes:
         of_member = _member(member)
         for dashes, (force, symbol) in zip(("-", "--"), shown.items(), strict=False):
             label = f"{symbol}, {of_member}" if of_member else symbol
-            options = {"color": f"C{number}", "linestyle": dashes} if of_member else {}
-            line(ax, member[name], member[force] * factor, label, {**options, **style})
+            own = {"color": f"C{number}", "linestyle": dashes} if of_member else {}
+            line(ax, member[name], member[force] * factor, label, style, **own)
     ax.set_xlabel(labelled(points[name]))
     ax.set_ylabel(f"force on the wheel ({unit})")
     if "over" in points.dims:
@@ -64,20 +73,17 @@ def curve(curve: Curve, ax: Axes | None = None, **style: Any) -> Axes:
 def creep_map(curve: Curve, quantity: str, ax: Axes | None = None, **style: Any) -> Axes:
     """Labelled contours of a quantity over two others, over colours."""
     found = curve.map
-    if quantity not in found:
-        names = ", ".join(str(name) for name in found)
-        raise KeyError(f"the map has no {quantity}, but {names}")
+    values = variable(found, quantity)
     ax = axes_or_new(ax)
-    values = found[quantity]
     y, x = (found[str(name)] for name in values.dims)
-    colors = ax.contourf(x, y, values, **{"levels": 32, **style})
+    filled = ax.contourf(x, y, values, **{"levels": 32, **style})
     lines = ax.contour(x, y, values, levels=8, colors="black", linewidths=0.8)
     ax.clabel(lines, fontsize="small")
     figure = ax.figure
     assert figure is not None
     name = quantity.replace("_", " ")
     label = f"{name} ({values.attrs['units']})" if values.attrs["units"] else name
-    figure.colorbar(colors, ax=ax, label=label)
+    figure.colorbar(filled, ax=ax, label=label)
     for axis, set_label in ((x, ax.set_xlabel), (y, ax.set_ylabel)):
         units = f" ({axis.attrs['units']})" if axis.attrs["units"] else ""
         set_label(f"{axis.name}{units}")
@@ -139,7 +145,8 @@ def methods(comparison: Comparison, ax: Axes | None = None, **style: Any) -> Axe
     height = 0.8 / len(FORCES)
     for number, (force, symbol) in enumerate(FORCES.items()):
         shift = (number - (len(FORCES) - 1) / 2) * height
-        ax.barh(places + shift, table[force] * factor, height, **{"label": symbol, **style})
+        options = {"label": symbol, "height": height, **style}
+        ax.barh(places + shift, table[force] * factor, **options)
     ax.set_yticks(places, table["model"].values.tolist())
     ax.invert_yaxis()
     ax.axvline(0.0, color="black", linewidth=0.6)
@@ -228,7 +235,7 @@ def fit(fit: Fit, ax: Axes | None = None, **style: Any) -> Axes:
         speed = f", {float(own['speed'][0]):g} m/s" if len(series) > 1 else ""
         label = f"$F_{component}/N${speed}, measured"
         ax.plot(own[name], own["force_ratio"], "o", color=color, markersize=3, label=label)
-        line(ax, own[name], own["fitted"], "fitted", {"color": color, **style})
+        line(ax, own[name], own["fitted"], "fitted", style, color=color)
         ax.set_xlabel(labelled(own[name]))
     ax.set_ylabel("force on the rail over load")
     legend_beside(ax)

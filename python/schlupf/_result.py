@@ -6,9 +6,10 @@ import html
 import itertools
 import json
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ._errors import NotConverged
+from ._errors import NotConverged, UnknownName, no_such
 from ._tables import along, attributes, on_grid
 from .warnings import emit
 
@@ -35,11 +36,13 @@ class Record:
         try:
             return self._values[name]
         except KeyError:
-            known = ", ".join(self._values)
-            raise AttributeError(f"no {name}; there are {known}") from None
+            raise AttributeError(no_such("result", name, self._values)) from None
 
     def __getitem__(self, name: str) -> Any:
-        return self._values[name]
+        try:
+            return self._values[name]
+        except (KeyError, TypeError):
+            raise UnknownName(no_such("result", name, self._values)) from None
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._values)
@@ -183,7 +186,7 @@ class Result(Record):
 
     def to_netcdf(self, path: str | PathLike[str], **options: Any) -> None:
         """Writes the fields as NetCDF, with the scalars as JSON in an attribute."""
-        self._with_scalars().to_netcdf(path, **options)
+        self._with_scalars().to_netcdf(with_folder(path), **options)
 
     def to_zarr(self, store: Any, **options: Any) -> None:
         """Writes the fields as Zarr, with the scalars as JSON in an attribute."""
@@ -197,7 +200,7 @@ class Result(Record):
     def to_vtk(self, path: str | PathLike[str]) -> None:
         """Writes the fields for ParaView, as a ``.vtk`` file."""
         self._require_fields()
-        with open(path, "wb") as file:
+        with open(with_folder(path), "wb") as file:
             file.write(self._solution.vtk() or b"")
 
     def _require_fields(self) -> None:
@@ -220,7 +223,9 @@ class Result(Record):
         if picture is None:
             return text
         image = f'<img alt="traction" src="data:image/png;base64,{picture}">'
-        return f'<div style="display:flex;gap:1em;flex-wrap:wrap">{text}{image}</div>'
+        # Without the last one the picture is as high as the table.
+        style = "display:flex;gap:1em;flex-wrap:wrap;align-items:flex-start"
+        return f'<div style="{style}">{text}{image}</div>'
 
 
 class Saved:
@@ -278,6 +283,13 @@ def _row(entry: tuple[str, str, str, str]) -> str:
 
 def written(text: str, path: str | PathLike[str] | None) -> str:
     if path is not None:
-        with open(path, "w", encoding="utf-8") as file:
+        with open(with_folder(path), "w", encoding="utf-8") as file:
             file.write(text)
     return text
+
+
+def with_folder(path: str | PathLike[str]) -> Path:
+    """The path of an output, whose folder is made where it is missing."""
+    path = Path(path)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    return path

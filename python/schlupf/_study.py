@@ -14,6 +14,7 @@ import xarray as xr
 from . import _core
 from ._errors import SchlupfWarning, quoted
 from ._report import Damage
+from ._result import with_folder
 from ._tables import along
 from .warnings import emit
 
@@ -100,7 +101,7 @@ def sweep(
     OSError
         If a file cannot be read or written; what is done is kept.
     """
-    path, output = Path(study), Path(output)
+    path, output = Path(study), with_folder(output)
     if client is not None and not hasattr(client, "submit"):
         raise TypeError(f"client must be a distributed.Client, but is {quoted(client)}")
     if not 1 <= shard[0] <= shard[1]:
@@ -141,8 +142,9 @@ def merge(
     OSError
         If a file cannot be read or written.
     """
-    counts = _core.merge([Path(table) for table in tables], Path(output))
-    result = Sweep(Path(output), *counts)
+    output = with_folder(output)
+    counts = _core.merge([Path(table) for table in tables], output)
+    result = Sweep(output, *counts)
     if warn:
         _warn(result)
     return result

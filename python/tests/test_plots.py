@@ -153,3 +153,30 @@ def test_a_fit_of_lateral_forces_is_drawn_over_their_creepage(case):
     data = {"creepage_y": creepage, "force_ratio_y": ratio}
     ax = model.fit("friction.coefficient", data, warn=False).plot()
     assert ax.get_xlabel() == "lateral creepage"
+
+
+def test_every_keyword_of_matplotlib_may_be_given(case, result):
+    maps = {"cmap": "magma", "shading": "auto", "vmin": 0.0, "vmax": 1.0, "alpha": 0.5}
+    for name in ("traction", "pressure", "slip", "temperature", "stick_slip"):
+        ax = getattr(result.plot, name)(**maps)
+        (mesh,) = (c for c in ax.collections if type(c).__name__ == "QuadMesh")
+        assert (mesh.get_cmap().name, mesh.get_clim()) == ("magma", (0.0, 1.0)), name
+    lines = {"c": "red", "lw": 2.0, "ls": ":", "label": "mine", "zorder": 5}
+    curves = case.curve(creepage_x=(0.0, 0.01), over={"kinematics.speed": [10, 20]}, points=5)
+    wear, heat = case.wear(warn=False), case.temperature(warn=False)
+    for draw in (result.plot.cut, curves.plot, wear.plot, heat.plot):
+        line = draw(**lines).lines[0]
+        assert (line.get_color(), line.get_linewidth(), line.get_label()) == ("red", 2.0, "mine")
+    surface = result.plot.surface(color="red").collections[0]
+    np.testing.assert_allclose(surface.get_facecolor()[0, 1:3], 0.0)
+    bars = case.compare(warn=False).plot(height=0.2, label="mine", color="red")
+    assert bars.patches[0].get_height() == pytest.approx(0.2)
+    many = case.curve(creepage_x=(0.0, 0.01), over={"kinematics.speed": [5, 10, 20]}, points=5)
+    assert many.plot_map(levels=4, cmap="magma").collections
+    assert len(schlupf.animate([result], frames=1, interval=50)._fig.axes) == 2
+
+
+def test_the_picture_of_a_notebook_keeps_its_shape(result):
+    html = result._repr_html_()
+    assert "align-items:flex-start" in html
+    assert html.count("<img") == 1

@@ -207,7 +207,7 @@ def test_curves_over_numbers_have_a_map():
     assert found["force_x"].attrs["units"] == "N"
     np.testing.assert_array_equal(found["force_x"][0], curves.points["force_x"].isel(over=1))
     assert curves.plot_map().get_ylabel() == "kinematics.speed (m/s)"
-    with pytest.raises(KeyError, match="the map has no friction"):
+    with pytest.raises(KeyError, match="no field friction"):
         curves.plot_map("friction")
     with pytest.raises(ValueError, match="at least three numbers"):
         _ = SMALL.curve(creepage_x=(0.0, 0.01), points=3).map

@@ -16,6 +16,8 @@ const INTERRUPTED: i32 = 130;
 pub struct Unfinished {
     files: Vec<PathBuf>,
     directories: Vec<PathBuf>,
+    /// Of outputs that are written.
+    locks: Vec<PathBuf>,
     /// Folders to work in, which go with what is in them.
     scratch: Vec<PathBuf>,
     /// Whether all files of the command are in their places.
@@ -27,6 +29,7 @@ pub struct Unfinished {
 static UNFINISHED: Mutex<Unfinished> = Mutex::new(Unfinished {
     files: Vec::new(),
     directories: Vec::new(),
+    locks: Vec::new(),
     scratch: Vec::new(),
     is_written: false,
     keeps_parts: false,
@@ -44,6 +47,16 @@ impl Unfinished {
         self.files.push(path.to_owned());
     }
 
+    /// Notes the file of a lock.
+    pub fn lock(&mut self, path: &Path) {
+        self.locks.push(path.to_owned());
+    }
+
+    /// Forgets it.
+    pub fn unlock(&mut self, path: &Path) {
+        self.locks.retain(|lock| lock != path);
+    }
+
     /// Notes a directory that was made.
     pub fn directory(&mut self, path: &Path) {
         self.directories.push(path.to_owned());
@@ -56,12 +69,13 @@ impl Unfinished {
 
     /// All is in its place, if there was anything to write.
     pub fn finish(&mut self, is_written: bool) {
-        *self = Self { is_written, ..Self::default() };
+        let locks = std::mem::take(&mut self.locks);
+        *self = Self { is_written, locks, ..Self::default() };
     }
 
     /// What cannot be removed stays: nobody is left to tell.
     fn remove(&self) {
-        for file in &self.files {
+        for file in self.files.iter().chain(&self.locks) {
             let _ = std::fs::remove_file(file);
         }
         for directory in self.directories.iter().rev() {

@@ -5,6 +5,7 @@ use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use schlupf_case::CaseFile;
+use schlupf_study::lock::OutputLock;
 use tempfile::NamedTempFile;
 
 use crate::arguments::CaseArguments;
@@ -42,16 +43,21 @@ pub struct Directory<'a> {
     pub names: Vec<String>,
 }
 
-/// Checks output paths before the work: they are no `-`, their directories exist, they are no
-/// directories, and no two are the same file.
+/// Checks output paths before the work: they are no `-`, their directories exist or can be made,
+/// files can be made there, they are no directories, and no two are the same file.
 pub fn check(outputs: &[Output], directory: Option<&Directory>) -> Result<(), Failure> {
     if let Some(Directory { option, path, .. }) = directory {
         refuse_stdout(option, "directory", path)?;
         check_directory(path)?;
     }
+    for Output { option, path } in outputs {
+        refuse_stdout(option, "file", path)?;
+        if !is_special(path) {
+            check_directory(directory_of(path))?;
+        }
+    }
     let mut taken: Vec<Output> = Vec::new();
     for Output { option, path } in &all_files(outputs, directory) {
-        refuse_stdout(option, "file", path)?;
         if path.is_dir() {
             return Err(Failure::file(path, io::Error::from(ErrorKind::IsADirectory)));
         }
@@ -137,17 +143,25 @@ impl Input {
     }
 }
 
-/// Checks that a directory exists or can be created.
+/// Checks that a directory exists or can be created, and files in it.
 fn check_directory(path: &Path) -> Result<(), Failure> {
     // The metadata of a link that leads nowhere are those of the link.
     let existing = path.ancestors().find(|part| fs::symlink_metadata(part).is_ok());
-    match existing {
-        Some(existing) if !existing.is_dir() => {
-            Err(Failure::file(path, io::Error::from(ErrorKind::NotADirectory)))
-        }
-        _ => Ok(()),
+    let existing = existing.unwrap_or(Path::new("."));
+    if !existing.is_dir() {
+        return Err(Failure::file(path, io::Error::from(ErrorKind::NotADirectory)));
     }
+    // No interruption while it is there.
+    let _unfinished = interrupt::unfinished();
+    let tried = tempfile::Builder::new().prefix(UNFINISHED).tempfile_in(existing);
+    tried.map(drop).map_err(|cause| {
+        let message = format!("no file can be made in {}: {cause}", existing.display());
+        Failure::file(path, io::Error::new(cause.kind(), message))
+    })
 }
+
+/// What names of files begin with that are not whole.
+const UNFINISHED: &str = ".schlupf-";
 
 /// The path with that part of it resolved which exists.
 fn resolved(path: &Path) -> PathBuf {
@@ -163,20 +177,13 @@ fn resolved(path: &Path) -> PathBuf {
 
 /// The path with its directory resolved.
 fn location(path: &Path) -> Result<PathBuf, Failure> {
-    let directory = directory(path);
-    let resolved = fs::canonicalize(directory).map_err(|cause| {
-        Failure::file(
-            path,
-            io::Error::new(cause.kind(), format!("its directory {}: {cause}", directory.display())),
-        )
-    })?;
     match path.file_name() {
-        Some(name) => Ok(resolved.join(name)),
+        Some(name) => Ok(resolved(directory_of(path)).join(name)),
         None => Err(Failure::file(path, io::Error::from(ErrorKind::IsADirectory))),
     }
 }
 
-fn directory(path: &Path) -> &Path {
+fn directory_of(path: &Path) -> &Path {
     match path.parent() {
         Some(parent) if parent != Path::new("") => parent,
         _ => Path::new("."),
@@ -188,8 +195,53 @@ fn is_special(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir())
 }
 
-/// Writes all files: first to temporary ones beside them, then renames those. `directory` is
-/// created before if it is missing. On failure, what this run has created is removed again.
+/// Outputs that are locked, in directories that are there.
+#[derive(Debug, Default)]
+pub struct Reserved {
+    locks: Vec<OutputLock>,
+    created: Created,
+}
+
+/// Makes the directories of outputs, and refuses those that another run writes.
+pub fn reserve(outputs: &[Output], directory: Option<&Directory>) -> Result<Reserved, Failure> {
+    let paths = outputs.iter().map(|output| output.path.as_path());
+    let mut reserved = Reserved::default();
+    for path in paths.chain(directory.map(|directory| directory.path)) {
+        // Devices and the root directory are nobody's.
+        if is_special(path) || path.file_name().is_none() {
+            continue;
+        }
+        reserved.created.directory(directory_of(path))?;
+        let lock = OutputLock::take(path).map_err(|cause| Failure::file(path, cause))?;
+        interrupt::unfinished().lock(lock.path());
+        reserved.locks.push(lock);
+    }
+    Ok(reserved)
+}
+
+impl Drop for Reserved {
+    fn drop(&mut self) {
+        for lock in self.locks.drain(..) {
+            let path = lock.path().to_owned();
+            drop(lock);
+            interrupt::unfinished().unlock(&path);
+        }
+        // Those without a file in them.
+        self.created.remove();
+    }
+}
+
+/// Makes the directory of an output; it goes with what is returned if it is empty then.
+pub fn make_directory(path: &Path) -> Result<Reserved, Failure> {
+    let mut reserved = Reserved::default();
+    if !is_special(path) {
+        reserved.created.directory(directory_of(path))?;
+    }
+    Ok(reserved)
+}
+
+/// Writes all files: first to temporary ones beside them, then renames those. Their directories and
+/// `directory` are created before if they are missing. On failure, what this run has created is removed again.
 pub fn write(files: &[(PathBuf, Vec<u8>)], directory: Option<&Path>) -> Result<(), Failure> {
     let mut created = Created::default();
     let result = created.write(files, directory);
@@ -225,6 +277,9 @@ impl Created {
         }
         let (special, plain): (Vec<_>, Vec<_>) =
             files.iter().partition(|(path, _)| is_special(path));
+        for (path, _) in &plain {
+            self.directory(directory_of(path))?;
+        }
         let mut pending = Vec::new();
         for (path, bytes) in plain {
             let file = temporary(path, bytes).map_err(|cause| Failure::file(path, cause))?;
@@ -275,6 +330,7 @@ impl Created {
 
 /// Writes a file unless there is one.
 pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let _directory = make_directory(path)?;
     let file = temporary(path, bytes).map_err(|cause| Failure::file(path, cause))?;
     file.persist_noclobber(path).map_err(|error| Failure::file(path, error.error))?;
     Ok(())
@@ -282,7 +338,7 @@ pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 
 fn temporary(path: &Path, bytes: &[u8]) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".schlupf-");
+    builder.prefix(UNFINISHED);
     #[cfg(unix)]
     {
         // As any other new file, not readable by its owner alone; the umask still applies.
@@ -290,7 +346,7 @@ fn temporary(path: &Path, bytes: &[u8]) -> io::Result<NamedTempFile> {
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
     let mut unfinished = interrupt::unfinished();
-    let mut file = builder.tempfile_in(directory(path))?;
+    let mut file = builder.tempfile_in(directory_of(path))?;
     unfinished.file(file.path());
     drop(unfinished);
     file.write_all(bytes)?;

@@ -1,14 +1,15 @@
 //! What `schlupf check` says and draws of the profiles of a case.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use schlupf_case::{CaseErrors, CaseFile, ProfileReading};
 use schlupf_output::profiles;
 
 use crate::arguments::CheckArguments;
 use crate::failure::Failure;
+use crate::figures::{Figures, MANIFEST};
 use crate::outputs::{self, Directory, Input};
-use crate::task::{figure_files, refuse_foreign};
+use crate::task::figure_files;
 
 const OPTION: &str = "--figures";
 
@@ -21,15 +22,16 @@ pub fn check(arguments: &CheckArguments, file: &CaseFile) -> Result<(), Failure>
         );
         return Err(Failure::Arguments(message));
     }
-    let names = figure_files(profiles::NAME).to_vec();
-    let directory = Directory { option: OPTION, path, names };
+    let directory = directory(path);
     outputs::check(&[], Some(&directory))?;
     outputs::refuse_inputs(&[], Some(&directory), &Input::of_case(&arguments.case, file))?;
-    files(path).iter().try_for_each(|path| refuse_foreign(path))
+    let known = Figures::of(path)?;
+    figure_files(profiles::NAME).iter().try_for_each(|name| known.refuse_foreign(name))
 }
 
-fn files(directory: &Path) -> [PathBuf; 2] {
-    figure_files(profiles::NAME).map(|name| directory.join(name))
+fn directory(path: &Path) -> Directory<'_> {
+    let names = figure_files(profiles::NAME).into_iter().chain([MANIFEST.to_owned()]).collect();
+    Directory { option: OPTION, path, names }
 }
 
 /// What was read of the profiles of a case.
@@ -39,13 +41,19 @@ pub fn text(file: &CaseFile) -> String {
 
 /// Draws the profiles with the wheelset at a height (in m) above the nominal one.
 pub fn draw(arguments: &CheckArguments, file: &CaseFile, height: f64) -> Result<(), Failure> {
-    let Some(directory) = arguments.figures.as_deref() else { return Ok(()) };
+    let Some(path) = arguments.figures.as_deref() else { return Ok(()) };
     let title = file.title().map_err(CaseErrors::from)?;
     let wheel = file.wheel().map_err(CaseErrors::from)?;
-    let mut written = Vec::new();
+    let reserved = outputs::reserve(&[], Some(&directory(path)))?;
+    let names = figure_files(profiles::NAME);
+    let mut drawn = Vec::new();
     for figure in profiles::figure(&title, wheel, height)? {
-        let [svg, png] = files(directory);
-        written.extend([(svg, figure.svg.into_bytes()), (png, figure.png)]);
+        let [svg, png] = names.each_ref().map(|name| path.join(name));
+        drawn.extend([(svg, figure.svg.into_bytes()), (png, figure.png)]);
     }
-    outputs::write(&written, Some(directory))
+    let figures = Figures::of(path)?.renewed(&names, drawn);
+    outputs::write(&figures.files, Some(path))?;
+    outputs::remove(&figures.stale);
+    drop(reserved);
+    Ok(())
 }

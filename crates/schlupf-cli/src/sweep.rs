@@ -65,9 +65,11 @@ pub fn sweep(arguments: &Sweep) -> Result<u8, Failure> {
         |path: &PathBuf| Input { what: "the study".to_owned(), path: path.clone(), except: None };
     let inputs: Vec<Input> = study.inputs().iter().map(input).collect();
     outputs::refuse_inputs(&[output(&arguments.output)], None, &inputs)?;
+    let directory = outputs::make_directory(&arguments.output)?;
     interrupt::unfinished().keep_parts();
     let report = run::run(&study, arguments.shard.0, &arguments.output, &progress.watch())?;
     drop(progress);
+    drop(directory);
     told(&report, &arguments.output, arguments.quiet)
 }
 
@@ -81,6 +83,7 @@ pub fn merge(arguments: &Merge) -> Result<u8, Failure> {
     };
     let inputs: Vec<Input> = arguments.tables.iter().map(input).collect();
     outputs::refuse_inputs(&[output(&arguments.output)], None, &inputs)?;
+    let _directory = outputs::make_directory(&arguments.output)?;
     let report = merge::merge(&arguments.tables, &arguments.output)?;
     told(&report, &arguments.output, arguments.quiet)
 }

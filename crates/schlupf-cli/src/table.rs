@@ -3,13 +3,17 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use schlupf::message::Message;
 use schlupf::table_building::{LONGER_SIDE_EXPONENT, TableOptions, build, build_from};
 use schlupf::{Error, Quantity};
 use schlupf_table::{StatedError, StoredTable, TableFileError};
 
 use crate::failure::{Failure, NOT_CONVERGED, SUCCESS};
+use crate::interrupt;
+use crate::kept_states::KeptStates;
 use crate::outputs::{self, Input, Output};
 use crate::progress::Progress;
+use crate::report;
 use crate::stdout;
 
 const OUTPUT: &str = "--output";
@@ -17,7 +21,8 @@ const OUTPUT: &str = "--output";
 /// Which look-up table, and where to write it.
 #[derive(Debug, Args)]
 pub struct Table {
-    /// Where to write the table: a .npz archive, which NumPy reads
+    /// Where to write the table: a .npz archive, which NumPy reads; run again after an interruption,
+    /// it resumes
     #[arg(long, value_name = "FILE", default_value = "table.npz")]
     pub output: PathBuf,
     /// Combined Poisson's ratio of both bodies
@@ -49,12 +54,12 @@ pub struct Table {
 
 /// Makes a look-up table.
 pub fn table(arguments: &Table) -> Result<u8, Failure> {
-    let output = Output { option: OUTPUT, path: arguments.output.clone() };
-    outputs::check(&[output], None)?;
     if arguments.output.extension().is_none_or(|ending| ending != "npz") {
         let path = arguments.output.display();
         return Err(Failure::Arguments(format!("{OUTPUT} must end in .npz, but is {path}")));
     }
+    let output = Output { option: OUTPUT, path: arguments.output.clone() };
+    outputs::check(std::slice::from_ref(&output), None)?;
     let options = TableOptions {
         poisson_ratio: arguments.poisson_ratio,
         axis_ratios: [arguments.smallest_axis_ratio, arguments.largest_axis_ratio],
@@ -65,20 +70,36 @@ pub fn table(arguments: &Table) -> Result<u8, Failure> {
     };
     let earlier =
         arguments.from.as_deref().map(|path| read(path, arguments, options.cells)).transpose()?;
+    options.check().map_err(|error| refused(&error))?;
+    let reserved = outputs::reserve(&[output], None)?;
+    let kept = KeptStates::of(&arguments.output, &description(&options, earlier.as_ref()))?;
+    interrupt::unfinished().keep_parts();
+    let resumed = kept.count();
     let progress = Progress::start();
     let built = match &earlier {
-        None => build(&options, &progress.watch()),
-        Some(earlier) => build_from(&earlier.table, &options, &progress.watch()),
+        None => build(&options, &kept, &progress.watch()),
+        Some(earlier) => build_from(&earlier.table, &options, &kept, &progress.watch()),
     };
-    let built = built.map_err(|error| refused(&error))?;
+    let built = match built {
+        Ok(built) => built,
+        Err(error) => {
+            kept.remove();
+            return Err(refused(&error));
+        }
+    };
     drop(progress);
     let is_met = built.is_within_tolerance && built.unconverged == 0;
     let stored = StoredTable::new(built, &options);
     let bytes = stored.to_bytes().map_err(|error| unwritten(&error))?;
     let size = bytes.len();
     outputs::write(&[(arguments.output.clone(), bytes)], None)?;
+    let unkept = kept.remove();
+    drop(reserved);
+    if let Some(failure) = unkept {
+        report::warn(&Message::new("states-not-kept", OUTPUT, failure.to_string()));
+    }
     if !arguments.quiet {
-        stdout::write(&summary(arguments, &stored, size))?;
+        stdout::write(&summary(arguments, &stored, size, resumed))?;
     }
     Ok(if is_met { SUCCESS } else { NOT_CONVERGED })
 }
@@ -124,7 +145,13 @@ fn unwritten(error: &TableFileError) -> Failure {
     Failure::Arguments(format!("{OUTPUT}: the table {error}"))
 }
 
-fn summary(arguments: &Table, stored: &StoredTable, size: usize) -> String {
+/// One line about the table that is to be made: states of another one are not taken for its own.
+fn description(options: &TableOptions, earlier: Option<&StoredTable>) -> String {
+    let from = earlier.map_or("", |earlier| earlier.metadata.sha256.as_str());
+    format!("schlupf {} {options:?} {from}", env!("CARGO_PKG_VERSION"))
+}
+
+fn summary(arguments: &Table, stored: &StoredTable, size: usize, resumed: usize) -> String {
     let metadata = &stored.metadata;
     let [ratios, azimuths, inclinations, saturations] = metadata.nodes;
     let percent = |part: f64| format!("{:.2} %", 100.0 * part);
@@ -150,9 +177,13 @@ fn summary(arguments: &Table, stored: &StoredTable, size: usize) -> String {
         0 => String::new(),
         count => format!(", {count} of them not converged"),
     };
+    let resumed = match resumed {
+        0 => String::new(),
+        count => format!("; {count} were there already"),
+    };
     format!(
         "{}\n\nnodes      {ratios} x {azimuths} x {inclinations} x {saturations}: a/b, azimuth, \
-         inclination, saturation\nsolved     {} states{unconverged}\nerror      {}{sliding}{verdict}\n\
+         inclination, saturation\nsolved     {} states{unconverged}{resumed}\nerror      {}{sliding}{verdict}\n\
          size       {:.2} MB\n",
         arguments.output.display(),
         metadata.solutions,

@@ -1,18 +1,16 @@
 //! What commands that find something have in common: check the outputs, read the case, plan, find,
 //! write, print, warn.
 
-use std::fs::File;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use schlupf::{Status, Watch};
 use schlupf_case::CaseFile;
 use schlupf_output::Report;
-use schlupf_output::figures::MARK;
 
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::commands::read_case;
 use crate::failure::{Failure, NOT_CONVERGED, SUCCESS};
+use crate::figures::{Figures, MANIFEST};
 use crate::outputs::{self, Directory, Input, Output};
 use crate::progress::Progress;
 use crate::{report, stdout};
@@ -103,18 +101,24 @@ pub fn run<T: Task>(task: &T) -> Result<u8, Failure> {
     let file = read_case(&task.case())?;
     outputs.refuse_inputs(&task.inputs(&file))?;
     outputs.refuse_foreign(&task.figure_names(&file))?;
+    let reserved = outputs::reserve(&outputs.files, outputs.directory.as_ref())?;
     // Contact of profiles and of a rough surface may take a while.
     progress.stage("posing the problem");
     let plan = task.plan(file, &progress.watch())?;
     let Found { report, failure } = task.find(plan, &progress)?;
     if failure.is_none() {
-        let files = files(task, &report, &progress)?;
-        let figures = task.outputs().figures.as_deref();
-        outputs::write(&files, figures)?;
-        if let Some(directory) = figures {
-            outputs::remove(&stale::<T>(directory, &files));
+        let (mut files, drawn) = files(task, &report, &progress)?;
+        let directory = task.outputs().figures.as_deref();
+        let mut stale = Vec::new();
+        if let Some(directory) = directory {
+            let figures = Figures::of(directory)?.renewed(&file_names::<T>(), drawn);
+            files.extend(figures.files);
+            stale = figures.stale;
         }
+        outputs::write(&files, directory)?;
+        outputs::remove(&stale);
     }
+    drop(reserved);
     drop(progress);
     // Warnings are printed even where the results cannot be.
     let printed = print(task.outputs(), &report);
@@ -138,6 +142,11 @@ fn print(outputs: &OutputArguments, report: &impl Report) -> Result<(), Failure>
     }
 }
 
+/// Names of the files of all figures that a command may draw.
+fn file_names<T: Task>() -> Vec<String> {
+    T::Report::figure_names().iter().flat_map(|name| figure_files(name)).collect()
+}
+
 /// Names of the files of a figure: the drawing and the picture.
 pub(crate) fn figure_files(name: &str) -> [String; 2] {
     [format!("{name}.svg"), format!("{name}.png")]
@@ -157,11 +166,10 @@ impl<'a> Outputs<'a> {
         let own = task.own_files().into_iter().map(|file| (file.option, file.path));
         let output =
             |(option, path): (&'static str, &Path)| Output { option, path: path.to_owned() };
-        let names = T::Report::figure_names();
         let directory = outputs.figures.as_deref().map(|path| Directory {
             option: "--figures",
             path,
-            names: names.iter().flat_map(|name| figure_files(name)).collect(),
+            names: file_names::<T>().into_iter().chain([MANIFEST.to_owned()]).collect(),
         });
         Self { files: common.chain(own).map(output).collect(), directory }
     }
@@ -174,8 +182,9 @@ impl<'a> Outputs<'a> {
     /// Refuses to write figures over files that are not ours.
     fn refuse_foreign(&self, figures: &[String]) -> Result<(), Failure> {
         let Some(directory) = &self.directory else { return Ok(()) };
+        let known = Figures::of(directory.path)?;
         let mut files = figures.iter().flat_map(|name| figure_files(name));
-        files.try_for_each(|name| refuse_foreign(&directory.path.join(name)))
+        files.try_for_each(|name| known.refuse_foreign(&name))
     }
 
     fn refuse_inputs(&self, inputs: &[Input]) -> Result<(), Failure> {
@@ -183,40 +192,16 @@ impl<'a> Outputs<'a> {
     }
 }
 
-/// Refuses to write over, or to remove later, a figure that is not ours.
-pub(crate) fn refuse_foreign(path: &Path) -> Result<(), Failure> {
-    if !path.exists() || is_ours(path) {
-        return Ok(());
-    }
-    Err(Failure::Arguments(format!(
-        "--figures must name a directory without other files of the names of figures, but {} is not \
-         marked as drawn by schlupf",
-        path.display()
-    )))
-}
+/// Files with their contents.
+type Files = Vec<(PathBuf, Vec<u8>)>;
 
-/// Whether a drawing or a picture is one of ours: its mark stands near its beginning.
-fn is_ours(figure: &Path) -> bool {
-    const HEAD: u64 = 4096;
-    let mut head = Vec::new();
-    let read = File::open(figure).and_then(|file| file.take(HEAD).read_to_end(&mut head));
-    read.is_ok() && head.windows(MARK.len()).any(|part| part == MARK.as_bytes())
-}
-
-/// Figures of an earlier run of this command that this one has not drawn.
-fn stale<T: Task>(directory: &Path, written: &[(PathBuf, Vec<u8>)]) -> Vec<PathBuf> {
-    let names = T::Report::figure_names();
-    let files = names.iter().flat_map(|name| figure_files(name)).map(|name| directory.join(name));
-    let is_written = |path: &PathBuf| written.iter().any(|(written, _)| written == path);
-    files.filter(|path| !is_written(path) && is_ours(path)).collect()
-}
-
-/// All files in memory: what cannot be made is known before the first one is written.
+/// All files in memory, and all figures: what cannot be made is known before the first one is
+/// written.
 fn files<T: Task>(
     task: &T,
     report: &T::Report,
     progress: &Progress,
-) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+) -> Result<(Files, Files), Failure> {
     let outputs = task.outputs();
     let mut files = Vec::new();
     if let Some(path) = outputs.json_file() {
@@ -229,13 +214,14 @@ fn files<T: Task>(
         let Some(bytes) = report.own_file(own.format) else { return Err(own.missing()) };
         files.push((own.path.to_owned(), bytes));
     }
+    let mut drawn = Vec::new();
     if let Some(directory) = &outputs.figures {
         progress.stage("drawing figures");
         for figure in report.figures()? {
             let [svg, png] = figure_files(&figure.name).map(|name| directory.join(name));
-            files.push((svg, figure.svg.into_bytes()));
-            files.push((png, figure.png));
+            drawn.push((svg, figure.svg.into_bytes()));
+            drawn.push((png, figure.png));
         }
     }
-    Ok(files)
+    Ok((files, drawn))
 }

@@ -56,9 +56,13 @@ fn what_is_available_is_written() {
         "wrote ball_1.toml: A ball that brakes\nwrote ball_3.toml: ball.inp, case 3\n\
          case 2: not available, see the errors\n"
     );
-    let viscous = "ball.inp:16:1: M = 1: viscoelastic bodies are not available";
+    let viscous = "ball.inp:16:6: M = 1: viscoelastic bodies are not available";
     assert_eq!(run.stderr.matches(viscous).count(), 1, "{}", run.stderr);
-    assert!(run.stderr.contains("G, I, A, O, W, MAXGS … EPS set CONTACT's own"), "{}", run.stderr);
+    assert!(
+        run.stderr.contains("G, I, A, O, W, MAXGS … EPS, DQ, FACPHI set CONTACT's own"),
+        "{}",
+        run.stderr
+    );
     assert_eq!(bench.run(&["check", "ball_3.toml"]).code, Some(0));
     let run = bench.run(&["solve", "ball_1.toml"]);
     assert_eq!(run.code, Some(0), "{}", run.stderr);
@@ -216,5 +220,65 @@ fn cases_become_a_study() {
         let [found, expected] =
             [rows[row][place].parse::<f64>().unwrap(), json["force"]["x"].as_f64().unwrap()];
         assert!((found - expected).abs() < 1e-6 * expected.abs(), "{case}: {found}, {expected}");
+    }
+}
+
+/// A directory that is made for the cases: profiles are found from it, the first time and the
+/// second.
+#[test]
+fn profiles_are_found_from_a_directory_that_is_made() {
+    let bench = Bench::new();
+    for (name, of) in [("rail.csv", "profile_uic60_canted.csv"), ("wheel.csv", "profile_s1002.csv")]
+    {
+        let bytes = std::fs::read(format!("{}/../../data/{of}", env!("CARGO_MANIFEST_DIR")));
+        std::fs::write(bench.path(name), bytes.unwrap()).unwrap();
+    }
+    bench.write("wheel.inp", POSITION);
+    for (more, code) in [(&[][..], 0), (&["--force"], 0)] {
+        let import = ["import", "wheel.inp", "--output", "new/deep/cases"];
+        let run = bench.run(&[&import[..], more].concat());
+        assert_eq!(run.code, Some(code), "{}", run.stderr);
+        assert!(run.stderr.contains("contacts closer than D_SEP"), "{}", run.stderr);
+    }
+    let case = bench.read("new/deep/cases/wheel.toml");
+    assert!(case.contains("profile = \"../../../rail.csv\""), "{case}");
+    assert_eq!(bench.run(&["check", "new/deep/cases/wheel.toml"]).code, Some(0));
+}
+
+/// One position of a left wheel on a rail.
+const POSITION: &str = "\
+ 1  MODULE
+  0203100    C-P-B-T-N-F-S
+  0022033    V-L-D-C-M-Z-E
+  0000111    H-G-I-A-O-W-R
+  200 100 30 1 1e-5
+ 0.3 0.3   FSTAT, FKIN
+ 0.28 0.28 82000. 82000.
+ 0.2 0.2 1.0 90d 8.0 4.0   DX, DS, DQREL, A_SEP, D_SEP, D_COMB
+ 14. 0 1435. 0.0   GAUGHT, GAUGSQ, GAUGWD, CANT
+ 'rail.csv' 0 1.0 0.0
+ 0. 0. 0. 0. 0. 0.
+ 1360. -70. 460.
+ 'wheel.csv' 0 1.0 0.0
+ 0. 0.0 80000. 0. 0. 0.
+ 20000. 0. 0. 0. 0. -43.478
+ 0
+";
+
+/// A value that the case file refuses is told where it stands, and a decimal comma at its column.
+#[test]
+fn wrong_values_are_told_at_their_line_and_column() {
+    let bench = Bench::new();
+    let end = INPUT.find("\n 3  MODULE\n  203100    P-B-T-N-F-S\n  102100").unwrap();
+    for (from, to, told) in [
+        (" 0d 0.25 30000.", " 0d 0.25 -30000.", "ball.inp:9:10: kinematics.speed must be"),
+        (" 0.28 0.28 82031", " 0.28 0,28 82031", "ball.inp:10:7: POISS2 must be a number, but is"),
+        ("52359.878 0.001", "52359,878 0.001", "ball.inp:7:2: FN must be a number, but is `52359,"),
+    ] {
+        bench.write("ball.inp", &INPUT[..end].replace(from, to));
+        let run = bench.run(&["import", "ball.inp"]);
+        assert_eq!(run.code, Some(2), "{}", run.stderr);
+        assert!(run.stderr.contains(told), "{told}: {}", run.stderr);
+        assert_eq!(bench.list(), ["ball.inp"]);
     }
 }

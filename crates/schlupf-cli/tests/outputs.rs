@@ -39,7 +39,7 @@ fn files_of_others_are_neither_overwritten_nor_removed() {
         bench.write(&format!("f/{name}"), "mine");
         let run = bench.run(&["solve", "case.toml", "--json", "s.json", "--figures", "f"]);
         assert_eq!(run.code, Some(2), "{}", run.stderr);
-        assert!(run.stderr.contains(name) && run.stderr.contains("not marked as drawn by schlupf"));
+        assert!(run.stderr.contains(&format!("{name} is none that schlupf-figures.json lists")));
         assert_eq!(bench.read(&format!("f/{name}")), "mine");
         assert_eq!(bench.list(), ["case.toml", "f"]);
     }
@@ -58,7 +58,7 @@ fn only_names_of_figures_that_may_be_drawn_count() {
     assert_eq!(draw("steady").code, Some(0));
     let refused = draw("marching");
     assert_eq!(refused.code, Some(2));
-    assert!(refused.stderr.contains("history.png is not marked"), "{}", refused.stderr);
+    assert!(refused.stderr.contains("history.png is none that"), "{}", refused.stderr);
     assert_eq!(bench.read("f/history.png"), "mine");
 }
 
@@ -75,7 +75,7 @@ fn a_figure_is_judged_by_itself() {
     bench.write("f/cut_y0.png", "mine");
     let refused = draw();
     assert_eq!(refused.code, Some(2));
-    assert!(refused.stderr.contains("cut_y0.png is not marked"), "{}", refused.stderr);
+    assert!(refused.stderr.contains("cut_y0.png is none that"), "{}", refused.stderr);
     assert_eq!(bench.read("f/cut_y0.png"), "mine");
 }
 
@@ -83,8 +83,9 @@ fn a_figure_is_judged_by_itself() {
 #[test]
 fn outputs_are_checked_before_the_case() {
     let bench = bench();
+    bench.write("file", "mine");
     let rows = [
-        ("--json", "missing/s.json", 1, "missing/s.json: its directory missing"),
+        ("--json", "file/s.json", 1, "file: not a directory"),
         ("--csv", "-", 2, "--csv must name a file, but is `-`"),
         ("--figures", "-", 2, "--figures must name a directory, but is `-`"),
     ];
@@ -92,6 +93,79 @@ fn outputs_are_checked_before_the_case() {
         let run = bench.run(&["solve", "none.toml", option, path]);
         assert_eq!(run.code, Some(code), "{option} {path}: {}", run.stderr);
         assert!(run.stderr.contains(part), "{part:?} is not in\n{}", run.stderr);
+    }
+}
+
+/// What was drawn is what the manifest lists, as it was drawn: not what looks like it.
+#[test]
+fn only_figures_of_the_manifest_are_ours() {
+    let bench = bench();
+    let draw = |folder: &str, more: &[&str]| {
+        bench.run(&[&["solve", "case.toml", "--quiet", "--figures", folder], more].concat())
+    };
+    assert_eq!(draw("f", &[]).code, Some(0));
+    let manifest = bench.read("f/schlupf-figures.json");
+    assert!(manifest.contains("\"map_temperature.svg\""), "{manifest}");
+    // A copy elsewhere is its owner's.
+    std::fs::create_dir(bench.path("g")).unwrap();
+    std::fs::copy(bench.path("f/cut_y0.svg"), bench.path("g/cut_y0.svg")).unwrap();
+    let refused = draw("g", &[]);
+    assert_eq!(refused.code, Some(2), "{}", refused.stderr);
+    assert!(refused.stderr.contains("cut_y0.svg is none that"), "{}", refused.stderr);
+    // So is one that was changed: it is neither written over nor removed.
+    let changed = bench.read("f/map_temperature.svg") + "<!-- mine -->";
+    bench.write("f/map_temperature.svg", &changed);
+    assert_eq!(draw("f", &[]).code, Some(2));
+    let cold = draw("f", &["--set", "heat.model=none"]);
+    assert_eq!(cold.code, Some(2), "{}", cold.stderr);
+    assert_eq!(bench.read("f/map_temperature.svg"), changed);
+    // A file of the manifest's name that is none.
+    bench.write("f/schlupf-figures.json", "mine");
+    let refused = draw("f", &[]);
+    assert!(refused.stderr.contains("schlupf-figures.json: it is no manifest of figures"));
+    assert_eq!(bench.read("f/schlupf-figures.json"), "mine");
+}
+
+/// Folders of all outputs are made, on every command, and go again where nothing is written.
+#[test]
+fn folders_are_made() {
+    let bench = bench();
+    let outputs = ["--json", "a/b/s.json", "--csv", "a/c/s.csv", "--figures", "d/e"];
+    let run = bench.run(&[&["solve", "case.toml", "--quiet"][..], &outputs].concat());
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    assert!(["a/b/s.json", "a/c/s.csv", "d/e/cut_y0.svg"].iter().all(|p| bench.path(p).exists()));
+    assert_eq!(bench.run(&["init", "new/case.toml"]).code, Some(0));
+    bench
+        .write("study.toml", "case = \"case.toml\"\n[vary]\n\"kinematics.speed\" = [10.0, 20.0]\n");
+    for shard in ["1/2", "2/2"] {
+        let output = format!("s/{}.csv", &shard[..1]);
+        let run = bench.run(&["sweep", "study.toml", "--output", &output, "--shard", shard]);
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+    }
+    let merged = bench.run(&["merge", "s/1.csv", "s/2.csv", "--output", "m/m.csv"]);
+    assert_eq!(merged.code, Some(0), "{}", merged.stderr);
+    let before = bench.list();
+    let failed = ["solve", "case.toml", "--set", "normal.load=-1 N", "--json", "x/y/s.json"];
+    assert_eq!(bench.run(&failed).code, Some(2));
+    let unwritten =
+        ["compare", "case.toml", "--set", "kinematics.speed=0 m/s", "--json", "x/s.json"];
+    assert_eq!(bench.run(&unwritten).code, Some(2));
+    assert_eq!(bench.list(), before);
+}
+
+/// A place where no file can be made is told before the case is read.
+#[cfg(target_os = "linux")]
+#[test]
+fn places_without_files_are_refused_first() {
+    let bench = bench();
+    for arguments in [
+        &["solve", "none.toml", "--json", "/proc/s.json"][..],
+        &["table", "--output", "/proc/new/t.npz"],
+        &["sweep", "none.toml", "--output", "/proc/s.csv"],
+    ] {
+        let run = bench.run(arguments);
+        assert_eq!(run.code, Some(1), "{}", run.stderr);
+        assert!(run.stderr.contains("no file can be made in /proc"), "{}", run.stderr);
     }
 }
 

@@ -16,6 +16,7 @@ pub mod damage;
 pub mod design;
 mod digest;
 mod error;
+pub mod lock;
 pub mod merge;
 mod order;
 mod parts;

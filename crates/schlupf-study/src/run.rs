@@ -14,6 +14,7 @@ use crate::batch;
 use crate::chunks::{self, Chunks};
 use crate::counts::{Counts, WARNINGS};
 use crate::error::StudyError;
+use crate::lock::OutputLock;
 use crate::parts::{Parts, folder_with, sync};
 use crate::study::Study;
 use crate::table::{Cells, Contents, Format, Reader, Rows, Writer};
@@ -142,6 +143,8 @@ pub enum Started {
 /// A run of a study whose batches are solved by the caller, say on other machines.
 #[derive(Debug)]
 pub struct Run {
+    /// Until the table is in its place.
+    lock: OutputLock,
     contents: Contents,
     output: PathBuf,
     parts: Parts,
@@ -161,6 +164,11 @@ impl Run {
         if output.exists() {
             return existing(output, &contents).map(Started::Done);
         }
+        let lock = OutputLock::take(output).map_err(|cause| StudyError::file(output, cause))?;
+        // Another run may just have ended.
+        if output.exists() {
+            return existing(output, &contents).map(Started::Done);
+        }
         let parts = Parts::of(output, &contents)?;
         let columns = study.fields.as_deref().map(chunks::columns);
         let chunks = columns.map(|columns| Chunks::of(output, &contents, columns, &parts));
@@ -175,7 +183,7 @@ impl Run {
         let (done, left): (Vec<usize>, Vec<usize>) =
             contents.own_batches().partition(|batch| parts.has(*batch));
         let output = output.to_owned();
-        let mut run = Self { contents, output, parts, chunks, left, resumed: 0 };
+        let mut run = Self { lock, contents, output, parts, chunks, left, resumed: 0 };
         run.resumed = run.rows_of(&done);
         Ok(Started::Open(Box::new(run)))
     }
@@ -214,7 +222,7 @@ impl Run {
     /// # Errors
     /// A batch that is missing, and files that cannot be read or written.
     pub fn finish(self) -> Result<Report, StudyError> {
-        let Self { contents, output, parts, resumed, .. } = self;
+        let Self { lock, contents, output, parts, resumed, .. } = self;
         let mut report = Report { resumed, ..Report::default() };
         assemble(&output, parts.unfinished(), &contents, &mut |batch| {
             let rows = parts.rows(batch, &contents)?;
@@ -222,6 +230,7 @@ impl Run {
             Ok(rows)
         })?;
         parts.remove();
+        drop(lock);
         Ok(report)
     }
 

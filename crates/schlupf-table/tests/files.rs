@@ -1,6 +1,6 @@
 //! Tables as files.
 
-use schlupf::table_building::{LONGER_SIDE_EXPONENT, TableOptions, build, build_from};
+use schlupf::table_building::{LONGER_SIDE_EXPONENT, NothingKept, TableOptions, build, build_from};
 use schlupf::unwatched;
 use schlupf_table::{StoredTable, TableFileError, standard};
 
@@ -35,7 +35,7 @@ fn a_file_is_kept_once() {
 /// A table that is made, written and read again is the same, and so is one made from it.
 #[test]
 fn a_table_survives_its_file() {
-    let built = build(&options(), &unwatched).unwrap();
+    let built = build(&options(), &NothingKept, &unwatched).unwrap();
     assert!(built.is_within_tolerance && built.error.median < 0.05, "{:?}", built.error);
     assert_eq!(built.unconverged, 0);
     let (error, solutions) = (built.error, built.solutions);
@@ -44,13 +44,14 @@ fn a_table_survives_its_file() {
     let read = StoredTable::from_bytes(&bytes).unwrap();
     assert!(read == stored, "{:?} {:?}", read.metadata, stored.metadata);
     assert!(bytes == read.to_bytes().unwrap());
-    let again = build_from(&read.table, &options(), &unwatched).unwrap();
+    let again = build_from(&read.table, &options(), &NothingKept, &unwatched).unwrap();
     assert_eq!(again.solutions, solutions);
     assert!((again.error.largest - error.largest).abs() < 1e-6);
     let sliding = stored.metadata.sliding_error.as_ref().map(|error| error.states);
     assert_eq!(sliding, Some(10 * options().states));
     let other = TableOptions { poisson_ratio: 0.3, ..options() };
-    let refused = build_from(&read.table, &other, &unwatched).unwrap_err().to_string();
+    let refused =
+        build_from(&read.table, &other, &NothingKept, &unwatched).unwrap_err().to_string();
     assert!(refused.starts_with("poisson_ratio"), "{refused}");
 }
 

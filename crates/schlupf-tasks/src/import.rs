@@ -7,7 +7,8 @@ use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
 use schlupf_case::{
-    CaseError, CaseErrors, CaseFile, Cause, Files, Folder, Overrides, Place, Source, read_up_to,
+    CaseError, CaseErrors, CaseFile, Cause, Files, LARGEST_FILE, Overrides, Place, Source,
+    read_up_to,
 };
 use schlupf_import::contact::{self, Import, ImportedCase, Options, WheelBody};
 
@@ -34,24 +35,41 @@ impl<'a> Request<'a> {
     }
 }
 
-/// The files of a case: those that were made with it, and those of a folder.
+/// The files of a case: those that were made with it, and those of a folder, which may be missing
+/// yet.
 #[derive(Debug)]
 struct Beside {
     made: BTreeMap<String, Vec<u8>>,
-    folder: Arc<Folder>,
+    folder: PathBuf,
 }
 
 impl Files for Beside {
     fn read(&self, name: &str) -> io::Result<Vec<u8>> {
         match self.made.get(name) {
             Some(bytes) => Ok(bytes.clone()),
-            None => self.folder.read(name),
+            None => read_up_to(LARGEST_FILE, File::open(self.locate(name))?),
         }
     }
 
     fn locate(&self, name: &str) -> PathBuf {
-        self.folder.locate(name)
+        resolved(&self.folder.join(name))
     }
+}
+
+/// An absolute path without `..`, also through folders that are missing yet, which are no links.
+fn resolved(path: &Path) -> PathBuf {
+    let path = std::path::absolute(path).unwrap_or(path.to_owned());
+    let mut resolved = PathBuf::new();
+    for part in path.components() {
+        match part {
+            Component::ParentDir => drop(resolved.pop()),
+            part => resolved.push(part),
+        }
+        if let Ok(existing) = resolved.canonicalize() {
+            resolved = existing;
+        }
+    }
+    resolved
 }
 
 /// Imports an input file of CONTACT. Every case file that it returns was read and checked.
@@ -97,7 +115,7 @@ pub fn contact(request: Request) -> Result<Import, TaskError> {
             Ok(_) => accepted.push(case),
             Err(errors) => {
                 import.refused.extend(&case.numbers);
-                for error in errors.iter().map(|error| at_case(&source, &case, error)) {
+                for error in errors.iter().map(|error| at_case(&case, error)) {
                     // A profile is missing once, in however many cases.
                     if !import.errors.contains(&error) {
                         import.errors.push(error);
@@ -115,20 +133,19 @@ pub fn contact(request: Request) -> Result<Import, TaskError> {
 /// The case of a case file that was imported; it need not be written.
 pub fn read(case: &ImportedCase, output: &Path) -> Result<CaseFile, CaseErrors> {
     let made = case.files.iter().cloned().collect();
-    let files = Arc::new(Beside { made, folder: Folder::new(output) });
+    let files = Arc::new(Beside { made, folder: output.to_owned() });
     CaseFile::from_str(&case.text, &case.name, files, Overrides::NONE)
 }
 
-/// What a case file is refused for, at the line that it was made from.
-fn at_case(source: &Arc<Source>, case: &ImportedCase, error: &CaseError) -> CaseError {
-    let named = case.lines.iter().find(|(field, _)| *field == error.field);
-    let (line, message) = if let Some((_, line)) = named {
-        (*line, error.message.clone())
+/// What a case file is refused for, at the place that it was made from.
+fn at_case(case: &ImportedCase, error: &CaseError) -> CaseError {
+    let named = case.places.iter().find(|(field, _)| *field == error.field);
+    let (place, message) = if let Some((_, place)) = named {
+        (place.clone(), error.message.clone())
     } else {
         let number = case.numbers.first().copied().unwrap_or_default();
-        (case.line, format!("case {number}: {}", error.message))
+        (case.place.clone(), format!("case {number}: {}", error.message))
     };
-    let place = Place::line(source, line);
     CaseError { cause: error.cause, ..CaseError::new(&error.field, message, place) }
         .help(error.help.clone())
 }
@@ -140,10 +157,8 @@ fn folder_of(path: &Path) -> &Path {
 /// What to put before a path that is relative to one folder for it to be relative to another:
 /// empty, or with a slash at its end.
 fn relative(from: &Path, to: &Path) -> String {
-    let [from, to] = [from, to].map(|path| {
-        let path = if path == Path::new("") { Path::new(".") } else { path };
-        path.canonicalize().or_else(|_| std::path::absolute(path)).unwrap_or(path.to_owned())
-    });
+    let [from, to] =
+        [from, to].map(|path| resolved(if path == Path::new("") { Path::new(".") } else { path }));
     let common = from.components().zip(to.components()).take_while(|(a, b)| a == b).count();
     if common == 0 {
         return format!("{}/", to.display());

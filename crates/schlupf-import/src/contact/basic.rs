@@ -165,7 +165,7 @@ impl Area {
             4 => &["XC1", "YC1", "XCM", "YCM"],
             other => {
                 let message = format!("IPOTCN must be -6 to -1 or 1 to 4, but is {other}");
-                return Err(reader.error("IPOTCN", kind.line, message));
+                return Err(reader.error("IPOTCN", kind.at, message));
             }
         };
         let items: Vec<_> = [whole("MX"), whole("MY")]
@@ -174,7 +174,7 @@ impl Area {
             .collect();
         let given = reader.group_of(&items)?;
         let [x, y, ref values @ ..] = given[..] else {
-            return Err(reader.error("MX", kind.line, "MX and MY must be given".to_owned()));
+            return Err(reader.error("MX", kind.at, "MX and MY must be given".to_owned()));
         };
         let elements = x.whole().saturating_mul(y.whole());
         if x.whole() < 1 || y.whole() < 1 || elements > MOST_ELEMENTS {
@@ -183,7 +183,7 @@ impl Area {
                 x.whole(),
                 y.whole()
             );
-            return Err(reader.error("MX", x.line, message));
+            return Err(reader.error("MX", x.at, message));
         }
         Ok(Self { kind, cells: [x, y], values: values.to_vec() })
     }
@@ -230,7 +230,7 @@ impl Distance {
                 let count = head.first().map_or(0, |count| count.whole());
                 if !(2..=MOST_ELEMENTS).contains(&count) {
                     let message = format!("NN must be 2 to {MOST_ELEMENTS}, but is {count}");
-                    return Err(reader.error("NN", reader.line(), message));
+                    return Err(reader.error("NN", base.at, message));
                 }
                 head.extend(reader.array(real("B"), count as usize)?);
                 head
@@ -239,7 +239,7 @@ impl Distance {
             9 => reader.array(real("H"), area.elements())?,
             other => {
                 let message = format!("IBASE must be 1, 2, 3 or 9, but is {other}");
-                return Err(reader.error("IBASE", base.line, message));
+                return Err(reader.error("IBASE", base.at, message));
             }
         };
         match plan.whole() {
@@ -256,7 +256,7 @@ impl Distance {
             }
             other => {
                 let message = format!("IPLAN must be 1 to 4, but is {other}");
-                return Err(reader.error("IPLAN", plan.line, message));
+                return Err(reader.error("IPLAN", plan.at, message));
             }
         }
         Ok(Self { base, plan, values })

@@ -1,6 +1,6 @@
 //! The control digits of a case.
 
-use super::given::{Given, Item, whole};
+use super::given::{At, Given, Item, whole};
 use super::reader::{Reader, Reading};
 
 /// A digit with its name and the values that it may have.
@@ -130,7 +130,7 @@ impl Control {
         let [word] = reader.numbers([whole(third)])?;
         let third = unpacked(reader, word, &THIRD)?;
         // Module 3 has no digit C1.
-        let config = Given { name: "C1", value: 0.0, line: word.line };
+        let config = Given { name: "C1", value: 0.0, at: word.at };
         let (config, first) = match first[..] {
             [config, ref rest @ ..] if module == 1 => (config, rest),
             _ => (config, &first[..]),
@@ -139,7 +139,7 @@ impl Control {
         let [friction_variation, friction_law, grid, influence, material, distance, extra] =
             array(&second, word);
         let [debugging, heat, iteration, _, _, _, _, following] = array(&third, word);
-        let unchanged = Given { name: DAMPING.name, value: 1.0, line: word.line };
+        let unchanged = Given { name: DAMPING.name, value: 1.0, at: word.at };
         let damping = damping.map_or(unchanged, |word| {
             // The tens are the weighting of gaps.
             Given { value: (word.whole() % 10) as f64, ..word }
@@ -198,13 +198,14 @@ fn unpacked(reader: &Reader, word: Given, digits: &[Digit]) -> Reading<Vec<Given
             digits.len(),
             word.whole()
         );
-        return Err(reader.error(word.name, word.line, message));
+        return Err(reader.error(word.name, word.at, message));
     }
-    let pairs = digits.iter().zip(values);
+    let pairs = digits.iter().zip(values).enumerate();
     pairs
-        .map(|(digit, value)| {
+        .map(|(place, (digit, value))| {
+            let at = digit_at(word.at, digits.len() - place);
             if digit.allowed.contains(&value) {
-                return Ok(Given { name: digit.name, value: value as f64, line: word.line });
+                return Ok(Given { name: digit.name, value: value as f64, at });
             }
             let allowed: Vec<String> = digit.allowed.iter().map(ToString::to_string).collect();
             let message = format!(
@@ -213,9 +214,18 @@ fn unpacked(reader: &Reader, word: Given, digits: &[Digit]) -> Reading<Vec<Given
                 word.name,
                 allowed.join(", ")
             );
-            Err(reader.error(digit.name, word.line, message))
+            Err(reader.error(digit.name, at, message))
         })
         .collect()
+}
+
+/// Where a digit stands, counted from the end of its word; the word where it is left out.
+fn digit_at(word: At, from_end: usize) -> At {
+    let [start, end] = word.bytes;
+    match end.checked_sub(from_end) {
+        Some(place) if place >= start => At { bytes: [place, place + 1], ..word },
+        _ => word,
+    }
 }
 
 /// The digits in their order; of a word that has fewer the rest are zero.

@@ -33,7 +33,7 @@ impl Friction {
             let [count] = reader.numbers([whole("NVF")])?;
             if !(1..=MOST_SETS).contains(&count.whole()) {
                 let message = format!("NVF must be 1 to {MOST_SETS}, but is {}", count.whole());
-                return Err(reader.error("NVF", count.line, message));
+                return Err(reader.error("NVF", count.at, message));
             }
             count.whole() as usize
         } else if variation.is(3) {
@@ -81,13 +81,13 @@ fn parameters(reader: &mut Reader, law: Given, place: Option<Item>) -> Reading<[
         _ => {
             let message = "L must be 0, 2, 3, 4 or 6 where a law of friction is given, but is 5 (the law of \
                            Polach, whose values the input file has no place for)";
-            return Err(reader.error("L", law.line, message.to_owned()));
+            return Err(reader.error("L", law.at, message.to_owned()));
         }
     };
     let items: Vec<Item> = place.into_iter().chain(items.iter().copied()).collect();
     let given = reader.group_of(&items)?;
     let given = &given[usize::from(place.is_some())..];
     Ok(std::array::from_fn(|k| {
-        given.get(k).copied().unwrap_or(Given { name: "", value: 0.0, line: law.line })
+        given.get(k).copied().unwrap_or(Given { name: "", value: 0.0, at: law.at })
     }))
 }

@@ -1,4 +1,25 @@
-//! A value of an input file with its name and its line.
+//! A value of an input file with its name and its place.
+
+use std::sync::Arc;
+
+use schlupf_case::{Place, Source};
+
+/// Where a value stands.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct At {
+    /// Its line, numbered from 1.
+    pub line: usize,
+    /// Its first byte, and the one behind its last.
+    pub bytes: [usize; 2],
+}
+
+impl At {
+    /// The same in the text of the file.
+    pub fn place(self, source: &Arc<Source>) -> Place {
+        let [start, end] = self.bytes;
+        Place::Text { source: Arc::clone(source), span: start..end }
+    }
+}
 
 /// A number of an input file.
 #[derive(Debug, Clone, Copy)]
@@ -7,8 +28,8 @@ pub struct Given {
     pub name: &'static str,
     /// In the unit of the input file: mm, N, N/mm², mm/s, rad, s, °C; dimensionless for a digit.
     pub value: f64,
-    /// Its line, numbered from 1.
-    pub line: usize,
+    /// Its place.
+    pub at: At,
 }
 
 /// Two are alike if their values are, wherever they stand.
@@ -37,8 +58,8 @@ pub struct GivenText {
     pub name: &'static str,
     /// The text without its quotes.
     pub text: String,
-    /// Its line, numbered from 1.
-    pub line: usize,
+    /// Its place.
+    pub at: At,
 }
 
 /// Two are alike if their texts are, wherever they stand.
@@ -108,14 +129,19 @@ impl Item {
     }
 }
 
-/// A number as Fortran writes it, with `e` or `d` before the exponent.
+/// A number as Fortran writes it: `e` or `d` before the exponent, or its sign alone.
 fn real_number(word: &str) -> Option<f64> {
     // Rust takes names for infinity and for what is no number; the file may not have these.
     if !word.chars().all(|c| c.is_ascii_digit() || "+-.eEdD".contains(c)) {
         return None;
     }
-    let number = word.replace(['d', 'D'], "e").parse::<f64>().ok();
-    number.filter(|number| number.is_finite())
+    let mut number = word.replace(['d', 'D', 'E'], "e");
+    if !number.contains('e')
+        && let Some(sign) = number.rfind(['+', '-']).filter(|sign| *sign > 0)
+    {
+        number.insert(sign, 'e');
+    }
+    number.parse::<f64>().ok().filter(|number| number.is_finite())
 }
 
 #[cfg(test)]
@@ -128,12 +154,19 @@ mod tests {
             (real("X"), "1d-5", Some(1e-5)),
             (real("X"), "-.5", Some(-0.5)),
             (real("X"), "106700.", Some(106_700.0)),
+            (real("X"), ".1-07", Some(1e-8)),
+            (real("X"), "-2.5+3", Some(-2500.0)),
+            (real("X"), "1.5D+02", Some(150.0)),
+            (real("X"), "1-", None),
+            (real("X"), "1-2.5", None),
+            (real("X"), "1-2-3", None),
             (real("X"), "nan", None),
             (real("X"), "inf", None),
             (real("X"), "1e999", None),
             (real("X"), "FN", None),
             (angle("X"), "180d", Some(std::f64::consts::PI)),
             (angle("X"), "180.d", Some(std::f64::consts::PI)),
+            (angle("X"), "18.+1d", Some(std::f64::consts::PI)),
             (angle("X"), "0.25r", Some(0.25)),
             (angle("X"), "0.25", Some(0.25)),
             (whole("X"), "-3", Some(-3.0)),

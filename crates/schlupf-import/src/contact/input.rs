@@ -7,7 +7,7 @@ use schlupf_case::{CaseError, Source};
 
 use super::basic::Basic;
 use super::control::Control;
-use super::given::{Given, whole};
+use super::given::{At, Given, whole};
 use super::reader::{Reader, Reading};
 use super::wheel_rail::WheelRail;
 
@@ -17,7 +17,7 @@ pub struct InputCase {
     /// Its number in the file, from 1.
     pub number: usize,
     /// Where it begins.
-    pub line: usize,
+    pub at: At,
     /// What its comments call it.
     pub title: Option<String>,
     /// Its control digits.
@@ -78,7 +78,7 @@ fn read_cases(reader: &mut Reader, cases: &mut Vec<InputCase>) -> Reading<()> {
     let mut stays: Option<(i64, Element)> = None;
     let mut end = 0;
     while !reader.is_at_end() {
-        let start = reader.next_line();
+        let start = reader.next();
         let (module, element) = match stays.take() {
             Some(stays) => stays,
             None => match module(reader)? {
@@ -91,7 +91,7 @@ fn read_cases(reader: &mut Reader, cases: &mut Vec<InputCase>) -> Reading<()> {
             let message = format!("the file must have {MOST_CASES} cases at most, but has more");
             return Err(reader.error("MODULE", start, message));
         }
-        let title = reader.title(end, start);
+        let title = reader.title(end, start.line);
         let mut control = Control::read(reader, module)?;
         if !basics.contains_key(&element) && !wheels.contains_key(&element) {
             // The first case begins without tractions, whatever its digit P says.
@@ -117,7 +117,7 @@ fn read_cases(reader: &mut Reader, cases: &mut Vec<InputCase>) -> Reading<()> {
             stays = Some((module_number, element));
         }
         let is_skipped = following >= 2;
-        cases.push(InputCase { number, line: start, title, control, module, element, is_skipped });
+        cases.push(InputCase { number, at: start, title, control, module, element, is_skipped });
     }
     Ok(())
 }
@@ -132,7 +132,7 @@ fn module(reader: &mut Reader) -> Reading<Option<(i64, Element)>> {
         number @ (1 | 3) => Ok(Some((number, element))),
         other => {
             let message = format!("MODULE must be 0, 1 or 3, but is {other}");
-            Err(reader.error("MODULE", module.line, message))
+            Err(reader.error("MODULE", module.at, message))
         }
     }
 }
@@ -152,7 +152,7 @@ fn check_first(reader: &Reader, control: &Control, is_first: bool) -> Reading<()
         }
         let (name, value) = (digit.name, digit.whole());
         let message = format!("{name} = {value} keeps what an earlier case has, but there is none");
-        return Err(reader.error(name, digit.line, message));
+        return Err(reader.error(name, digit.at, message));
     }
     Ok(())
 }

@@ -73,6 +73,8 @@ pub fn skip_damping(reader: &mut Reader, control: &Control) -> Reading<()> {
 pub struct Heat {
     /// Of bodies 1 and 2.
     pub bodies: [[Given; 4]; 2],
+    /// BETAPL: the part of the plastic work that heats, of a layer between them.
+    pub plastic_part: Option<Given>,
 }
 
 impl Heat {
@@ -82,9 +84,13 @@ impl Heat {
             reader.numbers([real("BKTEMP1"), real("HEATCP1"), real("LAMBDA1"), real("DENS1")])?;
         let second =
             reader.numbers([real("BKTEMP2"), real("HEATCP2"), real("LAMBDA2"), real("DENS2")])?;
-        if control.material.is(4) {
-            reader.numbers([real("BETAPL")])?;
-        }
-        Ok(Self { bodies: [first, second] })
+        let has_layer = control.material.is(4);
+        let plastic_part = if has_layer {
+            let [part] = reader.numbers([real("BETAPL")])?;
+            Some(part)
+        } else {
+            None
+        };
+        Ok(Self { bodies: [first, second], plastic_part })
     }
 }

@@ -5,16 +5,26 @@
 
 use std::sync::Arc;
 
+use schlupf::message::shortened;
 use schlupf_case::{CaseError, Place, Source};
 
-use super::given::{Given, GivenText, Item};
-use schlupf::message::shortened;
+use super::given::{At, Form, Given, GivenText, Item};
 
 /// A line that is more than a comment.
 #[derive(Debug)]
 struct Line {
     number: usize,
-    words: Vec<String>,
+    words: Vec<Word>,
+}
+
+/// What stands between spaces and commas.
+#[derive(Debug)]
+struct Word {
+    text: String,
+    /// Its first byte in the file.
+    start: usize,
+    /// With the next word, where both make a number with a decimal comma.
+    with_comma: Option<String>,
 }
 
 /// A comment.
@@ -52,9 +62,11 @@ impl Reader {
     /// A reader of a text, before its first line.
     pub fn new(source: Arc<Source>) -> Self {
         let (mut lines, mut comments) = (Vec::new(), Vec::new());
-        for (number, line) in (1..).zip(source.text.lines()) {
+        let mut start = 0;
+        for (number, line) in (1..).zip(source.text.split_inclusive('\n')) {
             let (code, comment) = without_comment(line);
-            let words = words(code);
+            let words = words(code, start);
+            start += line.len();
             if let Some(comment) = comment {
                 let text = comment.trim().to_owned();
                 comments.push(Comment { line: number, text, is_alone: words.is_empty() });
@@ -71,9 +83,11 @@ impl Reader {
         self.next >= self.lines.len()
     }
 
-    /// The line of what is read next.
-    pub fn next_line(&self) -> usize {
-        self.lines.get(self.next).map_or_else(|| self.line(), |line| line.number)
+    /// The place of what is read next.
+    pub fn next(&self) -> At {
+        let next = self.lines.get(self.next);
+        let at = next.and_then(|line| Some(line.words.first()?.at(line.number)));
+        at.unwrap_or_default()
     }
 
     /// The line of what was read last.
@@ -135,47 +149,66 @@ impl Reader {
                 return Err(self.at_end(text, items));
             };
             self.next += 1;
+            let number = line.number;
             let mut words = line.words.iter();
             if let Some(name) = text.filter(|_| group.text.is_none()) {
-                let word = words.next().map_or("", String::as_str);
-                let Some(inner) = unquoted(word) else {
-                    let message = format!(
-                        "{name} must be text in single quotes, but is `{}`",
-                        shortened(word)
-                    );
-                    return Err(self.error(name, line.number, message));
+                let Some(word) = words.next() else { continue };
+                let Some(inner) = unquoted(&word.text) else {
+                    let message = {
+                        let word = shortened(&word.text);
+                        format!("{name} must be text in single quotes, but is `{word}`")
+                    };
+                    return Err(self.error(name, word.at(number), message));
                 };
-                group.text = Some(GivenText { name, text: inner.to_owned(), line: line.number });
+                let at = word.at(number);
+                group.text = Some(GivenText { name, text: inner.to_owned(), at });
             }
             for (item, word) in items[group.given.len()..].iter().zip(words.by_ref()) {
-                let Some(value) = item.number(word) else {
+                self.refuse_comma(item, word, number)?;
+                let Some(value) = item.number(&word.text) else {
                     let (name, form) = (item.name, item.form_name());
                     let expected = expected(text, items);
                     let message = format!(
                         "{name} must be {form}, but is `{}` (expected here: {expected})",
-                        shortened(word)
+                        shortened(&word.text)
                     );
-                    return Err(self.error(name, line.number, message));
+                    return Err(self.error(name, word.at(number), message));
                 };
-                group.given.push(Given { name: item.name, value, line: line.number });
+                group.given.push(Given { name: item.name, value, at: word.at(number) });
             }
-            let more = optional.iter().zip(words).map_while(|(item, word)| {
-                let value = item.number(word)?;
-                Some(Given { name: item.name, value, line: line.number })
-            });
-            group.more = more.collect();
+            for (item, word) in optional.iter().zip(words) {
+                self.refuse_comma(item, word, number)?;
+                let Some(value) = item.number(&word.text) else { break };
+                group.more.push(Given { name: item.name, value, at: word.at(number) });
+            }
         }
         Ok(group)
     }
 
-    fn at_end(&self, text: Option<&str>, items: &[Item]) -> CaseError {
-        let message = format!("the file must go on with {}, but ends", expected(text, items));
-        self.error("", self.source.text.lines().count(), message)
+    /// Refuses a decimal comma, which would make two values of one.
+    fn refuse_comma(&self, item: &Item, word: &Word, line: usize) -> Reading<()> {
+        let Some(whole) = word.with_comma.as_ref().filter(|_| item.form != Form::Whole) else {
+            return Ok(());
+        };
+        let message = format!(
+            "{} must be {}, but is `{whole}`: a comma separates values",
+            item.name,
+            item.form_name()
+        );
+        let at = At { line, bytes: [word.start, word.start + whole.len()] };
+        let help = format!("a decimal comma must be a point: {}", whole.replace(',', "."));
+        Err(self.error(item.name, at, message).help(Some(help)))
     }
 
-    /// An error at a line.
-    pub fn error(&self, field: &str, line: usize, message: String) -> CaseError {
-        CaseError::new(field, message, Place::line(&self.source, line))
+    fn at_end(&self, text: Option<&str>, items: &[Item]) -> CaseError {
+        let message = format!("the file must go on with {}, but ends", expected(text, items));
+        let place = Place::line(&self.source, self.source.text.lines().count());
+        CaseError::new("", message, place)
+    }
+
+    /// An error at a place.
+    pub fn error(&self, field: &str, at: At, message: String) -> CaseError {
+        CaseError::new(field, message, at.place(&self.source))
     }
 
     /// What the comments say of a case that begins in a line: the first line of the nearest block
@@ -229,21 +262,48 @@ fn without_comment(line: &str) -> (&str, Option<&str>) {
     (line, None)
 }
 
-fn words(code: &str) -> Vec<String> {
-    let (mut words, mut word, mut is_quoted) = (Vec::new(), String::new(), false);
-    for character in code.chars() {
+impl Word {
+    fn at(&self, line: usize) -> At {
+        At { line, bytes: [self.start, self.start + self.text.len()] }
+    }
+}
+
+/// The words of a line that begins with a byte of the file.
+fn words(code: &str, start: usize) -> Vec<Word> {
+    let (mut words, mut is_quoted): (Vec<Word>, bool) = (Vec::new(), false);
+    let mut is_inside = false;
+    for (place, character) in code.char_indices() {
         if character == '\'' {
             is_quoted = !is_quoted;
         }
-        if !is_quoted && (character.is_whitespace() || character == ',') {
-            if !word.is_empty() {
-                words.push(std::mem::take(&mut word));
+        let separates = !is_quoted && (character.is_whitespace() || character == ',');
+        match words.last_mut().filter(|_| is_inside && !separates) {
+            Some(word) => word.text.push(character),
+            None if separates => {}
+            None => {
+                let text = character.to_string();
+                words.push(Word { text, start: start + place, with_comma: None });
             }
-        } else {
-            word.push(character);
+        }
+        is_inside = !separates;
+    }
+    for place in 1..words.len() {
+        let (whole, fraction) = (&words[place - 1], &words[place]);
+        let from = whole.start - start;
+        if !code[..from].chars().next_back().is_none_or(char::is_whitespace) {
+            continue;
+        }
+        // Two words with nothing but a comma between and around them.
+        let together = code[from..].split_whitespace().next().unwrap_or_default();
+        let is_whole = whole.text.trim_start_matches(['+', '-']).bytes();
+        let is_number = is_whole.len() > 0
+            && is_whole.into_iter().all(|byte| byte.is_ascii_digit())
+            && fraction.text.starts_with(|c: char| c.is_ascii_digit())
+            && !fraction.text.contains('.');
+        if is_number && together == format!("{},{}", whole.text, fraction.text) {
+            words[place - 1].with_comma = Some(together.to_owned());
         }
     }
-    words.extend(Some(word).filter(|word| !word.is_empty()));
     words
 }
 
@@ -276,7 +336,7 @@ mod tests {
         let (given, more) =
             reader.numbers_and([real("A"), real("B"), real("C")], [real("D"), whole("E")]).unwrap();
         assert_eq!(given.map(|given| given.value), [1.0, 2.0, 3.0]);
-        assert_eq!(given.map(|given| given.line), [2, 2, 4]);
+        assert_eq!(given.map(|given| given.at.line), [2, 2, 4]);
         assert_eq!(more.map(|given| given.map(|given| given.value)), [Some(4.0), Some(5.0)]);
         let ([six], [none]) = reader.numbers_and([real("F")], [real("G")]).unwrap();
         assert!(six.is(6) && none.is_none());

@@ -66,7 +66,7 @@ pub fn points_below(reader: &mut Reader, control: &Control) -> Reading<()> {
             }
             other => {
                 let message = format!("ISUBS must be 0, 1, 2, 3, 5, 6, 7 or 9, but is {other}");
-                return Err(reader.error("ISUBS", kind.line, message));
+                return Err(reader.error("ISUBS", kind.at, message));
             }
         }
         match kind.whole() {

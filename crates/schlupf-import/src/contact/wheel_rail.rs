@@ -26,6 +26,8 @@ pub struct WheelRail {
     pub rail_deviation: Option<[Given; 6]>,
     /// FBDIST, FBPOS and NOMRADW, in mm.
     pub wheelset: Option<[Given; 3]>,
+    /// YTAPE, in mm.
+    pub tape_circle: Option<Given>,
     /// Profile of the wheel.
     pub wheel: Option<Profile>,
     /// S_WS, Y_WS, Z_WS or FZ, ROLL, YAW and PITCH, in mm, N and rad.
@@ -47,6 +49,8 @@ pub struct Search {
     pub angle: Given,
     /// D_SEP, in mm.
     pub distance: Given,
+    /// D_COMB, in mm.
+    pub whole_distance: Given,
 }
 
 /// Where the rails are.
@@ -79,6 +83,8 @@ pub struct Profile {
     pub mirror_z: Option<Given>,
     /// ISMOOTH.
     pub smoothing_method: Option<Given>,
+    /// PRFOPT, where it asks for thresholds of kinks and errors.
+    pub thresholds: Option<Given>,
 }
 
 impl WheelRail {
@@ -137,7 +143,8 @@ impl WheelRail {
         let kind = control.extra.whole();
         if matches!(kind, 3 | 5) {
             let size = [real("FBDIST"), real("FBPOS"), real("NOMRADW")];
-            self.wheelset = Some(reader.numbers_and(size, [real("YTAPE")])?.0);
+            let (size, [tape_circle]) = reader.numbers_and(size, [real("YTAPE")])?;
+            (self.wheelset, self.tape_circle) = (Some(size), tape_circle);
             self.wheel = Some(Profile::read(reader, "WFNAME")?);
         }
         if matches!(kind, 1..=5) {
@@ -194,11 +201,11 @@ impl WheelRail {
 
 impl Search {
     fn read(reader: &mut Reader, control: &Control) -> Reading<Self> {
-        let ([x, s, _, angle, distance, _], _) = reader.numbers_and(
+        let ([x, s, _, angle, distance, whole_distance], _) = reader.numbers_and(
             [real("DX"), real("DS"), real("DQREL"), angle("A_SEP"), real("D_SEP"), real("D_COMB")],
             [real("D_TURN"), real("G_MISS")],
         )?;
-        Ok(Self { method: control.grid, element: [x, s], angle, distance })
+        Ok(Self { method: control.grid, element: [x, s], angle, distance, whole_distance })
     }
 }
 
@@ -209,6 +216,7 @@ impl Profile {
             [whole("MIRRORY"), real("SCALEYZ"), real("SMOOTH")],
             [whole("MIRRORZ"), whole("PRFOPT")],
         )?;
+        let thresholds = options.filter(|options| options.value >= 1.0);
         let options = options.map_or(0, Given::whole);
         let mut smoothing_method = None;
         if options >= 1 {
@@ -224,6 +232,6 @@ impl Profile {
         if options >= 2 {
             reader.numbers([whole("ERRHND"), real("MAXOMIT")])?;
         }
-        Ok(Self { file, mirror_y, scale, smoothing, mirror_z, smoothing_method })
+        Ok(Self { file, mirror_y, scale, smoothing, mirror_z, smoothing_method, thresholds })
     }
 }

@@ -13,7 +13,7 @@ use super::elliptic_contact::friction_state;
 /// ```
 /// use schlupf::kinematics::Kinematics;
 /// use schlupf::simplified::{EllipticContact, TableContact};
-/// use schlupf::table_building::{TableOptions, build};
+/// use schlupf::table_building::{NothingKept, TableOptions, build};
 /// use schlupf::{Problem, unwatched};
 ///
 /// let options = TableOptions {
@@ -22,7 +22,7 @@ use super::elliptic_contact::friction_state;
 ///     states: 10,
 ///     ..TableOptions::default()
 /// };
-/// let table = build(&options, &unwatched)?.table;
+/// let table = build(&options, &NothingKept, &unwatched)?.table;
 /// let problem = Problem::builder().build()?;
 /// let contact = TableContact::new(&table, EllipticContact::new(&problem)?);
 /// // At standstill the forces go by the slip velocities; here with 1 cm/s in place of the speed.

@@ -13,6 +13,7 @@
 
 mod first_nodes;
 mod full_sliding;
+mod kept;
 mod random_states;
 mod refinement;
 mod states;
@@ -32,9 +33,10 @@ use first_nodes::first_nodes;
 use full_sliding::FullSliding;
 use random_states::RandomStates;
 use refinement::{Additions, Grid};
-use states::{Solved, StateSolver};
+use states::StateSolver;
 
-pub use states::LONGER_SIDE_EXPONENT;
+pub use kept::{Keeper, NothingKept, Task};
+pub use states::{LONGER_SIDE_EXPONENT, Solved};
 
 /// Which table to make.
 #[derive(Debug, Clone, PartialEq)]
@@ -130,7 +132,7 @@ const MOST_ROUNDS: usize = 60;
 /// Makes a table.
 ///
 /// ```
-/// use schlupf::table_building::{TableOptions, build};
+/// use schlupf::table_building::{NothingKept, TableOptions, build};
 /// use schlupf::unwatched;
 ///
 /// let options = TableOptions {
@@ -139,16 +141,21 @@ const MOST_ROUNDS: usize = 60;
 ///     states: 10,
 ///     ..TableOptions::default()
 /// };
-/// let built = build(&options, &unwatched)?;
+/// let built = build(&options, &NothingKept, &unwatched)?;
 /// assert!(built.error.median < 0.05);
 /// # Ok::<(), schlupf::Error>(())
 /// ```
 ///
 /// # Errors
 /// Options outside their bounds, and [`Error::Stopped`].
-pub fn build(options: &TableOptions, watch: Watch) -> Result<BuiltTable, Error> {
+pub fn build(
+    options: &TableOptions,
+    keeper: &dyn Keeper,
+    watch: Watch,
+) -> Result<BuiltTable, Error> {
     options.check()?;
-    finish(Building { options, axes: options.axes()?, solved: BTreeMap::new() }, watch)
+    let (axes, solved) = (options.axes()?, BTreeMap::new());
+    finish(Building { options, axes, solved, keeper }, watch)
 }
 
 /// The same, where nodes that an earlier table of the same ν has, too, are taken from there. They
@@ -159,6 +166,7 @@ pub fn build(options: &TableOptions, watch: Watch) -> Result<BuiltTable, Error> 
 pub fn build_from(
     earlier: &LookUpTable,
     options: &TableOptions,
+    keeper: &dyn Keeper,
     watch: Watch,
 ) -> Result<BuiltTable, Error> {
     options.check()?;
@@ -166,20 +174,20 @@ pub fn build_from(
     let same = Requirement::Between(ratio - SAME, ratio + SAME);
     require(Quantity::PoissonRatio, same, options.poisson_ratio)?;
     let solved = forces_of(earlier.nodes());
-    finish(Building { options, axes: options.axes()?, solved }, watch)
+    finish(Building { options, axes: options.axes()?, solved, keeper }, watch)
 }
 
 /// Solves and refines until random states are within the tolerance.
 fn finish(mut building: Building, watch: Watch) -> Result<BuiltTable, Error> {
-    let options = building.options;
+    let (options, keeper) = (building.options, building.keeper);
     let mut sets = 0..;
-    let mut draw = || RandomStates::new(options, sets.next().unwrap_or(u64::MAX), watch);
+    let mut draw = || RandomStates::new(options, sets.next().unwrap_or(u64::MAX), keeper, watch);
     let mut states = draw()?;
     let mut unconverged = states.unconverged;
     let mut round = 0;
     loop {
         round += 1;
-        building.solve(watch)?;
+        building.solve(round, watch)?;
         let nodes = building.nodes()?;
         let table = LookUpTable::new(nodes)?;
         let is_within = |states: &RandomStates| states.largest_error(&table) <= options.tolerance;
@@ -212,7 +220,11 @@ fn finish(mut building: Building, watch: Watch) -> Result<BuiltTable, Error> {
 }
 
 impl TableOptions {
-    fn check(&self) -> Result<(), Error> {
+    /// Checks them, as [`build`] does.
+    ///
+    /// # Errors
+    /// Those outside their bounds.
+    pub fn check(&self) -> Result<(), Error> {
         require(Quantity::PoissonRatio, Requirement::Between(0.0, 0.5), self.poisson_ratio)?;
         let [low, high] = self.axis_ratios;
         require(Quantity::AxisRatio, Requirement::Between(0.05, 20.0), low)?;
@@ -270,14 +282,15 @@ struct Building<'a> {
     /// Nodes of a/b, azimuth, inclination and saturation.
     axes: [Vec<f64>; 4],
     solved: BTreeMap<Node, Solved>,
+    keeper: &'a dyn Keeper,
 }
 
 /// Missing nodes of one a/b and azimuth: inclination and saturation.
 type Missing = Vec<[f64; 2]>;
 
 impl Building<'_> {
-    /// Solves the nodes that are missing.
-    fn solve(&mut self, watch: Watch) -> Result<(), Error> {
+    /// Solves the nodes that are missing in a round.
+    fn solve(&mut self, round: usize, watch: Watch) -> Result<(), Error> {
         let mut groups: Vec<([f64; 2], Missing)> = Vec::new();
         for ratio in &self.axes[0] {
             for azimuth in &self.axes[1] {
@@ -291,17 +304,28 @@ impl Building<'_> {
         let total = before + new.sum::<usize>();
         let done = AtomicUsize::new(before);
         let (poisson_ratio, cells) = (self.options.poisson_ratio, self.options.cells);
+        let keeper = self.keeper;
         let found = parallel::try_map(groups, |([ratio, azimuth], missing)| {
+            let task = Task::Nodes { round, axis_ratio: ratio, azimuth };
+            let nodes = missing
+                .iter()
+                .map(|[inclination, saturation]| node([ratio, azimuth, *inclination, *saturation]));
+            // Each starts from the one before: all of them are kept, or none.
+            if let Some(known) = kept::recall(keeper, task, missing.len()) {
+                done.fetch_add(known.len(), Ordering::Relaxed);
+                return Ok::<Vec<_>, Error>(nodes.zip(known).collect());
+            }
             let shape = shape(ratio, poisson_ratio)?;
             let mut solver = StateSolver::new(ratio, poisson_ratio, cells)?;
-            let solve = |[inclination, saturation]: [f64; 2]| {
+            let solve = |[inclination, saturation]: &[f64; 2]| {
                 let count = done.fetch_add(1, Ordering::Relaxed);
                 tell(watch, Progress::count(Stage::Table, count).of(count, total))?;
-                let creepages = shape.creepages(saturation, inclination, azimuth);
-                let solved = solver.solve(creepages, &crate::progress::unwatched)?;
-                Ok((node([ratio, azimuth, inclination, saturation]), solved))
+                let creepages = shape.creepages(*saturation, *inclination, azimuth);
+                solver.solve(creepages, &crate::progress::unwatched)
             };
-            missing.into_iter().map(solve).collect::<Result<Vec<_>, Error>>()
+            let solved = missing.iter().map(solve).collect::<Result<Vec<_>, Error>>()?;
+            keeper.keep(task, &solved);
+            Ok(nodes.zip(solved).collect())
         })?;
         self.solved.extend(found.into_iter().flatten());
         Ok(())

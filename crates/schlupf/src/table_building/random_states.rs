@@ -12,6 +12,7 @@ use crate::parallel;
 use crate::progress::{Progress, Stage, Watch, tell};
 
 use super::full_sliding::FullSliding;
+use super::kept::{self, Keeper, Task};
 use super::refinement::Place;
 use super::states::StateSolver;
 use super::{NEARLY_INFINITE, TableError, TableOptions, distance, shape};
@@ -47,7 +48,12 @@ struct Drawn {
 
 impl RandomStates {
     /// A set of states; each number has its own.
-    pub fn new(options: &TableOptions, set: u64, watch: Watch) -> Result<Self, Error> {
+    pub fn new(
+        options: &TableOptions,
+        set: u64,
+        keeper: &dyn Keeper,
+        watch: Watch,
+    ) -> Result<Self, Error> {
         let mut random = Pcg64Mcg::seed_from_u64(set);
         let mut uniform = || (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
         let mut draw = |count: usize| -> Result<Vec<Drawn>, Error> {
@@ -58,14 +64,23 @@ impl RandomStates {
         let (rolling, sliding) = (draw(options.states)?, draw(SLIDING * options.states)?);
         let total = rolling.len();
         let done = AtomicUsize::new(0);
-        let solved = parallel::try_map(rolling, |drawn| {
+        let rolling: Vec<_> = rolling.into_iter().enumerate().collect();
+        let solved = parallel::try_map(rolling, |(state, drawn)| {
             let count = done.fetch_add(1, Ordering::Relaxed);
             tell(watch, Progress::count(Stage::Table, count).of(count, total))?;
             let Drawn { axis_ratio, shape, .. } = drawn;
             let creepages = drawn.creepages(drawn.size);
-            let mut solver =
-                StateSolver::new(axis_ratio, options.poisson_ratio, 2 * options.cells)?;
-            let solved = solver.solve(creepages, &crate::progress::unwatched)?;
+            let task = Task::Random { set, state };
+            let known = kept::recall(keeper, task, 1).and_then(|known| known.first().copied());
+            let solved = if let Some(known) = known {
+                known
+            } else {
+                let cells = 2 * options.cells;
+                let mut solver = StateSolver::new(axis_ratio, options.poisson_ratio, cells)?;
+                let solved = solver.solve(creepages, &crate::progress::unwatched)?;
+                keeper.keep(task, &[solved]);
+                solved
+            };
             let state = State { axis_ratio, shape, creepages, force: solved.force };
             Ok::<_, Error>((state, solved.converged))
         })?;

@@ -50,10 +50,11 @@ pub(super) struct StateSolver {
 }
 
 /// A state that was solved.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Solved {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Solved {
     /// Fx/(μN), Fy/(μN), Mz/(μN √(ab)); dimensionless.
     pub force: [f64; 3],
+    /// Whether its solution converged.
     pub converged: bool,
 }
 

@@ -1,11 +1,13 @@
 //! All cases of an input file.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use schlupf::message::Message;
-use schlupf_case::{CaseError, Source};
+use schlupf_case::{CaseError, Place, Source};
 
 use crate::Notice;
+use crate::contact::given::At;
 use crate::contact::input::{self, InputCase, Module};
 use crate::document::Document;
 
@@ -30,10 +32,10 @@ pub struct Options {
 pub struct ImportedCase {
     /// Numbers of its cases in the input file, from 1: one, or the steps of transient rolling.
     pub numbers: Vec<usize>,
-    /// The first line of the first of them.
-    pub line: usize,
-    /// Lines of the fields that name a profile, by their paths in the case file.
-    pub lines: Vec<(&'static str, usize)>,
+    /// Where the first of them begins.
+    pub place: Place,
+    /// Where the values of fields stand, by their paths in the case file.
+    pub places: Vec<(&'static str, Place)>,
     /// Name of the case file.
     pub name: String,
     /// Title of the case.
@@ -68,12 +70,13 @@ pub fn import(source: &Arc<Source>, options: &Options) -> Import {
     let mut import = Import {
         cases: Vec::new(),
         errors: Vec::new(),
-        notices: notices(&input.cases),
+        notices: left_out(&input.cases),
         refused: Vec::new(),
         skipped: Vec::new(),
     };
     let skipped = input.cases.iter().filter(|case| case.is_skipped);
     import.skipped.extend(skipped.map(|case| case.number));
+    let mut told = Vec::new();
     for job in &jobs {
         let stem = if is_one {
             options.stem.clone()
@@ -82,12 +85,14 @@ pub fn import(source: &Arc<Source>, options: &Options) -> Import {
         };
         let translation = translate(source, job, options, &stem);
         if translation.errors.is_empty() {
+            told.extend(translation.notices.iter().cloned());
             import.cases.push(complete(source, job, translation, &stem));
         } else {
             import.refused.extend(job.all().map(|case| case.number));
             import.errors.extend(translation.errors);
         }
     }
+    import.notices.extend(once_each(&told));
     import.refused.sort_unstable();
     import.errors.extend(input.stop);
     import.errors.sort_by_key(|error| error.place.order());
@@ -105,12 +110,32 @@ pub fn import(source: &Arc<Source>, options: &Options) -> Import {
     import
 }
 
+/// Notices, each once, with the first line that it is about and the number of others.
+fn once_each(told: &[(Notice, At)]) -> impl Iterator<Item = Message> {
+    let mut kinds: Vec<(Message, BTreeSet<usize>)> = Vec::new();
+    for (notice, at) in told {
+        let message = Message::from(notice.clone());
+        match kinds.iter_mut().find(|(known, _)| known.code == message.code) {
+            Some((_, lines)) => drop(lines.insert(at.line)),
+            None => kinds.push((message, BTreeSet::from([at.line]))),
+        }
+    }
+    kinds.into_iter().map(|(message, lines)| {
+        let first = lines.first().copied().unwrap_or_default();
+        let others = match lines.len() {
+            1 => String::new(),
+            count => format!(" and {} more", count - 1),
+        };
+        message.about(&format!("line {first}{others}"))
+    })
+}
+
 /// What is left out of the cases, each once.
-fn notices(cases: &[InputCase]) -> Vec<Message> {
+fn left_out(cases: &[InputCase]) -> Vec<Message> {
     if cases.is_empty() {
         return Vec::new();
     }
-    let names = "G, I, A, O, W, MAXGS … EPS";
+    let names = "G, I, A, O, W, MAXGS … EPS, DQ, FACPHI";
     let settings = Notice::SettingsLeftOut { names };
     let grid = cases.iter().find_map(|case| match &case.module {
         Module::WheelRail(of) => of.search.as_ref().map(|search| search.element),
@@ -141,16 +166,17 @@ fn complete(source: &Arc<Source>, job: &Job, translation: Translation, stem: &st
     let head = format!(
         "{numbers} of {}, line {}: input of CONTACT, module {}.",
         file_name(&source.name),
-        case.line,
+        case.at.line,
         case.module.number()
     );
     document.comments.insert(0, head);
     let fallback = || format!("{}, case {}", file_name(&source.name), case.number);
     document.title = case.title.clone().unwrap_or_else(fallback);
+    let places = translation.places.iter().map(|(path, at)| (*path, at.place(source)));
     ImportedCase {
         numbers: job.all().map(|case| case.number).collect(),
-        line: case.line,
-        lines: translation.lines,
+        place: case.at.place(source),
+        places: places.collect(),
         name: format!("{stem}.toml"),
         title: document.title.clone(),
         text: document.to_toml(),

@@ -4,14 +4,16 @@ use std::sync::Arc;
 
 use schlupf_case::Source;
 
+use crate::Notice;
 use crate::contact::basic::{Basic, Motion, Rolling};
 use crate::contact::control::Control;
 use crate::contact::friction::Friction;
 
 use super::case::Translation;
+use super::contact::{Contact, Given3};
 use super::frame::{Frame, WheelBody};
 use super::laws;
-use super::normal::{self, Contact, Given3};
+use super::normal;
 
 /// Speed of what does not roll, in mm/s: irrelevant there, but every case has one.
 const RESTING: f64 = 1e3;
@@ -44,12 +46,15 @@ pub fn write(
     wheel: WheelBody,
     stem: &str,
 ) -> Option<Written> {
-    laws::remark_digits(case, control);
+    laws::notice_digits(case, control);
     let rolling = control.is_rolling().then_some(basic.rolling.as_ref()).flatten();
     let frame = frame(case, control, rolling, wheel);
     if let Some(elastic) = &basic.elastic {
         laws::elastic(case, elastic, wheel);
         laws::method(case, control, elastic);
+        if let Some(motion) = &basic.motion {
+            laws::notice_fastsim(case, control, elastic, motion);
+        }
     } else {
         case.miss(control.influence, "the materials");
     }
@@ -97,9 +102,11 @@ fn frame(
 }
 
 fn speed(case: &mut Translation, rolling: Option<&Rolling>) {
-    let speed = rolling.map_or(RESTING, |rolling| rolling.speed.value);
     // mm/s.
-    case.document.quantity("kinematics.speed", speed / 1e3, "m/s");
+    match rolling {
+        Some(rolling) => case.quantity("kinematics.speed", rolling.speed, (1e-3, "m/s")),
+        None => case.document.quantity("kinematics.speed", 1e-3 * RESTING, "m/s"),
+    }
 }
 
 /// Creepages, forces (in kN) or a shift.
@@ -137,13 +144,15 @@ fn creepages(
         None => case.document.number("kinematics.creepage_y", y),
     }
     case.document.quantity("kinematics.spin", spin, "1/m");
+    for (path, given) in [
+        (if force_x.is_some() { "kinematics.force_x" } else { "kinematics.creepage_x" }, 0),
+        (if force_y.is_some() { "kinematics.force_y" } else { "kinematics.creepage_y" }, 1),
+    ] {
+        case.stands(path, motion.tangential[given]);
+    }
+    case.stands("kinematics.spin", motion.spin);
     if contact.centre != [0.0; 2] {
-        case.remark(format!(
-            "Creepages are those at the middle of the contact, which is at ({}, {}) mm in the input; the \
-             moment is taken about it, too.",
-            crate::document::number(contact.centre[0]),
-            crate::document::number(contact.centre[1])
-        ));
+        case.notice(Notice::MomentAtMiddle { centre: contact.centre }, motion.spin);
     }
 }
 

@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use schlupf_case::{CaseError, Place, Source};
-
-use crate::contact::given::Given;
-use crate::document::Document;
 use schlupf::message::shortened;
+use schlupf_case::{CaseError, Source};
+
+use crate::Notice;
+use crate::contact::given::{At, Given};
+use crate::document::Document;
 
 /// What is written of a case, and what is not available.
 #[derive(Debug)]
@@ -16,15 +17,22 @@ pub struct Translation {
     pub document: Document,
     /// Why it cannot be written.
     pub errors: Vec<CaseError>,
-    /// Lines of fields that name a file.
-    pub lines: Vec<(&'static str, usize)>,
+    /// What its users should know, with the value that it is about.
+    pub notices: Vec<(Notice, At)>,
+    /// Where the values of fields stand.
+    pub places: Vec<(&'static str, At)>,
 }
 
 impl Translation {
     /// Nothing yet.
     pub fn new(source: &Arc<Source>) -> Self {
-        let (document, errors, lines) = (Document::default(), Vec::new(), Vec::new());
-        Self { source: Arc::clone(source), document, errors, lines }
+        Self {
+            source: Arc::clone(source),
+            document: Document::default(),
+            errors: Vec::new(),
+            notices: Vec::new(),
+            places: Vec::new(),
+        }
     }
 
     /// The text of the input file.
@@ -36,7 +44,7 @@ impl Translation {
     pub fn refuse(&mut self, given: Given, what: &str, help: impl Into<String>) {
         let value = crate::document::number(given.value);
         let message = format!("{} = {value}: {what}", given.name);
-        let place = Place::line(&self.source, given.line);
+        let place = given.at.place(&self.source);
         let help: String = help.into();
         let help = Some(help).filter(|help| !help.is_empty());
         self.errors.push(CaseError::new(given.name, message, place).help(help));
@@ -45,7 +53,7 @@ impl Translation {
     /// The same of text.
     pub fn refuse_text(&mut self, given: Given, text: &str, what: &str) {
         let message = format!("{} = '{}': {what}", given.name, shortened(text));
-        let place = Place::line(&self.source, given.line);
+        let place = given.at.place(&self.source);
         self.errors.push(CaseError::new(given.name, message, place));
     }
 
@@ -66,7 +74,23 @@ impl Translation {
         );
     }
 
-    /// A sentence for the head of the case file.
+    /// A field with the number of a value, times a factor, and its unit.
+    pub fn quantity(&mut self, path: &'static str, given: Given, (factor, unit): (f64, &str)) {
+        self.document.quantity(path, factor * given.value, unit);
+        self.stands(path, given);
+    }
+
+    /// A field that follows from a value.
+    pub fn stands(&mut self, path: &'static str, given: Given) {
+        self.places.push((path, given.at));
+    }
+
+    /// Something that users of the case should know, which the command prints.
+    pub fn notice(&mut self, notice: Notice, given: Given) {
+        self.notices.push((notice, given.at));
+    }
+
+    /// A sentence for the head of the case file, which changes nothing.
     pub fn remark(&mut self, sentence: impl Into<String>) {
         self.document.comments.push(sentence.into());
     }

@@ -1,5 +1,7 @@
 //! Materials, friction, heat and method: what both modules have.
 
+use crate::Notice;
+use crate::contact::basic::Motion;
 use crate::contact::control::Control;
 use crate::contact::friction::Friction;
 use crate::contact::given::Given;
@@ -23,6 +25,8 @@ pub fn elastic(case: &mut Translation, elastic: &Elastic, wheel: WheelBody) {
         let young = 2.0 * shear * (1.0 + poisson) / 1e3;
         case.document.quantity(YOUNG[path], young, "GPa");
         case.document.number(POISSON[path], poisson);
+        case.stands(YOUNG[path], elastic.shear_modulus[body]);
+        case.stands(POISSON[path], elastic.poisson[body]);
     }
     for shear in elastic.shear_modulus.into_iter().filter(|shear| shear.value <= 0.0) {
         case.refuse(shear, "must be positive", "");
@@ -87,13 +91,12 @@ pub fn method(case: &mut Translation, control: &Control, elastic: &Elastic) {
 /// elastic only, and K_TAU in N/mm³.
 fn third_body(case: &mut Translation, elastic: &Elastic) {
     let [shear_modulus, thickness, stress, hardening] = elastic.model[..] else { return };
-    let document = &mut case.document;
-    document.quantity("layer.thickness", thickness.value, "mm");
-    document.quantity("layer.shear_modulus", shear_modulus.value, "MPa");
+    case.quantity("layer.thickness", thickness, (1.0, "mm"));
+    case.quantity("layer.shear_modulus", shear_modulus, (1.0, "MPa"));
     if stress.value > 0.0 {
-        document.quantity("layer.yield_stress", stress.value, "MPa");
+        case.quantity("layer.yield_stress", stress, (1.0, "MPa"));
         if hardening.value != 0.0 {
-            document.quantity("layer.hardening", hardening.value, "MPa/mm");
+            case.quantity("layer.hardening", hardening, (1.0, "MPa/mm"));
         }
     }
 }
@@ -111,22 +114,48 @@ fn bound(case: &mut Translation, control: &Control) {
     case.refuse(bound, what, "B = 0 solves the normal contact");
 }
 
+/// K0_MF, ALFAMF and BETAMF, and whether they change nothing.
+fn slope_reduction(elastic: &Elastic) -> ([Given; 3], bool) {
+    let none = Given { value: 1.0, ..elastic.influence };
+    let given = std::array::from_fn(|k| elastic.model.get(k).copied().unwrap_or(none));
+    let [initial, limit, _] = given;
+    (given, initial.is(1) && limit.is(1))
+}
+
 fn fastsim(case: &mut Translation, control: &Control, elastic: &Elastic) {
-    let [initial, limit, decay] =
-        std::array::from_fn(|k| elastic.model.get(k).map_or(1.0, |given| given.value));
-    let is_plain = initial == 1.0 && limit == 1.0;
+    let ([initial, limit, decay], is_plain) = slope_reduction(elastic);
     case.document.text("solver.method", if is_plain { "fastsim" } else { "modified-fastsim" });
     let bound = if control.bound.is(3) { "parabolic" } else { "elliptic" };
     case.document.text("fastsim.flexibilities", "three");
     case.document.text("fastsim.bound", bound);
-    if !is_plain {
-        case.document.number("fastsim.initial_reduction", initial);
-        case.document.number("fastsim.reduction_limit_ratio", limit);
-        case.document.number("fastsim.reduction_decay", decay);
-        case.remark(
-            "The ratio of slip to adhesion that reduces the slope is not scaled as in CONTACT: forces of \
-             modified FASTSIM differ.",
-        );
+    if is_plain {
+        return;
+    }
+    case.document.number("fastsim.initial_reduction", initial.value);
+    case.document.number("fastsim.reduction_limit_ratio", limit.value);
+    // CONTACT's ratio of slip to adhesion is that of the softened contact: k0 times ours.
+    case.document.number("fastsim.reduction_decay", initial.value * decay.value);
+    case.stands("fastsim.initial_reduction", initial);
+    case.stands("fastsim.reduction_limit_ratio", limit);
+    case.stands("fastsim.reduction_decay", decay);
+}
+
+/// How CONTACT's FASTSIM differs.
+pub fn notice_fastsim(
+    case: &mut Translation,
+    control: &Control,
+    elastic: &Elastic,
+    motion: &Motion,
+) {
+    if !control.material.is(3) {
+        return;
+    }
+    case.notice(Notice::OtherFastsim {}, control.material);
+    let ([_, limit, decay], is_plain) = slope_reduction(elastic);
+    let falls = !is_plain && limit.value != 1.0 && decay.value != 0.0;
+    let is_along = motion.tangential[1].value == 0.0 && motion.spin.value == 0.0;
+    if falls && !is_along {
+        case.notice(Notice::OtherSlopeReduction {}, decay);
     }
 }
 
@@ -148,28 +177,30 @@ pub fn friction(case: &mut Translation, friction: &Friction) {
         6 => {
             case.document.text("friction.model", "temperature-piecewise-linear");
             case.document.number("friction.hot_coefficient", a.value + c.value);
-            case.document.quantity("friction.reference_temperature", b.value, "degC");
-            case.document.quantity("friction.temperature_range", d.value, "K");
+            case.stands("friction.hot_coefficient", c);
+            case.quantity("friction.reference_temperature", b, (1.0, "degC"));
+            case.quantity("friction.temperature_range", d, (1.0, "K"));
         }
         law => {
-            let [first, second] = [(b.value, c.value), (d.value, e.value)];
-            falling(case, law, [first, second]);
-            if first.0 != 0.0 || second.0 != 0.0 {
+            falling(case, law, [(b, c), (d, e)]);
+            if b.value != 0.0 || d.value != 0.0 {
                 case.document.number("friction.kinetic_coefficient", a.value);
+                case.stands("friction.kinetic_coefficient", a);
             }
         }
     }
     case.document.number("friction.coefficient", level);
+    case.stands("friction.coefficient", a);
     if let Some([distance, speed]) = friction.memory.filter(|[distance, _]| distance.value > 0.0) {
         // mm in µm, mm/s.
-        case.document.quantity("friction.memory_distance", 1e3 * distance.value, "um");
-        case.document.quantity("friction.memory_speed", speed.value, "mm/s");
+        case.quantity("friction.memory_distance", distance, (1e3, "um"));
+        case.quantity("friction.memory_speed", speed, (1.0, "mm/s"));
     }
 }
 
 /// A law of two terms, each with its size and the slip speed (in mm/s) at which it has halved.
-fn falling(case: &mut Translation, law: i64, [first, second]: [(f64, f64); 2]) {
-    if first.0 == 0.0 && second.0 == 0.0 {
+fn falling(case: &mut Translation, law: i64, [first, second]: [(Given, Given); 2]) {
+    if first.0.value == 0.0 && second.0.value == 0.0 {
         case.document.text("friction.model", "constant");
         return;
     }
@@ -180,11 +211,12 @@ fn falling(case: &mut Translation, law: i64, [first, second]: [(f64, f64); 2]) {
     };
     case.document.text("friction.model", model);
     // The first term needs a speed even where it vanishes.
-    let first_speed = if first.0 == 0.0 { second.1 } else { first.1 };
-    case.document.quantity("friction.half_speed", first_speed, "mm/s");
-    if second.0 != 0.0 {
-        case.document.number("friction.second_coefficient", second.0);
-        case.document.quantity("friction.second_half_speed", second.1, "mm/s");
+    let first_speed = if first.0.value == 0.0 { second.1 } else { first.1 };
+    case.quantity("friction.half_speed", first_speed, (1.0, "mm/s"));
+    if second.0.value != 0.0 {
+        case.document.number("friction.second_coefficient", second.0.value);
+        case.stands("friction.second_coefficient", second.0);
+        case.quantity("friction.second_half_speed", second.1, (1.0, "mm/s"));
     }
 }
 
@@ -199,22 +231,22 @@ pub fn heat(case: &mut Translation, control: &Control, heat: Option<&Heat>, whee
     case.document.text("heat.model", "duhamel");
     case.document.text("heat.partition", "velocity");
     for (path, body) in [wheel.index(), 1 - wheel.index()].into_iter().enumerate() {
-        let [temperature, capacity, conductivity, density] =
-            heat.bodies[body].map(|given| given.value);
-        case.document.quantity(TEMPERATURE[path], temperature, "degC");
-        case.document.quantity(CAPACITY[path], capacity, "J/(kg K)");
+        let [temperature, capacity, conductivity, density] = heat.bodies[body];
+        case.quantity(TEMPERATURE[path], temperature, (1.0, "degC"));
+        case.quantity(CAPACITY[path], capacity, (1.0, "J/(kg K)"));
         // W/(mm K) and kg/mm³.
-        case.document.quantity(CONDUCTIVITY[path], 1e3 * conductivity, "W/(m K)");
-        case.document.quantity(DENSITY[path], 1e9 * density, "kg/m^3");
+        case.quantity(CONDUCTIVITY[path], conductivity, (1e3, "W/(m K)"));
+        case.quantity(DENSITY[path], density, (1e9, "kg/m^3"));
+    }
+    if let Some(part) = heat.plastic_part.filter(|part| !part.is(1)) {
+        let what = "a part of the plastic work that does not heat is not available";
+        case.refuse(part, what, "BETAPL = 1 heats with all of it");
     }
 }
 
-/// What is said of digits of both modules.
-pub fn remark_digits(case: &mut Translation, control: &Control) {
+/// What is left out of both modules.
+pub fn notice_digits(case: &mut Translation, control: &Control) {
     if control.stress.value != 0.0 {
-        case.remark(
-            "The points of stresses below the surface (S) are left out: `schlupf subsurface` computes \
-             them for this case.",
-        );
+        case.notice(Notice::PointsLeftOut {}, control.stress);
     }
 }

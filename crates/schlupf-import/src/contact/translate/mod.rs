@@ -3,6 +3,8 @@
 mod case;
 mod frame;
 mod hertz;
+mod contact;
+mod elements;
 mod laws;
 mod normal;
 mod basic;

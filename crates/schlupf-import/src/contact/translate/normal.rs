@@ -6,48 +6,20 @@ use schlupf::Error;
 use schlupf::problem::MAX_CELLS;
 
 use crate::contact::basic::{Area, Basic, Distance, Motion};
-use crate::contact::control::Control;
 use crate::contact::given::Given;
-use crate::contact::material::Elastic;
 use crate::document::number;
 
 use super::case::Translation;
-use super::frame::Frame;
+use super::contact::{Contact, Given3};
+use super::elements::{self, Elements};
 use super::hertz;
 
 const MILLIMETRE: f64 = 1e-3;
 
-/// What the rest of the case must know of its normal contact.
-#[derive(Debug, Clone, Copy)]
-pub struct Contact {
-    /// Normal load, in N.
-    pub load: f64,
-    /// The point at which creepages hold, in mm in the file's axes.
-    pub centre: [f64; 2],
-    /// Distance of the middle of the first row of elements from that of the contact, and width of
-    /// a row, in mm in the file's axes; unknown before the contact is solved on a table.
-    pub rows: Option<[f64; 2]>,
-}
-
-/// What an input case has for it.
-#[derive(Debug, Clone, Copy)]
-pub struct Given3<'a> {
-    /// Control digits.
-    pub control: &'a Control,
-    /// Loads.
-    pub motion: &'a Motion,
-    /// Materials.
-    pub elastic: &'a Elastic,
-    /// Potential contact area.
-    pub area: &'a Area,
-    /// Axes.
-    pub frame: Frame,
-}
-
 /// Writes the normal contact; nothing if it is refused.
 pub fn write(case: &mut Translation, given: Given3, basic: &Basic, stem: &str) -> Option<Contact> {
     let contact = match &basic.distance {
-        _ if given.area.is_hertzian() => hertzian(case, given),
+        _ if given.area.is_hertzian() => hertzian(case, given, stem),
         Some(distance) => by_distance(case, given, distance, stem),
         None => {
             case.miss(given.control.distance, "the undeformed distance");
@@ -56,10 +28,11 @@ pub fn write(case: &mut Translation, given: Given3, basic: &Basic, stem: &str) -
     }?;
     // N in kN.
     case.document.quantity("normal.load", contact.load / 1e3, "kN");
+    case.stands("normal.load", given.motion.normal);
     Some(contact)
 }
 
-fn hertzian(case: &mut Translation, given: Given3) -> Option<Contact> {
+fn hertzian(case: &mut Translation, given: Given3, stem: &str) -> Option<Contact> {
     let area = given.area;
     let [first, second, scale] = area.values[..] else {
         case.refuse(
@@ -84,13 +57,25 @@ fn hertzian(case: &mut Translation, given: Given3) -> Option<Contact> {
         case.refuse(scale, "must be at least 1, or the area cuts the contact off", "");
     }
     let modulus = hertz::modulus(given.elastic);
+    // Over the semi-axes.
+    let inside = area.cells.map(|count| {
+        let side = 2.0 * scale.value / count.value;
+        elements::inside([-1.0, 1.0], (0.5 * side - scale.value, side, count))
+    });
+    match Elements::new(area.cells, inside) {
+        Elements::Ellipse => {}
+        Elements::Uniform => {
+            let axes = semi_axes(case, given, given.motion.normal.value)?;
+            let sides = axes.map(|axis| 2.0 * scale.value * axis);
+            return elements::uniform(case, given, (sides, [0.0; 2]), stem);
+        }
+        Elements::Few(count) => {
+            elements::refuse_few(case, count);
+            return None;
+        }
+    }
     let found = match area.kind.whole() {
-        -1 => curved(case, given, [1e3 * first.value, 1e3 * second.value]),
-        -2 => match hertz::curvature_ratio(second.value) {
-            Ok(ratio) => curved(case, given, [1e3 * first.value, 1e3 * first.value * ratio]),
-            Err(error) => Err(error),
-        },
-        _ => {
+        -3 => {
             let axes = [first.value, second.value];
             case.document.text("normal.model", "ellipse");
             case.document.quantity("normal.semi_axis_x", axes[0], "mm");
@@ -98,31 +83,45 @@ fn hertzian(case: &mut Translation, given: Given3) -> Option<Contact> {
             let axes = axes.map(|axis| MILLIMETRE * axis);
             load(case, given, |approach| hertz::load_of_ellipse(axes, modulus, approach))
         }
+        _ => curvatures(area).and_then(|curvatures| curved(case, given, curvatures)),
     };
     let load = accepted(case, area.kind, found)?;
     for (path, count) in ["grid.cells_x", "grid.cells_y"].into_iter().zip(area.cells) {
         cells(case, path, count.value / scale.value);
     }
-    let width = 2.0 * scale.value * half_width(case, given, load)?;
+    let width = 2.0 * scale.value * semi_axes(case, given, load)?[1];
     let side = width / area.cells[1].value;
     let rows = Some([0.5 * (side - width), side]);
     Some(Contact { load, centre: [0.0; 2], rows })
 }
 
-/// Half the width of Hertz's contact, in mm.
-fn half_width(case: &mut Translation, given: Given3, load: f64) -> Option<f64> {
-    let [first, second, _] = given.area.values[..] else { return None };
-    let distances = match given.area.kind.whole() {
-        -1 => [1e3 * first.value, 1e3 * second.value],
-        -2 => {
-            let ratio = hertz::curvature_ratio(second.value).ok()?;
-            [1e3 * first.value, 1e3 * first.value * ratio]
-        }
-        _ => return Some(second.value),
+/// A1 and B1 in 1/m, as given or from the ratio of the semi-axes.
+fn curvatures(area: &Area) -> Result<[f64; 2], Error> {
+    let [first, second] = [0, 1].map(|k| area.values.get(k).map_or(0.0, |given| given.value));
+    let ratio = match area.kind.whole() {
+        -1 => second / first,
+        _ => hertz::curvature_ratio(second)?,
     };
-    let contact = hertz::contact(distances, hertz::modulus(given.elastic), load);
-    let width = contact.map(|contact| contact.semi_axis_y / MILLIMETRE);
-    accepted(case, given.area.kind, width)
+    Ok([1e3 * first, 1e3 * first * ratio])
+}
+
+/// Semi-axes of Hertz's contact, in mm.
+fn semi_axes(case: &mut Translation, given: Given3, load: f64) -> Option<[f64; 2]> {
+    let area = given.area;
+    if area.kind.is(-3) {
+        return Some([area.values.first()?.value, area.values.get(1)?.value]);
+    }
+    let contact = curvatures(area)
+        .and_then(|curvatures| hertz::contact(curvatures, hertz::modulus(given.elastic), load));
+    match contact {
+        Ok(contact) => {
+            Some([contact.semi_axis_x, contact.semi_axis_y].map(|axis| axis / MILLIMETRE))
+        }
+        Err(error) => {
+            case.refuse(area.kind, &format!("is no contact of Hertz: {error}"), "");
+            None
+        }
+    }
 }
 
 /// Cells across the contact.
@@ -197,6 +196,10 @@ fn by_distance(
         && let [b1, b2, b3, b4, b5, b6] = distance.values[..]
         && b2.value == 0.0
     {
+        let (first, side) = given.area.lattice();
+        if given.area.cells.iter().all(|count| count.is(1)) {
+            return elements::uniform(case, given, (side, first), stem);
+        }
         return quadratic(case, given, [b1, b3, b4, b5, b6]);
     }
     if given.control.normal.is(0) {
@@ -239,6 +242,7 @@ fn quadratic(
     let contact = hertz::contact(curvatures, hertz::modulus(given.elastic), load).ok()?;
     let axes = [contact.semi_axis_x, contact.semi_axis_y].map(|axis| axis / MILLIMETRE);
     let (first, side) = given.area.lattice();
+    let mut inside = [0; 2];
     for k in 0..2 {
         let count = given.area.cells[k];
         let from = first[k] - 0.5 * side[k];
@@ -254,7 +258,15 @@ fn quadratic(
             );
             case.refuse(count, &what, "a larger area contains it");
         }
+        inside[k] = elements::inside(
+            [centre[k] - axes[k], centre[k] + axes[k]],
+            (first[k], side[k], count),
+        );
         cells(case, ["grid.cells_x", "grid.cells_y"][k], 2.0 * axes[k] / side[k]);
+    }
+    // Where the grid is larger than the contact, its elements do not share the force evenly.
+    if let Some(k) = (0..2).find(|k| inside[*k] <= elements::ALIKE) {
+        elements::refuse_few(case, given.area.cells[k]);
     }
     let rows = Some([first[1] - centre[1], side[1]]);
     Some(Contact { load, centre, rows })

@@ -151,6 +151,7 @@ impl Job<'_> {
                 return series;
             };
             if place > 0 {
+                case.notices.extend(own.notices);
                 case.errors.extend(own.errors);
             }
             time += 1e3 * rolling.step.value / rolling.speed.value;

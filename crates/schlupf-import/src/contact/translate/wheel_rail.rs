@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use schlupf_case::Source;
 
+use crate::Notice;
 use crate::contact::control::Control;
 use crate::contact::given::Given;
 use crate::contact::wheel_rail::{Profile, Track, WheelRail};
@@ -20,7 +21,7 @@ pub fn translate(
     folder: &str,
 ) -> Translation {
     let mut case = Translation::new(source);
-    laws::remark_digits(&mut case, control);
+    laws::notice_digits(&mut case, control);
     digits(&mut case, control);
     materials(&mut case, control, wheel_rail);
     case.document.text("normal.model", "wheel-rail");
@@ -134,6 +135,11 @@ fn search(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
     let angle = search.angle.value.clamp(0.0, FRAC_PI_2);
     case.document.quantity("normal.join_distance", search.distance.value.max(0.0), "mm");
     case.document.quantity("normal.join_angle", angle.to_degrees(), "deg");
+    case.stands("normal.join_distance", search.distance);
+    case.stands("normal.join_angle", search.angle);
+    if search.whole_distance.value < search.distance.value {
+        case.notice(Notice::WholeContacts {}, search.whole_distance);
+    }
     case.document.text("normal.row_motion", "plane");
 }
 
@@ -149,9 +155,10 @@ fn write_track(case: &mut Translation, track: &Track) {
     if track.face.value > 1.0 {
         case.refuse(track.face, "gauge faces other than the first are not available", "GAUGSQ = 0");
     }
-    case.document.quantity("track.gauge", track.gauge.value, "mm");
-    case.document.quantity("track.gauge_depth", track.gauge_height.value, "mm");
+    case.quantity("track.gauge", track.gauge, (1.0, "mm"));
+    case.quantity("track.gauge_depth", track.gauge_height, (1.0, "mm"));
     case.document.number("rail.cant", track.cant.value.tan());
+    case.stands("rail.cant", track.cant);
     if let Some(curvature) = track.curvature {
         case.refuse_unless_zero(curvature, "curved track is not available", "CURV = 0 is straight");
     }
@@ -185,19 +192,22 @@ fn write_profile(case: &mut Translation, profile: &Profile, paths: &ProfilePaths
     let name = profile.file.text.trim().replace('\\', "/");
     let lower = name.to_ascii_lowercase();
     if SLICES.iter().any(|ending| lower.ends_with(ending)) {
-        let given = Given { name: profile.file.name, value: 0.0, line: profile.file.line };
+        let given = Given { name: profile.file.name, value: 0.0, at: profile.file.at };
         case.refuse_text(given, &name, "profiles that vary along the track are not available");
     }
     let is_absolute = name.starts_with('/') || name.get(1..2) == Some(":");
     let path = if is_absolute { name } else { format!("{folder}{name}") };
     case.document.text(paths.profile, &path);
-    case.lines.push((paths.profile, profile.file.line));
+    case.places.push((paths.profile, profile.file.at));
     let outwards = if profile.mirror_y.is(1) { "inwards" } else { "outwards" };
     case.document.text(paths.y, outwards);
     match profile.mirror_z.map(Given::whole) {
         Some(1) => case.document.text(paths.z, "up"),
         Some(-1) => case.document.text(paths.z, "down"),
         _ => {}
+    }
+    if let Some(options) = profile.thresholds {
+        case.notice(Notice::ThresholdsLeftOut {}, options);
     }
     if profile.scale.value != 1.0 {
         case.refuse(
@@ -211,7 +221,7 @@ fn write_profile(case: &mut Translation, profile: &Profile, paths: &ProfilePaths
         return;
     }
     match profile.smoothing_method.map_or(0, Given::whole) {
-        1 => case.document.quantity(paths.smoothing, smoothing.value, "mm"),
+        1 => case.quantity(paths.smoothing, smoothing, (1.0, "mm")),
         _ => case.refuse(
             smoothing,
             "this method of smoothing is not available",
@@ -219,6 +229,9 @@ fn write_profile(case: &mut Translation, profile: &Profile, paths: &ProfilePaths
         ),
     }
 }
+
+/// Positions of the tape circle that turn it off, in mm.
+const NO_TAPE_CIRCLE: f64 = 1e3;
 
 fn wheelset(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
     let side = if control.config.is(0) || control.config.is(4) { "left" } else { "right" };
@@ -228,40 +241,45 @@ fn wheelset(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
     else {
         return case.miss(control.extra, "size, position and velocity of the wheelset");
     };
-    let [distance, flange_back, radius] = size.map(|given| given.value);
-    case.document.quantity("track.flange_back_distance", distance, "mm");
-    case.document.quantity("wheel.flange_back_position", flange_back, "mm");
-    case.document.quantity("wheel.radius_x", radius, "mm");
+    let [distance, flange_back, radius] = size;
+    case.quantity("track.flange_back_distance", distance, (1.0, "mm"));
+    case.quantity("wheel.flange_back_position", flange_back, (1.0, "mm"));
+    case.quantity("wheel.radius_x", radius, (1.0, "mm"));
+    if let Some(tape) = wheel_rail.tape_circle.filter(|tape| tape.value.abs() < NO_TAPE_CIRCLE) {
+        let what = "a radius NOMRADW at the tape circle is not available";
+        let help = "leave YTAPE out and give the radius at the origin of the profile";
+        case.refuse(tape, what, help);
+    }
     if changed_meaning(control, &velocity[5]) {
         let what = "the velocities that are kept end with this value, but the digit F asks for another one";
         case.refuse(velocity[5], what, "E = 2 to 5 gives them anew");
     }
     // y to the right and z downwards there: a turn by π about x.
-    let [_, y, support, roll, yaw, _] = position.map(|given| given.value);
-    case.document.quantity("wheelset.lateral_position", -y, "mm");
-    case.document.quantity("wheelset.yaw_angle", -1e3 * yaw, "mrad");
-    case.document.quantity("wheelset.roll_angle", 1e3 * roll, "mrad");
+    let [_, y, support, roll, yaw, _] = position;
+    case.quantity("wheelset.lateral_position", y, (-1.0, "mm"));
+    case.quantity("wheelset.yaw_angle", yaw, (-1e3, "mrad"));
+    case.quantity("wheelset.roll_angle", roll, (1e3, "mrad"));
     if control.normal.is(0) {
-        case.document.quantity("wheelset.height", -support, "mm");
+        case.quantity("wheelset.height", support, (-1.0, "mm"));
     } else {
-        case.document.quantity("normal.load", support / 1e3, "kN");
+        case.quantity("normal.load", support, (1e-3, "kN"));
     }
-    let [forward, lateral, vertical, roll, yaw, pitch] = velocity.map(|given| given.value);
-    case.document.quantity("kinematics.speed", forward / 1e3, "m/s");
-    case.document.quantity("wheelset.lateral_velocity", -lateral, "mm/s");
-    case.document.quantity("wheelset.vertical_velocity", -vertical, "mm/s");
-    case.document.quantity("wheelset.roll_rate", roll, "rad/s");
-    case.document.quantity("wheelset.yaw_rate", -yaw, "rad/s");
+    let [forward, lateral, vertical, roll, yaw, pitch] = velocity;
+    case.quantity("kinematics.speed", forward, (1e-3, "m/s"));
+    case.quantity("wheelset.lateral_velocity", lateral, (-1.0, "mm/s"));
+    case.quantity("wheelset.vertical_velocity", vertical, (-1.0, "mm/s"));
+    case.quantity("wheelset.roll_rate", roll, (1.0, "rad/s"));
+    case.quantity("wheelset.yaw_rate", yaw, (-1.0, "rad/s"));
     match control.force.whole() {
         // On the rail and along the wheelset there; a turn by π about x leaves x as it is.
         1 => {
-            case.document.quantity("kinematics.force_x", -pitch / 1e3, "kN");
+            case.quantity("kinematics.force_x", pitch, (-1e-3, "kN"));
             case.document.text("wheelset.force_axis", "wheelset");
         }
         // The moment of the tractions on the rail about the axle: it balances the torque that
         // drives the wheel, and the axle points the other way there. N mm.
-        2 => case.document.quantity("kinematics.wheel_torque", -pitch / 1e3, "N m"),
-        _ => case.document.quantity("kinematics.angular_velocity", -pitch, "rad/s"),
+        2 => case.quantity("kinematics.wheel_torque", pitch, (-1e-3, "N m")),
+        _ => case.quantity("kinematics.angular_velocity", pitch, (-1.0, "rad/s")),
     }
     deviations(case, wheel_rail);
 }
