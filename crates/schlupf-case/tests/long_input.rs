@@ -1,5 +1,5 @@
-//! Issue 38: whatever is too long for a line is quoted short, by every reader, and rows are counted as
-//! a text editor counts lines.
+//! Whatever is too long for a line is quoted short, by every reader, and rows are counted as a text
+//! editor counts lines.
 
 mod support;
 

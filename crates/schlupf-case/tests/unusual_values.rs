@@ -1,4 +1,4 @@
-//! Issue 38: numbers far from those of any material, contact or track, which a wrong unit or a
+//! Numbers far from those of any material, contact or track, which a wrong unit or a
 //! percentage makes, are warned of; hints name units with which a number is a usual value.
 
 mod support;

@@ -1,4 +1,4 @@
-//! Figures in a directory: which files there are ours, as the manifest says that stands beside them.
+//! Figures in a directory: which files there are ours, as a manifest beside them says.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -83,6 +83,11 @@ pub struct Renewed {
     pub files: Vec<(PathBuf, Vec<u8>)>,
     /// Those that were drawn before and are not drawn now.
     pub stale: Vec<PathBuf>,
+}
+
+/// Names of the files of a figure: the drawing and the picture.
+pub fn figure_files(name: &str) -> [String; 2] {
+    [format!("{name}.svg"), format!("{name}.png")]
 }
 
 fn digest(bytes: &[u8]) -> String {

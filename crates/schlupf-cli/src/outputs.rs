@@ -241,7 +241,8 @@ pub fn make_directory(path: &Path) -> Result<Reserved, Failure> {
 }
 
 /// Writes all files: first to temporary ones beside them, then renames those. Their directories and
-/// `directory` are created before if they are missing. On failure, what this run has created is removed again.
+/// `directory` are created before if they are missing. On failure, what this run has created is
+/// removed again.
 pub fn write(files: &[(PathBuf, Vec<u8>)], directory: Option<&Path>) -> Result<(), Failure> {
     let mut created = Created::default();
     let result = created.write(files, directory);

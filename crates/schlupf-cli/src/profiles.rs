@@ -7,9 +7,8 @@ use schlupf_output::profiles;
 
 use crate::arguments::CheckArguments;
 use crate::failure::Failure;
-use crate::figures::{Figures, MANIFEST};
+use crate::figures::{Figures, MANIFEST, figure_files};
 use crate::outputs::{self, Directory, Input};
-use crate::task::figure_files;
 
 const OPTION: &str = "--figures";
 

@@ -21,8 +21,8 @@ const OUTPUT: &str = "--output";
 /// Which look-up table, and where to write it.
 #[derive(Debug, Args)]
 pub struct Table {
-    /// Where to write the table: a .npz archive, which NumPy reads; run again after an interruption,
-    /// it resumes
+    /// Where to write the table: a .npz archive, which NumPy reads; run again after an
+    /// interruption, it resumes
     #[arg(long, value_name = "FILE", default_value = "table.npz")]
     pub output: PathBuf,
     /// Combined Poisson's ratio of both bodies

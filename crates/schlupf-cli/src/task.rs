@@ -10,7 +10,7 @@ use schlupf_output::Report;
 use crate::arguments::{CaseArguments, OutputArguments};
 use crate::commands::read_case;
 use crate::failure::{Failure, NOT_CONVERGED, SUCCESS};
-use crate::figures::{Figures, MANIFEST};
+use crate::figures::{Figures, MANIFEST, figure_files};
 use crate::outputs::{self, Directory, Input, Output};
 use crate::progress::Progress;
 use crate::{report, stdout};
@@ -145,11 +145,6 @@ fn print(outputs: &OutputArguments, report: &impl Report) -> Result<(), Failure>
 /// Names of the files of all figures that a command may draw.
 fn file_names<T: Task>() -> Vec<String> {
     T::Report::figure_names().iter().flat_map(|name| figure_files(name)).collect()
-}
-
-/// Names of the files of a figure: the drawing and the picture.
-pub(crate) fn figure_files(name: &str) -> [String; 2] {
-    [format!("{name}.svg"), format!("{name}.png")]
 }
 
 /// Where a command is going to write.

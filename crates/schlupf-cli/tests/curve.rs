@@ -333,7 +333,7 @@ fn a_field_without_effect_is_among_the_warnings() {
     assert!(warning.starts_with(expected), "{warning}");
 }
 
-/// Issue 38: the warning of a curve was that of its first hot point; it is that of the hottest.
+/// The warning of a curve was that of its first hot point; it is that of the hottest.
 #[test]
 fn a_warning_of_a_curve_is_that_of_its_worst_point() {
     let bench = Bench::new();

@@ -146,7 +146,7 @@ fn values_beyond_their_bounds_are_told_in_their_unit() {
     assert!(run.stderr.trim_end().ends_with("but is \"2 rad\""), "{}", run.stderr);
 }
 
-/// Issue 38: every method and the check tell a pressure that no body bears.
+/// Every method and the check tell a pressure that no body bears.
 #[test]
 fn pressures_beyond_elasticity_are_told_by_every_method() {
     let bench = Bench::new();
@@ -164,7 +164,7 @@ fn pressures_beyond_elasticity_are_told_by_every_method() {
     }
 }
 
-/// Issue 38: without heat there are no temperatures to print, and a method is not warned of for
+/// Without heat there are no temperatures to print, and a method is not warned of for
 /// being what was asked for.
 #[test]
 fn without_heat_no_temperatures_are_printed() {

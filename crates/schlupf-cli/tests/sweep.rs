@@ -252,7 +252,7 @@ fn wrong_arguments_are_refused() {
     assert!(failed.stdout.contains("1 states, 0 converged, 1 failed"), "{}", failed.stdout);
 }
 
-/// Issue 38: a study at 80 MN a wheel ended "3 converged" and no more.
+/// A study at 80 MN a wheel ended "3 converged" and no more.
 #[test]
 fn a_study_ends_with_its_warnings_counted_by_code() {
     let bench = Bench::new();

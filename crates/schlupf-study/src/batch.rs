@@ -14,7 +14,7 @@ use crate::columns::{Outcome, Row, push};
 use crate::design::Entry;
 use crate::error::StudyError;
 use crate::order::groups;
-use crate::run::Solved;
+use crate::solved::Solved;
 use crate::study::Study;
 use crate::table::{Cells, Column, Contents, Rows};
 

@@ -94,7 +94,7 @@ fn lower(text: &str) -> String {
 mod tests {
     use super::*;
 
-    /// Issue 38: runs of many states ended without their warnings.
+    /// Runs of many states ended without their warnings.
     #[test]
     fn warnings_are_counted_by_their_codes_and_the_worst_is_told() {
         let mut counts = Counts::default();

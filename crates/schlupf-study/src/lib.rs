@@ -21,6 +21,7 @@ pub mod merge;
 mod order;
 mod parts;
 pub mod run;
+mod solved;
 mod study;
 pub mod table;
 

@@ -126,7 +126,7 @@ impl<W: Graded, P: PartialOrd> Extend<Tallied<W, P>> for Tally<W, P> {
 mod tests {
     use super::*;
 
-    /// Issue 38: the warning of a curve was that of its first hot point.
+    /// The warning of a curve was that of its first hot point.
     #[test]
     fn the_worst_of_a_kind_is_kept_with_its_place_and_their_number() {
         let mut tally = Tally::default();

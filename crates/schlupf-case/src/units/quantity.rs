@@ -241,7 +241,7 @@ mod tests {
         assert_eq!(force, "a comma may separate thousands or decimals: write 80000 N or 80 N");
     }
 
-    /// Issue 38: spin is an angle per length; an angle is no part of other inverse lengths.
+    /// Spin is an angle per length; an angle is no part of other inverse lengths.
     #[test]
     fn spin_has_units_with_and_without_an_angle() {
         assert_value("2 1/m", &Measure::SPIN, 2.0);

@@ -300,7 +300,7 @@ mod tests {
         }
     }
 
-    /// Issue 38: as a text editor counts lines, with comments, empty lines, line breaks within
+    /// As a text editor counts lines, with comments, empty lines, line breaks within
     /// quotation marks and both ends of lines; what is long is quoted short.
     #[test]
     fn a_wrong_cell_is_told_with_its_line() {

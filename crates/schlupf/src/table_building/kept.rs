@@ -12,7 +12,7 @@ pub enum Task {
         round: usize,
         /// a/b, dimensionless.
         axis_ratio: f64,
-        /// In rad.
+        /// Direction of the creepages, in rad.
         azimuth: f64,
     },
     /// A random state.
