@@ -11,10 +11,10 @@ use schlupf_output::Report;
 use schlupf_output::figures::MARK;
 
 use crate::arguments::{CaseArguments, OutputArguments};
-use crate::commands::read_case;
 use crate::failure::{Failure, NOT_CONVERGED, SUCCESS};
 use crate::outputs::{self, Directory, Input, Output};
 use crate::progress::Progress;
+use crate::read_case::read_case;
 use crate::{report, stdout};
 
 /// A command that finds something and writes it.

@@ -125,8 +125,8 @@ impl ProfileCurve {
         &self.points
     }
 
-    /// The step between two points that covers most of an interval of arc lengths (in m): the part of
-    /// the interval that it covers, dimensionless, and y and z of its ends in m.
+    /// The step between two points that covers most of an interval of arc lengths (in m): the part
+    /// of the interval that it covers, dimensionless, and y and z of its ends in m.
     pub(super) fn widest_step(&self, [from, to]: [f64; 2]) -> Option<(f64, [[f64; 2]; 2])> {
         let covered = |k: &usize| self.length[k + 1].min(to) - self.length[*k].max(from);
         let steps = 0..self.length.len() - 1;
