@@ -129,7 +129,7 @@ fn what_is_no_profile_is_told() {
             "y [mm],z [mm]\n0,1\n1,x\n",
             "a.csv:3:1: wheel.profile: z must be a finite number, but is \"x\"",
         ),
-        ("a.csv", "y [mm],z [mm]\n0,1\n1,1\n", "wheel.profile needs at least 4 points"),
+        ("a.csv", "y [mm],z [mm]\n0,1\n9,1\n", "wheel.profile needs at least 4 points"),
         ("a.csv", "y [mm],h [mm]\n0,1\n", "the header must be such as `y [m],z [m]`"),
         (
             "a.txt",

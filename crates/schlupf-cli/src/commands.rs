@@ -1,38 +1,22 @@
-//! The commands that do not solve, and how a case is read.
+//! The commands that do not solve.
 
 use std::fmt::Write;
 use std::io::ErrorKind;
 use std::path::Path;
 
 use schlupf_case::{
-    Case, CaseErrors, CaseFile, Effective, FieldNames, Folder, Overrides, Place, Preset,
-    conditions, schema as case_schema, template, template_with,
+    Case, CaseErrors, Effective, FieldNames, Place, Preset, conditions, schema as case_schema,
+    template, template_with,
 };
 use schlupf_output::significant;
 use schlupf_tasks::contact_law;
 
-use crate::arguments::{CaseArguments, CheckArguments, InitArguments, STANDARD_STREAM};
+use crate::arguments::{CheckArguments, InitArguments, STANDARD_STREAM};
 use crate::failure::{Failure, SUCCESS};
 use crate::outputs::{self, Output};
 use crate::progress::Progress;
+use crate::read_case::read_case;
 use crate::{profiles, report, stdout};
-
-/// Reads the case that was named, or the default one; nothing is solved yet.
-pub fn read_case(arguments: &CaseArguments) -> Result<CaseFile, Failure> {
-    let overrides = Overrides { option: "--set", assignments: &arguments.overrides };
-    let file = if let Some(path) = &arguments.case {
-        if path == Path::new(STANDARD_STREAM) {
-            let input = std::io::stdin().lock();
-            CaseFile::from_reader(input, "standard input", Folder::new(""), overrides)
-        } else {
-            CaseFile::from_path(path, overrides)
-        }
-    } else {
-        let text = CaseFile::default_text();
-        CaseFile::from_str(&text, "default case", Folder::new(""), overrides)
-    };
-    Ok(file?)
-}
 
 /// `schlupf check`: reads a case and says what it would solve.
 pub fn check(arguments: &CheckArguments) -> Result<u8, Failure> {

@@ -20,6 +20,7 @@ mod notice;
 mod outputs;
 mod profiles;
 mod progress;
+mod read_case;
 mod report;
 mod roughness;
 mod solve;

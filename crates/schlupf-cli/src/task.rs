@@ -8,11 +8,11 @@ use schlupf_case::CaseFile;
 use schlupf_output::Report;
 
 use crate::arguments::{CaseArguments, OutputArguments};
-use crate::commands::read_case;
 use crate::failure::{Failure, NOT_CONVERGED, SUCCESS};
 use crate::figures::{Figures, MANIFEST, figure_files};
 use crate::outputs::{self, Directory, Input, Output};
 use crate::progress::Progress;
+use crate::read_case::read_case;
 use crate::{report, stdout};
 
 /// A command that finds something and writes it.

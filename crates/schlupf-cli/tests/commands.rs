@@ -75,6 +75,36 @@ fn check_says_what_it_would_solve() {
     assert_eq!(bench.list(), ["case.toml"]);
 }
 
+/// What was read of profiles is told and drawn, also where the wheel does not touch the rail.
+#[test]
+fn check_shows_and_draws_profiles() {
+    let bench = Bench::new();
+    let case = "wheel.profile = \"S1002\"\nrail = { profile = \"60E1\", cant = 0.025 }\n\
+                normal = { model = \"wheel-rail\", load = \"80 kN\" }\n";
+    bench.write("case.toml", case);
+    let read = [
+        "wheel.profile: S1002",
+        "129.5 mm wide, 30.6357 mm high",
+        "y outwards (by its shape), z up (by its shape)",
+        "back at y = -70 mm",
+        "rail.profile: 60E1",
+    ];
+    for (position, code) in [("0 mm", 0), ("200 mm", 2)] {
+        let set = format!("wheelset.lateral_position={position}");
+        let run = bench.run(&["check", "case.toml", "--set", &set, "--figures", "figures"]);
+        assert_eq!(run.code, Some(code), "{}", run.stderr);
+        for part in read {
+            assert!(run.stdout.contains(part), "{part:?} is not in\n{}", run.stdout);
+        }
+        let drawing = std::fs::read_to_string(bench.path("figures/profiles.svg")).unwrap();
+        assert!(drawing.contains("Profiles in place"));
+        std::fs::remove_dir_all(bench.path("figures")).unwrap();
+    }
+    let run = bench.run(&["check", "--figures", "figures"]);
+    assert_eq!(run.code, Some(2));
+    assert!(run.stderr.contains("--figures draws the profiles of a case"), "{}", run.stderr);
+}
+
 /// Microwatts are not told in kilowatts.
 #[test]
 fn powers_have_a_unit_of_their_size() {
