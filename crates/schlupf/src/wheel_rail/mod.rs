@@ -30,6 +30,7 @@ mod side;
 mod patch;
 mod driven;
 mod sliding;
+mod settling;
 mod wheel;
 mod resting;
 mod conicity;
