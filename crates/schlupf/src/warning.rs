@@ -407,6 +407,16 @@ messages! {
         )
     }, severity *turn;
 
+    /// A vertical force that jumps over the load as the wheel is lowered.
+    "jumping-force" JumpingForce {
+        /// Vertical force over the load, minus one; dimensionless.
+        residual: f64,
+    } Quantity::Load, |name, words| format!(
+        "{name}: the vertical force jumps over the load as the wheel is lowered, where cells or whole \
+         contacts come to touch; the nearest state differs from the load by {:.2} % of it",
+        100.0 * residual
+    );
+
     /// A patch of several parts on profiles that were not smoothed.
     "rough-profile" RoughProfile {
         /// Parts of the patch.

@@ -585,10 +585,7 @@ impl Error {
                 | Self::ContactNotFound { .. }
                 | Self::Fit { error: FitError::FitStuck { .. } }
                 | Self::Force { error: ForceError::NotFound { .. } }
-                | Self::WheelRail {
-                    error: WheelRailError::NotSettled { .. }
-                        | WheelRailError::RollNotSettled { .. }
-                }
+                | Self::WheelRail { error: WheelRailError::RollNotSettled { .. } }
         )
     }
 }

@@ -111,17 +111,6 @@ messages! {
          forces at one height of the wheelset; the last one changed it by {step:.1e} rad"
     );
 
-    /// Heights and forces that did not settle.
-    "wheel-not-settled" NotSettled {
-        /// Rounds that were made.
-        rounds: usize,
-        /// Relative error of the vertical force that is left, dimensionless.
-        residual: f64,
-    } Quantity::Load, |name, words| format!(
-        "{name}: height and friction of the wheel did not settle in {rounds} rounds; the vertical force \
-         is off by {residual:.1e} of itself"
-    );
-
     /// A normal contact of profiles that is not solved yet.
     "unsolved-wheel" Unsolved {} Quantity::WheelProfile, |name, words| format!(
         "{name}: the contacts of a wheel on a rail are known only once they are solved for together"

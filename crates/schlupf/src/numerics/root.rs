@@ -95,6 +95,59 @@ pub(crate) fn fixed_point_near(
     tried
 }
 
+/// Evaluations in which a bracket must halve, or its middle is next.
+const PATIENCE: usize = 4;
+
+/// An interval in which a function that is below its target at the first end comes above it, by a
+/// root or by a jump. Whatever is proposed as the next point, it shrinks to that point.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Bracket {
+    ends: [f64; 2],
+    /// Width when it last halved, and evaluations since.
+    halved: (f64, usize),
+}
+
+impl Bracket {
+    /// Between two ends, which may be infinite.
+    pub fn new(ends: [f64; 2]) -> Self {
+        Self { ends, halved: (f64::INFINITY, 0) }
+    }
+
+    /// Notes on which side of its target the function is at a point.
+    pub fn note(&mut self, x: f64, is_below: bool) {
+        self.ends[usize::from(!is_below)] = x;
+        let width = self.width();
+        if width.is_finite() && width > 0.5 * self.halved.0 {
+            self.halved.1 += 1;
+        } else {
+            self.halved = (width, 0);
+        }
+    }
+
+    /// Its ends.
+    pub fn ends(&self) -> [f64; 2] {
+        self.ends
+    }
+
+    /// Its width; infinite until both ends are known.
+    pub fn width(&self) -> f64 {
+        self.ends[1] - self.ends[0]
+    }
+
+    /// The next point: the one that is proposed, or the middle where that is not inside or where
+    /// proposals do not narrow the bracket.
+    pub fn next(&self, proposal: f64) -> f64 {
+        let [low, high] = self.ends;
+        let is_inside = proposal > low && proposal < high;
+        let is_slow = self.halved.1 >= PATIENCE;
+        if self.width().is_finite() && (is_slow || !is_inside) {
+            0.5 * (low + high)
+        } else {
+            proposal
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use approx::assert_relative_eq;
@@ -139,5 +192,28 @@ mod tests {
         }
         count(&|mu| if mu > 0.25 { 0.1 } else { 0.4 }, 0.25);
         count(&|mu| (0.4 - 50.0 * mu).max(0.0), 0.4 / 51.0);
+    }
+
+    /// Proposals that cycle, that stagnate at one end and that leave the bracket do not keep it
+    /// from closing, at a root and at a jump alike.
+    #[test]
+    fn brackets_close_whatever_is_proposed() {
+        let root = |x: f64| x.powi(3) - 0.3;
+        let jump = |x: f64| if x < 0.7 { -1e-3 } else { 2.0 };
+        let proposals: [&dyn Fn(f64) -> f64; 4] =
+            [&|x| if x > 0.68 { 0.6 } else { 0.8 }, &|x| x + 1e-9, &|x| x - 1e-9, &|_| 7.0];
+        for (function, expected) in [(&root as &dyn Fn(f64) -> f64, 0.3_f64.cbrt()), (&jump, 0.7)] {
+            for proposal in proposals {
+                let mut bracket = Bracket::new([0.0, 1.0]);
+                let (mut x, mut evaluations) = (0.9, 0);
+                while bracket.width() > 1e-9 {
+                    bracket.note(x, function(x) < 0.0);
+                    x = bracket.next(proposal(x));
+                    evaluations += 1;
+                }
+                assert_relative_eq!(bracket.ends()[0], expected, epsilon = 2e-9);
+                assert!(evaluations <= 5 * 31, "{evaluations}");
+            }
+        }
     }
 }

@@ -13,16 +13,14 @@ use super::pair::Pair;
 use super::pose::{Attitude, Pose, dot, minus};
 use super::pressed::{Accuracy, Pressed, Pressing};
 use crate::error::{Error, WheelRailError};
+use crate::numerics::root::Bracket;
 use crate::progress::Watch;
 
 /// Power of the depth with which the force of a contact grows (Hertz 1882), dimensionless.
 const POWER: f64 = 1.5;
 
 /// Largest depth below first touch, in m.
-const DEEPEST: f64 = 5e-3;
-
-/// Most evaluations of the force until it is that asked for.
-const MOST_ROUNDS: usize = 60;
+pub(super) const DEEPEST: f64 = 5e-3;
 
 /// Passes in which contacts raise each other's surfaces.
 const PASSES: usize = 4;
@@ -123,8 +121,14 @@ impl Lowering<'_> {
         others.map(rise).sum()
     }
 
+    /// The contacts at a depth that is tried as part of a search.
+    pub fn lowered(&self, at: Guess, accuracy: Accuracy) -> Result<Lowered, Error> {
+        Ok(Lowered { at, contacts: self.at(at.depth, accuracy)? })
+    }
+
     /// The depth at which contacts carry a vertical force (in N) to a tolerance (dimensionless),
-    /// from a guess.
+    /// from a guess. The bracket closes whatever the force does; where it jumps over the load, that
+    /// is the state at one end of the jump.
     pub fn carrying(
         &self,
         load: f64,
@@ -132,61 +136,61 @@ impl Lowering<'_> {
         guess: Guess,
         (accuracy, tolerance): (Accuracy, f64),
     ) -> Result<Lowered, Error> {
-        let (mut low, mut high) = (0.0, f64::INFINITY);
-        let mut depth = guess.depth.min(0.5 * DEEPEST);
-        let mut power = guess.power;
+        let mut bracket = Bracket::new([0.0, f64::INFINITY]);
+        let mut at = Guess { depth: guess.depth.min(0.5 * DEEPEST), ..guess };
         let mut before: Option<[f64; 2]> = None;
-        let mut worst: Option<(f64, f64)> = None;
-        let mut last = f64::INFINITY;
-        for round in 0..MOST_ROUNDS {
-            let contacts = self.at(depth, accuracy)?;
-            worst = contacts
-                .iter()
-                .filter(|contact| weight(contact, ratios) <= 0.0)
-                .map(|contact| (contact.plane.inclination, ratio(contact, ratios)))
-                .next()
-                .or(worst);
-            let force: f64 =
-                contacts.iter().map(|contact| contact.force * weight(contact, ratios)).sum();
-            let residual = force / load - 1.0;
-            last = residual.abs();
-            power = local_power([depth, force / load], before).unwrap_or(power);
-            if residual.abs() <= tolerance || (high - low) <= ROUNDING * depth {
-                return Ok(Lowered { at: Guess { depth, power }, contacts });
+        let mut held: Option<Held> = None;
+        let mut least = LEAST_STEP;
+        loop {
+            let lowered = self.lowered(at, accuracy)?;
+            held = lowered.held(ratios).or(held);
+            let depth = at.depth;
+            let share = lowered.vertical_force(ratios) / load;
+            at.power = local_power([depth, share], before).unwrap_or(at.power);
+            bracket.note(depth, share < 1.0);
+            let is_closed = bracket.width() <= ROUNDING * depth;
+            if (share - 1.0).abs() <= tolerance || is_closed {
+                return Ok(Lowered { at, ..lowered });
             }
-            if residual < 0.0 && depth >= DEEPEST {
-                return Err(not_carried(force, worst));
+            if share < 1.0 && depth >= DEEPEST {
+                return Err(not_carried(share * load, held));
             }
-            if residual < 0.0 {
-                low = depth;
-            } else {
-                high = depth;
+            before = (share > 0.0).then_some([depth, share]);
+            let mut factor = if share > 0.0 { share.powf(-at.power.recip()) } else { FASTEST };
+            if share < 1.0 {
+                // Until the load is passed, steps do not become too short to pass it.
+                factor = factor.max(1.0 + least);
+                least *= 2.0;
             }
-            let next = if force > 0.0 {
-                depth * (force / load).powf(-power.recip())
-            } else {
-                FASTEST * depth
-            };
-            before = (force > 0.0).then_some([depth, force / load]);
-            let is_inside = next > low && next < high && round % 8 != 7;
-            depth = if is_inside {
-                next.min(FASTEST * depth)
-            } else if high.is_finite() {
-                0.5 * (low + high)
-            } else {
-                FASTEST * depth
-            };
-            depth = depth.min(DEEPEST);
+            at.depth = bracket.next(depth * factor.min(FASTEST)).min(DEEPEST);
         }
-        Err(WheelRailError::NotSettled { rounds: MOST_ROUNDS, residual: last }.into())
     }
 }
+
+impl Lowered {
+    /// Vertical force of the contacts with given friction, in N.
+    pub fn vertical_force(&self, ratios: &[FrictionRatio]) -> f64 {
+        self.contacts.iter().map(|contact| contact.force * weight(contact, ratios)).sum()
+    }
+
+    /// A contact whose friction lets it carry nothing.
+    fn held(&self, ratios: &[FrictionRatio]) -> Option<Held> {
+        let mut held = self.contacts.iter().filter(|contact| weight(contact, ratios) <= 0.0);
+        held.next().map(|contact| (contact.plane.inclination, ratio(contact, ratios)))
+    }
+}
+
+/// Inclination (in rad) of a contact, and its ratio of lateral to normal force.
+type Held = (f64, f64);
 
 /// Largest factor by which a depth grows in one step.
 const FASTEST: f64 = 3.0;
 
+/// Shortest first step to a larger depth, relative to it; each further one may be twice as long.
+const LEAST_STEP: f64 = 1e-7;
+
 /// Width of a bracket relative to the depth below which rounding decides.
-const ROUNDING: f64 = 1e-12;
+const ROUNDING: f64 = 1e-10;
 
 /// The power of the depth with which the force grows: through the last two points (depth in m,
 /// force over load) in logarithms.
@@ -201,15 +205,15 @@ const LEAST_POWER: f64 = 0.5;
 
 /// Why no depth carries the load, from the force at the largest one (in N) and from a contact whose
 /// friction lets it carry nothing.
-fn not_carried(force: f64, worst: Option<(f64, f64)>) -> Error {
-    match worst {
+fn not_carried(force: f64, held: Option<Held>) -> Error {
+    match held {
         Some((angle, ratio)) => WheelRailError::Jammed { angle: angle.abs(), ratio }.into(),
         None => WheelRailError::NotCarried { deepest: DEEPEST, force }.into(),
     }
 }
 
 /// Vertical over normal force of a contact, dimensionless.
-pub(super) fn weight(contact: &Pressed, ratios: &[FrictionRatio]) -> f64 {
+fn weight(contact: &Pressed, ratios: &[FrictionRatio]) -> f64 {
     let (sin, cos) = contact.plane.inclination.sin_cos();
     cos + ratio(contact, ratios) * sin
 }

@@ -31,6 +31,7 @@ mod patch;
 mod holes;
 mod driven;
 mod sliding;
+mod settling;
 mod wheel;
 mod resultant;
 mod resting;

@@ -10,6 +10,7 @@ use super::side::Side;
 use super::sliding::Tangential;
 use super::wheel::{Position, WheelOnRail, WheelSolution};
 use crate::error::{Error, WheelRailError};
+use crate::numerics::root::Bracket;
 use crate::progress::Watch;
 
 /// Change of the roll angle below which it is found, in rad: less than 0.2 µm at the rails.
@@ -18,12 +19,8 @@ const SETTLED: f64 = 2e-7;
 /// The same with rigid bodies, in rad.
 const RIGID: f64 = 1e-11;
 
-/// Most rounds of roll and wheels, and most steps to a roll angle.
-const MOST_ROUNDS: usize = 30;
-const MOST_STEPS: usize = 60;
-
-/// Largest roll angle, in rad.
-const LARGEST: f64 = 0.2;
+/// Most rounds of roll and wheels: more than a bracket of a tenth of a radian needs to close.
+const MOST_ROUNDS: usize = 100;
 
 /// Roll angle (in rad) at which both wheels touch their rails, each sunk by a depth below first
 /// touch (left and right, in m), at a lateral position (in m) and a yaw angle (in rad).
@@ -43,30 +40,45 @@ pub fn resting_roll(pair: &Pair, [lateral, yaw]: [f64; 2], depths: [f64; 2]) -> 
     let difference = |roll: f64| -> Result<f64, Error> {
         Ok(height(Side::Left, roll, depths[0])? - height(Side::Right, roll, depths[1])?)
     };
-    let (mut low, mut high) = (-LARGEST, LARGEST);
+    let mut bracket = Bracket::new([f64::NEG_INFINITY, f64::INFINITY]);
+    let mut slope = Slope::new(pair);
     let mut roll = 0.0;
-    let mut off = difference(roll)?;
-    // Twice the distance of the contacts from the middle, about.
-    let mut slope = -2.0 * pair.wheel_offset;
-    for _ in 0..MOST_STEPS {
-        if off > 0.0 {
-            low = roll;
-        } else {
-            high = roll;
-        }
-        let secant = roll - off / slope;
-        let next = if secant > low && secant < high { secant } else { 0.5 * (low + high) };
-        let step = next - roll;
-        if step.abs() < RIGID {
+    loop {
+        let off = difference(roll)?;
+        bracket.note(roll, off > 0.0);
+        let next = bracket.next(roll - off / slope.through([roll, off]));
+        if (next - roll).abs() < RIGID {
             return Ok(next);
         }
-        let off_next = difference(next)?;
-        let found = (off_next - off) / step;
-        slope = if found < 0.2 * -pair.wheel_offset { found } else { -2.0 * pair.wheel_offset };
-        (roll, off) = (next, off_next);
+        roll = next;
     }
-    Ok(roll)
 }
+
+/// How fast the height at which the left wheel rests falls below that of the right one as the
+/// wheelset rolls, in m: through the last two angles, or that of contacts at the nominal places.
+struct Slope {
+    usual: f64,
+    /// The last angle (in rad), and by how much the left wheel was higher (in m).
+    last: Option<[f64; 2]>,
+}
+
+impl Slope {
+    fn new(pair: &Pair) -> Self {
+        Self { usual: -2.0 * pair.wheel_offset, last: None }
+    }
+
+    /// The slope through the last point and this one.
+    fn through(&mut self, [roll, off]: [f64; 2]) -> f64 {
+        let secant = self.last.map(|[before, off_before]| (off - off_before) / (roll - before));
+        self.last = Some([roll, off]);
+        let is_usual = |slope: &f64| (FLATTEST..STEEPEST).contains(&(slope / self.usual));
+        secant.filter(is_usual).unwrap_or(self.usual)
+    }
+}
+
+/// Slopes that are followed, over the usual one.
+const FLATTEST: f64 = 0.01;
+const STEEPEST: f64 = 20.0;
 
 impl WheelOnRail {
     /// This wheel (first) and the one on the other side (second) under the same vertical force,
@@ -89,7 +101,8 @@ impl WheelOnRail {
         };
         let depths = [depth(Side::Left)?, depth(Side::Right)?];
         let mut roll = resting_roll(&self.pair, place, depths)?;
-        let mut bracket = Bracket::new(-2.0 * self.pair.wheel_offset);
+        let mut bracket = Bracket::new([f64::NEG_INFINITY, f64::INFINITY]);
+        let mut slope = Slope::new(&self.pair);
         let mut step = f64::INFINITY;
         let mut before: Option<[WheelSolution; 2]> = None;
         for _ in 0..MOST_ROUNDS {
@@ -111,7 +124,10 @@ impl WheelOnRail {
                 Side::Left => [own, other],
                 Side::Right => [other, own],
             };
-            let next = bracket.next(roll, left.height - right.height);
+            // What the left wheel is higher falls with the angle; it jumps where a contact does.
+            let off = left.height - right.height;
+            bracket.note(roll, off > 0.0);
+            let next = bracket.next(roll - off / slope.through([roll, off]));
             step = (next - roll).abs();
             if step < SETTLED {
                 return Ok(match self.side {
@@ -125,50 +141,3 @@ impl WheelOnRail {
         Err(WheelRailError::RollNotSettled { rounds: MOST_ROUNDS, step }.into())
     }
 }
-
-/// The search for the roll angle at which both wheels carry their forces at the same height of the
-/// wheelset. What the left wheel is higher than the right one falls with the angle; it jumps where
-/// a contact does.
-struct Bracket {
-    low: f64,
-    high: f64,
-    /// The last angle (in rad) and by how much the left wheel was higher (in m).
-    last: Option<[f64; 2]>,
-    /// The slope of bodies that touch at the nominal places, in m.
-    usual_slope: f64,
-    rounds: usize,
-}
-
-impl Bracket {
-    fn new(usual_slope: f64) -> Self {
-        let (low, high) = (f64::NEG_INFINITY, f64::INFINITY);
-        Self { low, high, last: None, usual_slope, rounds: 0 }
-    }
-
-    /// The angle to try after one (in rad) at which the left wheel is `off` (in m) higher: by the
-    /// secant, or in the middle of a bracket that this leaves or hardly narrows.
-    fn next(&mut self, roll: f64, off: f64) -> f64 {
-        self.rounds += 1;
-        if off > 0.0 {
-            self.low = roll;
-        } else {
-            self.high = roll;
-        }
-        let secant = self.last.map(|[before, off_before]| (off - off_before) / (roll - before));
-        let is_usual = |slope: &f64| (FLATTEST..STEEPEST).contains(&(slope / self.usual_slope));
-        let slope = secant.filter(is_usual).unwrap_or(self.usual_slope);
-        self.last = Some([roll, off]);
-        let next = roll - off / slope;
-        let middle = 0.5 * (self.low + self.high);
-        let is_inside = self.low <= next && next <= self.high;
-        if middle.is_finite() && (!is_inside || self.rounds.is_multiple_of(4)) {
-            middle
-        } else {
-            next
-        }
-    }
-}
-
-/// Slopes that are followed, over the usual one.
-const FLATTEST: f64 = 0.01;
-const STEEPEST: f64 = 20.0;

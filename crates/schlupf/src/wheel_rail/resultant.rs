@@ -2,9 +2,7 @@
 
 use super::wheel::{Contact, WheelSolution};
 use crate::kinematics::Kinematics;
-use crate::solution::{
-    Area, Fields, Power, Resultant, Solution, Status, TGamma, Temperature, Work,
-};
+use crate::solution::{Area, Fields, Power, Resultant, Solution, TGamma, Temperature, Work};
 
 impl WheelSolution {
     /// Creepage of the nominal rolling radius R (in m) at a speed v0 (in m/s), 1 − ωR/v0,
@@ -97,11 +95,5 @@ impl WheelSolution {
                 cells: sum.cells + work.cells,
             },
         )
-    }
-
-    /// Whether all contacts converged.
-    pub fn status(&self) -> Status {
-        let is = |contact: &Contact| contact.solution.status == Status::Converged;
-        if self.contacts.iter().all(is) { Status::Converged } else { Status::NotConverged }
     }
 }

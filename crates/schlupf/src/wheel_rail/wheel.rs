@@ -5,13 +5,14 @@ use std::sync::Arc;
 use super::contact_plane::Joining;
 use super::creepage::Motion;
 use super::driven::Drive;
-use super::equilibrium::{FrictionRatio, Guess, Lowered, Lowering, weight};
+use super::equilibrium::{FrictionRatio, Guess, Lowered, Lowering};
 use super::gap::Gap;
 use super::holes;
 use super::pair::Pair;
 use super::pose::{Attitude, minus};
 use super::pressed::Accuracy;
 use super::rows::{CONFORMAL, RowsMove};
+use super::settling::{Settled, Settling, Start};
 use super::side::Side;
 use super::sliding::{Slid, Sliding, Tangential, Turning, turn};
 use crate::error::{Error, WheelRailError, require, require_finite, require_positive};
@@ -19,7 +20,7 @@ use crate::problem::{Options, Problem};
 use crate::progress::Watch;
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
-use crate::solution::Solution;
+use crate::solution::{Solution, Status};
 use crate::warning::Warning;
 
 /// Position of a wheelset in the track: x forwards, y to the left, z up.
@@ -113,6 +114,9 @@ pub struct WheelSolution {
     pub force: [f64; 3],
     /// Rounds between height and friction.
     pub rounds: usize,
+    /// Vertical force over that asked for, minus one; dimensionless. It is not small where the force
+    /// jumps over the load as the wheel is lowered.
+    residual: f64,
     guess: Guess,
     rows: RowsMove,
     /// Whether one of the profiles was smoothed.
@@ -122,6 +126,17 @@ pub struct WheelSolution {
 }
 
 impl WheelSolution {
+    /// Whether all contacts converged and carry the vertical force.
+    pub fn status(&self) -> Status {
+        let is = |contact: &Contact| contact.solution.status == Status::Converged;
+        let is_carried = self.residual.abs() <= LARGEST_JUMP;
+        if is_carried && self.contacts.iter().all(is) {
+            Status::Converged
+        } else {
+            Status::NotConverged
+        }
+    }
+
     /// Depth below first touch, in m.
     pub fn depth(&self) -> f64 {
         self.guess.depth
@@ -162,8 +177,10 @@ impl WheelSolution {
         let turned = self.contacts.iter().filter_map(warning);
         let parts = self.contacts.iter().map(|contact| contact.solution.normal.parts);
         let rough = parts.max().filter(|parts| !self.is_smoothed && *parts >= MANY_PARTS);
+        let jump = (self.residual.abs() > SETTLED)
+            .then_some(Warning::JumpingForce { residual: self.residual });
         let rough = rough.map(|parts| Warning::RoughProfile { parts });
-        turned.chain(rough).chain(self.holes.iter().cloned()).collect()
+        turned.chain(rough).chain(jump).chain(self.holes.iter().cloned()).collect()
     }
 }
 
@@ -173,14 +190,12 @@ const MANY_PARTS: usize = 3;
 /// Error of the vertical force at which height and friction count as settled, dimensionless.
 const SETTLED: f64 = 1e-4;
 
+/// Largest error where the force jumps over the load with which a wheel counts as converged,
+/// dimensionless: what cells that come and go make of the force at a steep flange.
+const LARGEST_JUMP: f64 = 3e-3;
+
 /// The same while they are approached on coarse cells.
 const NEARLY_SETTLED: f64 = 3e-3;
-
-/// Most rounds between height and friction.
-const MOST_ROUNDS: usize = 16;
-
-/// Rounds after which the ratios are damped.
-const UNDAMPED: usize = 8;
 
 /// Fewest cells each way on which friction is first estimated.
 const FEWEST_CELLS: usize = 8;
@@ -267,7 +282,7 @@ impl WheelOnRail {
         Lowering { pair, gap, attitude, joining, contact_modulus, watch }
     }
 
-    fn sliding<'a>(
+    pub(super) fn sliding<'a>(
         &self,
         (lowering, lowered): (&'a Lowering<'a>, &'a Lowered),
         (tangential, options): (&'a Tangential<'a>, &'a Options),
@@ -312,41 +327,37 @@ impl WheelOnRail {
             keeps_state: false,
             ..tangential.options.clone()
         };
-        let mut ratios = near.map_or(Vec::new(), WheelSolution::ratios);
-        let mut guess = near.map_or_else(|| first_guess(lowering, force), |near| near.guess);
-        let mut turned = near.and_then(WheelSolution::nearby);
-        let mut is_fine = near.is_some();
-        let mut error = f64::INFINITY;
-        for round in 0..MOST_ROUNDS {
-            let how = if is_fine {
-                (Accuracy::Cells(self.cells), 0.2 * SETTLED)
-            } else {
-                (Accuracy::Coarse, 0.2 * NEARLY_SETTLED)
-            };
-            let lowered = lowering.carrying(force, &ratios, guess, how)?;
-            guess = lowered.at;
-            let options = if is_fine { tangential.options } else { &coarse };
-            let sliding = self.sliding((lowering, &lowered), (tangential, options), watch);
-            let turning = sliding.solve(turned)?;
-            turned = turning.nearby();
-            let next = self.ratios(&turning.contacts);
-            let carried: f64 =
-                lowered.contacts.iter().map(|contact| contact.force * weight(contact, &next)).sum();
-            error = (carried / force - 1.0).abs();
-            if is_fine && error <= SETTLED {
-                // Before that the forces are those of other normal forces.
-                if let Some(missed) = turning.missed {
-                    return Err(missed.into());
-                }
-                return Ok(self.solution(lowering, &lowered, turning, round + 1));
+        let settling = |accuracy: Accuracy, tolerance: f64, options| Settling {
+            wheel: self,
+            lowering,
+            force,
+            accuracy,
+            tolerance,
+            how: (tangential, options),
+            watch,
+        };
+        let (from, rounds) = match near {
+            Some(near) => {
+                let (ratios, turned) = (near.ratios(), near.nearby());
+                (Start { ratios, guess: near.guess, turned }, 0)
             }
-            is_fine |= error <= NEARLY_SETTLED || round == 0 && is_flat(&lowered);
-            ratios = if round < UNDAMPED { next } else { damped(&ratios, next) };
+            None => {
+                let guess = first_guess(lowering, force);
+                let from = Start { ratios: Vec::new(), guess, turned: None };
+                let coarse = settling(Accuracy::Coarse, NEARLY_SETTLED, &coarse).find(from)?;
+                (coarse.start, coarse.rounds)
+            }
+        };
+        let fine = settling(Accuracy::Cells(self.cells), SETTLED, tangential.options);
+        let Settled { lowered, turning, residual, rounds: more, .. } = fine.find(from)?;
+        if let Some(missed) = turning.missed {
+            return Err(missed.into());
         }
-        Err(WheelRailError::NotSettled { rounds: MOST_ROUNDS, residual: error }.into())
+        let solution = self.solution(lowering, &lowered, turning, rounds + more);
+        Ok(WheelSolution { residual, ..solution })
     }
 
-    fn ratios(&self, solved: &[Slid]) -> Vec<FrictionRatio> {
+    pub(super) fn ratios(&self, solved: &[Slid]) -> Vec<FrictionRatio> {
         let ratio = |(pressed, _, solution): &Slid| FrictionRatio {
             y: pressed.plane.origin[1],
             ratio: self.side.outwards() * solution.force.y / pressed.force,
@@ -382,6 +393,7 @@ impl WheelOnRail {
             contacts,
             angular_velocity,
             force,
+            residual: 0.0,
             guess: lowered.at,
             rows: self.rows,
             rounds,
@@ -414,28 +426,8 @@ impl WheelOnRail {
     }
 }
 
-/// Inclination of a contact below which its friction hardly carries, in rad.
-const FLAT: f64 = 0.02;
-
-/// Whether friction hardly counts in the vertical force.
-fn is_flat(lowered: &Lowered) -> bool {
-    lowered.contacts.iter().all(|contact| contact.plane.inclination.abs() < FLAT)
-}
-
 /// A first guess of the depth: 20 µm under 10 kN, growing as by Hertz.
 fn first_guess(lowering: &Lowering, force: f64) -> Guess {
     let slope = lowering.gap.least().map_or(1.0, |point| point.inclination.cos());
     Guess::smooth(2e-5 * (force / 1e4).powf(2.0 / 3.0) / slope.max(0.2))
-}
-
-/// Half the way from the ratios before to the next ones.
-fn damped(before: &[FrictionRatio], next: Vec<FrictionRatio>) -> Vec<FrictionRatio> {
-    let near = |y: f64| {
-        before.iter().min_by(|p, q| (p.y - y).abs().total_cmp(&(q.y - y).abs())).map(|p| p.ratio)
-    };
-    let half = |ratio: FrictionRatio| FrictionRatio {
-        ratio: 0.5 * (ratio.ratio + near(ratio.y).unwrap_or(ratio.ratio)),
-        ..ratio
-    };
-    next.into_iter().map(half).collect()
 }

@@ -1,0 +1,162 @@
+//! The depth at which the contacts of a wheel carry the vertical force with their own friction.
+//!
+//! With friction solved at every depth that is tried, the vertical force G(d) = Σ F (cos β + ρ sin β)
+//! is a function of the depth d alone. The next depth is that at which the contacts carry the load
+//! with the friction ratios ρ of the last one; it is taken as a proposal within a bracket, which
+//! closes whatever is proposed. At a steep flange a last digit of ρ counts several times in G, so
+//! that G jumps where a row of cells comes into contact, and where contacts join a plane. A bracket
+//! that closes on a jump ends with the state that is nearer to the load.
+
+use super::equilibrium::{DEEPEST, FrictionRatio, Guess, Lowered, Lowering};
+use super::pressed::Accuracy;
+use super::sliding::{Tangential, Turning};
+use super::wheel::WheelOnRail;
+use crate::error::Error;
+use crate::numerics::root::Bracket;
+use crate::problem::Options;
+use crate::progress::Watch;
+
+/// Share of the tolerance with which a depth is found at given friction, dimensionless.
+const SHARE: f64 = 0.2;
+
+/// Width of a bracket, relative to the depth and over the tolerance, within which only a jump
+/// changes the force by more than the tolerance; dimensionless.
+const NARROW: f64 = 1e-2;
+
+/// Shortest first step to a larger depth, relative to it; each further one is twice as long until
+/// the load is passed.
+const LEAST_STEP: f64 = 1e-6;
+
+/// Factor by which a depth grows where no depth carries with the friction of the last one.
+const DEEPER: f64 = 1.5;
+
+/// Inclination of a contact below which its friction hardly carries, in rad.
+const FLAT: f64 = 0.02;
+
+/// What is known before: the friction of contacts, the depth, and the angular velocity of a driven
+/// wheel in rad/s.
+#[derive(Clone)]
+pub(super) struct Start {
+    pub ratios: Vec<FrictionRatio>,
+    pub guess: Guess,
+    pub turned: Option<f64>,
+}
+
+/// A wheel that is lowered until it carries a force.
+pub(super) struct Settling<'a> {
+    pub wheel: &'a WheelOnRail,
+    pub lowering: &'a Lowering<'a>,
+    /// Vertical force, in N.
+    pub force: f64,
+    pub accuracy: Accuracy,
+    /// Of the vertical force, dimensionless.
+    pub tolerance: f64,
+    /// How the tangential problems are posed, and with which options they are solved.
+    pub how: (&'a Tangential<'a>, &'a Options),
+    pub watch: Watch<'a>,
+}
+
+/// A wheel at a depth, with its friction.
+pub(super) struct Settled {
+    pub lowered: Lowered,
+    pub turning: Turning,
+    /// What a search nearby begins with.
+    pub start: Start,
+    /// Vertical force over that asked for, minus one; dimensionless.
+    pub residual: f64,
+    /// Depths at which friction was solved.
+    pub rounds: usize,
+}
+
+impl Settling<'_> {
+    /// The depth at which the wheel carries the force.
+    ///
+    /// # Errors
+    /// A wheel that is jammed: that carries less at all depths, down to one at which it cannot be.
+    pub fn find(&self, mut start: Start) -> Result<Settled, Error> {
+        let mut bracket = Bracket::new([0.0, f64::INFINITY]);
+        let mut best: Option<Settled> = None;
+        let mut rounds = 0;
+        loop {
+            let (lowered, turning) = self.next(&start, (&bracket, rounds))?;
+            rounds += 1;
+            start = Start {
+                ratios: self.wheel.ratios(&turning.contacts),
+                guess: lowered.at,
+                turned: turning.nearby(),
+            };
+            let residual = lowered.vertical_force(&start.ratios) / self.force - 1.0;
+            let depth = lowered.at.depth;
+            bracket.note(depth, residual < 0.0);
+            // Coarse cells tell how much friction carries; where it hardly does, once is enough.
+            let is_told = self.accuracy == Accuracy::Coarse && is_flat(&lowered);
+            let is_closed = bracket.width() <= NARROW * self.tolerance * depth;
+            let is_found = residual.abs() <= self.tolerance || is_told || is_closed;
+            let start = start.clone();
+            let now = Settled { lowered, turning, start, residual, rounds };
+            let nearer = match best.take() {
+                Some(best) if best.residual.abs() <= residual.abs() => best,
+                _ => now,
+            };
+            if is_found {
+                return Ok(Settled { rounds, ..nearer });
+            }
+            best = Some(nearer);
+        }
+    }
+
+    /// The wheel at the next depth.
+    fn next(
+        &self,
+        start: &Start,
+        (bracket, rounds): (&Bracket, usize),
+    ) -> Result<(Lowered, Turning), Error> {
+        let how = (self.accuracy, SHARE * self.tolerance);
+        let carrying = self.lowering.carrying(self.force, &start.ratios, start.guess, how);
+        let [low, high] = bracket.ends();
+        let error = match carrying {
+            Ok(lowered) => {
+                let proposal = lowered.at.depth;
+                let least = low * (1.0 + LEAST_STEP * 2_f64.powi(rounds.min(30) as i32));
+                let is_open = high.is_infinite();
+                let depth = bracket.next(if is_open { proposal.max(least) } else { proposal });
+                let is_proposal = depth == proposal;
+                let lowered = if is_proposal { lowered } else { self.lowered(depth, start)? };
+                return self.solved(lowered, start);
+            }
+            Err(error) => error,
+        };
+        if matches!(error, Error::Stopped { .. }) || start.ratios.is_empty() {
+            return Err(error);
+        }
+        // The friction of the last depth lets none carry: that of others may.
+        if high.is_finite() {
+            return self.solved(self.lowered(bracket.next(f64::NAN), start)?, start);
+        }
+        let depth = if low > 0.0 { DEEPER * low } else { start.guess.depth };
+        if depth > DEEPEST {
+            return Err(error);
+        }
+        let deeper = self.lowered(depth, start).and_then(|lowered| self.solved(lowered, start));
+        match deeper {
+            Err(Error::Stopped {}) => deeper,
+            // What is wrong deep in the rail is due to that.
+            deeper => deeper.map_err(|_| error),
+        }
+    }
+
+    fn lowered(&self, depth: f64, start: &Start) -> Result<Lowered, Error> {
+        self.lowering.lowered(Guess { depth, ..start.guess }, self.accuracy)
+    }
+
+    fn solved(&self, lowered: Lowered, start: &Start) -> Result<(Lowered, Turning), Error> {
+        let sliding = self.wheel.sliding((self.lowering, &lowered), self.how, self.watch);
+        let turning = sliding.solve(start.turned)?;
+        Ok((lowered, turning))
+    }
+}
+
+/// Whether friction hardly counts in the vertical force.
+fn is_flat(lowered: &Lowered) -> bool {
+    lowered.contacts.iter().all(|contact| contact.plane.inclination.abs() < FLAT)
+}
