@@ -77,6 +77,19 @@ def test_a_cluster_is_not_asked_for_fields(study, tmp_path):
     assert sorted(file.name for file in tmp_path.iterdir()) == ["case.toml", "study.toml"]
 
 
+def test_a_study_ends_with_its_warnings_counted_by_code(study, tmp_path):
+    path = study(1)
+    path.write_text('case = "case.toml"\n[states]\nfile = "states.csv"\n')
+    (tmp_path / "states.csv").write_text("normal.load [MN]\n0.08\n80\n200\n")
+    with pytest.warns(schlupf.warnings.BeyondElasticWarning) as caught:
+        done = schlupf.sweep(path, tmp_path / "table.csv")
+    assert all(warning.filename == __file__ for warning in caught)
+    (text,) = [text for code, _, text in done.messages if code == "beyond-elastic"]
+    assert text.startswith("beyond-elastic in 2 of 3 states, worst in row 2: normal.peak_pressure")
+    with pytest.warns(schlupf.warnings.BeyondElasticWarning, match="2 of 3 states, first in row 1"):
+        schlupf.sweep(path, tmp_path / "table.csv")
+
+
 RUN = "distance [m],position_y [mm],kinematics.creepage_x\n" + "".join(
     f"{25 * k},{k % 3},{0.001 * k}\n" for k in range(6)
 )

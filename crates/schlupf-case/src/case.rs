@@ -200,7 +200,14 @@ impl CaseFile {
     /// place.
     pub fn notices(&self) -> Vec<Message> {
         let nothing = self.entries.is_empty().then_some(Notice::NothingGiven {});
-        let of_fields = self.settings.idle().into_iter().chain(self.settings.unusual());
+        let is_of_material = |notice: &Notice| match notice {
+            Notice::NoEffect { field, .. } => {
+                fields::find(field).is_some_and(|field| field.is_of_material)
+            }
+            _ => false,
+        };
+        let idle = self.settings.idle().into_iter().filter(|notice| !is_of_material(notice));
+        let of_fields = idle.chain(self.settings.unusual());
         let of_history = self
             .parts
             .history

@@ -75,8 +75,16 @@ fn a_file_over_time_is_looked_at() {
 /// What the chosen models do not use is none of their numbers.
 #[test]
 fn fields_without_effect_are_not_looked_at() {
-    let warnings = warned("[heat]\nmodel = \"none\"\n[wheel]\ndensity = \"7.85 kg/m^3\"");
+    let ellipse = "[normal]\nmodel = \"ellipse\"\nsemi_axis_x = \"6 mm\"\nsemi_axis_y = \"5 mm\"\n";
+    let warnings = warned(&format!("{ellipse}[wheel]\nradius_x = \"460 m\""));
     assert_eq!(warnings.iter().map(|(code, _)| *code).collect::<Vec<_>>(), ["no-effect"]);
+}
+
+/// A material is given whole, say by its name: what the other models make of it is no mistake.
+#[test]
+fn constants_of_a_material_are_not_warned_of_without_heat() {
+    let steel = "[wheel]\nconductivity = \"50 W/(m K)\"\ndensity = \"7850 kg/m^3\"\n";
+    assert_eq!(warned(&format!("{steel}[heat]\nmodel = \"none\"")), []);
 }
 
 /// `radius_x = 460` was told `"460 m"`, and `"80,000 N"` to use a point: then it is 80 N.

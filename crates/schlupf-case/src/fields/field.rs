@@ -51,6 +51,8 @@ pub struct Field {
     pub idle_with: Option<UsedWith>,
     /// Whether normal contact or elasticity may depend on it.
     pub shapes_contact: bool,
+    /// Whether it is a constant of a material, which is given with the others, used or not.
+    pub is_of_material: bool,
     /// Its meaning, with the symbol.
     pub doc: &'static str,
 }
@@ -177,6 +179,7 @@ impl Field {
             used_with: [None; 2],
             idle_with: None,
             shapes_contact: false,
+            is_of_material: false,
             doc,
         }
     }

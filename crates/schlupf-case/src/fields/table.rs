@@ -59,6 +59,11 @@ impl Field {
         Self { shapes_contact: true, ..self }
     }
 
+    /// The same; a constant of a material, which is given with the others, used or not.
+    const fn of_material(self) -> Self {
+        Self { is_of_material: true, ..self }
+    }
+
     const fn example(self, text: &'static str) -> Self {
         Self { example: Some(text), ..self }
     }
@@ -233,13 +238,13 @@ macro_rules! body {
         "poisson_ratio" [$($poisson)*] Kind::Number, Between(0.0, 0.5), Text("0.28"),
             "ν, Poisson's ratio", shaping();
         "conductivity" [$conductivity] quantity(&Measure::CONDUCTIVITY), THERMAL,
-            Text("50 W/(m K)"), "λ, thermal conductivity", with(HEAT_MODEL, HEATING),
+            Text("50 W/(m K)"), "λ, thermal conductivity", with(HEAT_MODEL, HEATING), of_material(),
             usually(Between(0.1, 2500.0));
         "density" [$density] quantity(&Measure::DENSITY), THERMAL, Text("7850 kg/m^3"), "ρ, density",
-            with(HEAT_MODEL, HEATING),
+            with(HEAT_MODEL, HEATING), of_material(),
             usually(Between(500.0, 25e3));
         "specific_heat" [$specific_heat] quantity(&Measure::SPECIFIC_HEAT), THERMAL,
-            Text("450 J/(kg K)"), "c, specific heat", with(HEAT_MODEL, HEATING),
+            Text("450 J/(kg K)"), "c, specific heat", with(HEAT_MODEL, HEATING), of_material(),
             usually(Between(100.0, 5e3));
         "bulk_temperature" [$temperature] quantity(&Measure::TEMPERATURE), TEMPERATURE,
             Text("20 degC"), "temperature far from the contact",
