@@ -425,14 +425,19 @@ class Wheelset(Report):
         """A row for each contact of each wheel at each position, along ``row``.
 
         ``lateral_position``, ``side`` and ``contact`` tell which it is; places, angles, creepages,
-        patches and forces are those of `solve`, with points in their names.
+        patches and forces are those of `solve`, with points in their names. Where a position
+        failed, ``status`` says so and ``contact`` is 0.
         """
         dataset = along(self._tables["contacts"][0], "row")
         return dataset.set_coords(["lateral_position", "side", "contact"])
 
     @cached_property
     def conicity(self) -> xr.Dataset:
-        """Equivalent conicity over ``amplitude`` (m) of the lateral motion."""
+        """Equivalent conicity over ``amplitude`` (m) of the lateral motion of rigid bodies.
+
+        ``equivalent_conicity`` is that by the wavelength of the nonlinear motion (EN 15302),
+        ``harmonic_conicity`` that by harmonic linearisation.
+        """
         return along(self._tables["conicity"][0], "amplitude", "amplitude")
 
     def plot(self, ax: Axes | None = None, **style: Any) -> Axes:

@@ -195,6 +195,9 @@ def rolling_radii(wheelset: Wheelset, ax: Axes | None = None, **style: Any) -> A
     rows = contacts.isel(row=first)
     radii = rows["rolling_radius_difference"] * 1e3
     line(ax, rows["lateral_position"] * 1e3, radii, "left minus right", style)
+    rigid = rows["rigid_rolling_radius_difference"] * 1e3
+    line(ax, rows["lateral_position"] * 1e3, rigid, "rigid, without roll", {"linestyle": "--"})
+    ax.legend()
     ax.set_xlabel("lateral position, to the left (mm)")
     ax.set_ylabel("rolling radius, left minus right (mm)")
     ax.set_title(wheelset.title)

@@ -322,9 +322,12 @@ def test_a_wheelset_has_contacts_over_its_lateral_position():
     assert radii.attrs["units"] == "m"
     # To the left the left wheel runs on the larger radius.
     assert float(radii.values[0]) < -1e-4 < 1e-4 < float(radii.values[-1])
-    assert found.conicity["equivalent_conicity"].sel(amplitude=3e-3) == pytest.approx(
-        0.184, abs=0.01
-    )
+    # Without roll: by the wavelength of the nonlinear motion, and by harmonic linearisation.
+    at = found.conicity.sel(amplitude=3e-3)
+    assert at["equivalent_conicity"] == pytest.approx(0.180, abs=0.003)
+    assert at["harmonic_conicity"] == pytest.approx(0.182, abs=0.003)
+    rigid = contacts["rigid_rolling_radius_difference"]
+    assert float(rigid.values[-1]) == pytest.approx(float(radii.values[-1]), rel=0.1)
     assert found.plot().get_title() == found.title
     plt.close("all")
     with pytest.raises(schlupf.CaseError, match='normal.model must be "wheel-rail"'):

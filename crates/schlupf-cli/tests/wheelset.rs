@@ -131,14 +131,53 @@ fn wheelset_tables_contacts_and_conicity() {
     assert!(difference(2).abs() < 1e-6);
     let angle = number(&json, "/positions/0/left/contacts/0/angle");
     assert!((angle / at(1, "angle") - 1.0).abs() < 1e-15, "{angle}");
-    assert_eq!(bench.read("conicity.csv").lines().count(), 5);
-    let conicity = number(&json, "/equivalent_conicity/equivalent_conicity/2");
-    assert!(conicity > 0.15 && conicity < 0.22, "{conicity}");
+    // From 1 to 6 mm in steps of 0.1 mm, though positions end at 3 mm.
+    assert_eq!(bench.read("conicity.csv").lines().count(), 2 + 51);
+    let of = |name: &str| number(&json, &format!("/equivalent_conicity/{name}/20"));
+    assert_eq!(of("amplitude"), 3e-3);
+    // Independent computation without roll: 0.180 by the wavelength, 0.182 by harmonic linearisation.
+    for (name, expected) in [("equivalent_conicity", 0.180), ("harmonic_conicity", 0.182)] {
+        assert!((of(name) - expected).abs() < 3e-3, "{name}: {}", of(name));
+    }
+    assert!(run.stdout.contains("EN 15302   harmonic linearisation"), "{}", run.stdout);
+    // Roll adds some per cent to Δr on the tread.
+    let rigid = number(&json, "/positions/4/rigid_rolling_radius_difference");
+    let ratio = rigid / difference(4);
+    assert!(ratio > 0.9 && ratio < 1.02, "{ratio}");
+    assert_eq!(at(1, "rigid_rolling_radius_difference"), -rigid);
     for name in ["contact_points", "rolling_radius"] {
         for ending in ["svg", "png"] {
             assert!(bench.path(&format!("figures/{name}.{ending}")).exists());
         }
     }
+}
+
+/// A position that fails is a row with its status, and the rest of the table is there: beside the
+/// rail, and jammed on the flange, which names the angle and the ratio of the forces.
+#[test]
+fn positions_that_fail_do_not_take_the_table_with_them() {
+    let bench = bench();
+    let run = bench.run(&[
+        "wheelset", "case.toml", "--lateral-position", "0..90 mm", "--points", "2", "--csv",
+        "contacts.csv", "--json", "result.json", "--figures", "figures",
+    ]);
+    assert_eq!(run.code, Some(3), "{}", run.stderr);
+    assert!(run.stderr.contains("at a lateral position of 90 mm: "), "{}", run.stderr);
+    assert!(run.stdout.contains("failed: ") && run.stdout.contains("EN 15302"), "{}", run.stdout);
+    let csv = bench.read("contacts.csv");
+    let rows: Vec<Vec<&str>> = csv.lines().skip(1).map(|line| line.split(',').collect()).collect();
+    let column = |name: &str| rows[0].iter().position(|cell| *cell == name).unwrap();
+    let status: Vec<&str> = rows[1..].iter().map(|row| row[column("status")]).collect();
+    assert_eq!(status, ["converged", "converged", "failed", "failed"]);
+    let failed = &rows[4];
+    let cells = ["side", "contact", "force.x", "wheel_force.z"].map(|name| failed[column(name)]);
+    assert_eq!(cells, ["right", "0", "", ""]);
+    let json: Value = serde_json::from_str(&bench.read("result.json")).unwrap();
+    let position = &json["positions"][1];
+    assert_eq!(position["status"], "failed");
+    assert!(position["left"].is_null() && position["error"].is_string());
+    assert!(number(&json, "/equivalent_conicity/equivalent_conicity/0") > 0.1);
+    assert!(bench.path("figures/contact_points.png").exists());
 }
 
 /// What is wrong is told before the work, with where it stands.
@@ -154,8 +193,8 @@ fn wrong_wheelsets_are_refused() {
         ),
         (&["wheelset", "case.toml", "--lateral-position", "0..3 kN"], "--lateral-position"),
         (
-            &["wheelset", "case.toml", "--lateral-position", "0..900 mm", "--points", "2"],
-            "the wheel is beside the rail",
+            &["wheelset", "case.toml", "--lateral-position", "800..900 mm", "--points", "2"],
+            "at a lateral position of 800 mm: wheelset.lateral_position: the wheel is beside",
         ),
         (
             &["solve", "case.toml", "--set", "wheelset.lateral_position=0.3 m"],

@@ -80,6 +80,39 @@ messages! {
          {first} for the first time: those with the smallest forces are not counted"
     );
 
+    /// A lateral position of a wheelset whose contacts were not found.
+    "position-failed" PositionFailed {
+        /// Where, in m.
+        lateral: f64,
+        /// Why.
+        reason: String,
+    } "wheelset.lateral_position", |subject, words| {
+        format!("at a lateral position of {} mm: {reason}", millimetres(*lateral))
+    };
+
+    /// Amplitudes for which there is no equivalent conicity, because the wheels leave the rails.
+    "conicity-ends" ConicityEnds {
+        /// The largest amplitude, in m.
+        largest: f64,
+        /// Why.
+        reason: String,
+    } "wheelset.lateral_position", |subject, words| format!(
+        "the equivalent conicity ends at an amplitude of {} mm: beyond, {reason}",
+        millimetres(*largest)
+    );
+
+    /// Amplitudes that no motion has.
+    "no-periodic-motion" NoPeriodicMotion {
+        /// Smallest and largest of them, in m.
+        amplitudes: [f64; 2],
+    } "wheelset.lateral_position", |subject, words| format!(
+        "the equivalent conicity by EN 15302 is unknown for amplitudes from {} to {} mm: there the \
+         rolling radius difference drives the wheelset away from the middle, and no motion has such \
+         an amplitude",
+        millimetres(amplitudes[0]),
+        millimetres(amplitudes[1])
+    );
+
     /// States of a run whose friction power is unknown.
     "no-friction-power" NoFrictionPower {
         /// How many.
@@ -131,6 +164,11 @@ messages! {
         "displacement_{component} does not determine the coupling {direction} rolling: its decay \
          length reached its search bound"
     );
+}
+
+/// A length in mm with six digits after the point at most.
+pub(crate) fn millimetres(length: f64) -> f64 {
+    (1e9 * length).round() / 1e6
 }
 
 impl Notice {

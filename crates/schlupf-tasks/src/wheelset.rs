@@ -3,11 +3,12 @@
 use std::sync::Arc;
 
 use schlupf::message::Message;
-use schlupf::wheel_rail::{RollingRadiusDifference, Support, WheelSolution};
+use schlupf::wheel_rail::{Roll, RollingRadiusDifference, Support, WheelSolution};
 use schlupf::{Watch, parallel};
-use schlupf_case::CaseFile;
+use schlupf_case::{CaseFile, Cause, FieldNames};
 use schlupf_output::wheelset::{Conicity, WheelsetAt, WheelsetReport};
 
+use crate::notice::{Notice, millimetres};
 use crate::solve::of_wheel;
 use crate::{TaskError, messages};
 
@@ -16,10 +17,14 @@ pub const RANGE: [f64; 2] = [-8e-3, 8e-3];
 /// Number of positions by default.
 pub const POINTS: usize = 33;
 
-/// Step of the amplitudes of the equivalent conicity, and of the positions from which it is found,
-/// in m.
-const AMPLITUDE_STEP: f64 = 1e-3;
-const RADIUS_STEP: f64 = 5e-5;
+/// Amplitudes of the equivalent conicity: the first, the last unless positions go further, and
+/// their number in a metre.
+const FIRST_AMPLITUDE: f64 = 1e-3;
+const LAST_AMPLITUDE: f64 = 6e-3;
+const AMPLITUDES: f64 = 1e4;
+
+/// Step of the positions from which it is found, in m.
+const RADIUS_STEP: f64 = 2e-5;
 
 /// Where to put the wheelset.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,52 +67,124 @@ pub fn plan(file: &CaseFile, request: Request) -> Result<Plan, TaskError> {
 }
 
 impl Plan {
-    /// Finds all contacts.
+    /// Finds all contacts. A position at which they are not found is one without wheels.
     ///
     /// # Errors
-    /// Whatever keeps the contacts of any position from being found.
+    /// Whatever keeps the contacts of all positions from being found, and being stopped.
     pub fn find(self, watch: Watch) -> Result<WheelsetReport, TaskError> {
         let Self { file, request, load } = self;
         let [from, to] = request.range;
         let last = request.points.max(2) - 1;
+        let (radii, conicity, mut notices) = rigid(&file, from.abs().max(to.abs()), watch)?;
         let lateral: Vec<f64> =
             (0..=last).map(|k| from + (to - from) * k as f64 / last as f64).collect();
-        let positions = parallel::try_map(lateral, |lateral| {
-            let wheels = file.wheels_at(lateral, watch)?;
-            let wheels: [WheelSolution; 2] = wheels
-                .try_into()
-                .map_err(|_| TaskError::Request("the wheelset must have two wheels".to_owned()))?;
-            Ok::<_, TaskError>(WheelsetAt { lateral, wheels })
+        let found = parallel::try_map(lateral, |lateral| match wheels(&file, lateral, watch) {
+            Err(error) if is_stopped(&error) => Err(error),
+            wheels => Ok((lateral, wheels)),
         })?;
-        let pair = Arc::clone(&file.wheel()?.pair);
-        let largest = from.abs().max(to.abs());
-        let intervals = (largest / RADIUS_STEP).ceil().max(1.0) as usize;
-        let explain = |error| TaskError::from(file.explain(&error));
-        let radii =
-            RollingRadiusDifference::new(&pair, largest, intervals, watch).map_err(explain)?;
-        let conicity = conicity(&radii, largest).map_err(explain)?;
-        let warnings = file.notices().into_iter().chain(of_positions(&positions)).collect();
-        Ok(WheelsetReport { title: file.title()?, pair, load, positions, conicity, warnings })
+        let is_empty = found.iter().all(|(_, wheels)| wheels.is_err());
+        if let Some((lateral, Err(error))) = found.first().filter(|_| is_empty) {
+            return Err(at_position(error.clone(), *lateral));
+        }
+        let mut positions = Vec::new();
+        for (lateral, wheels) in found {
+            let wheels = wheels.map_err(|error| reason(&error));
+            if let Err(reason) = &wheels {
+                let reason = reason.clone();
+                notices.push(Notice::PositionFailed { lateral, reason }.into());
+            }
+            let rigid = radii.as_ref().and_then(|radii| radii.at(lateral));
+            positions.push(WheelsetAt { lateral, rigid, wheels });
+        }
+        let warnings =
+            file.notices().into_iter().chain(of_positions(&positions)).chain(notices).collect();
+        let (title, pair) = (file.title()?, Arc::clone(&file.wheel()?.pair));
+        Ok(WheelsetReport { title, pair, load, positions, radii, conicity, warnings })
     }
 }
 
-fn conicity(radii: &RollingRadiusDifference, largest: f64) -> Result<Conicity, schlupf::Error> {
-    let count = (largest / AMPLITUDE_STEP + 1e-9).floor() as usize;
-    let mut amplitude: Vec<f64> = (1..=count).map(|k| k as f64 * AMPLITUDE_STEP).collect();
-    if amplitude.is_empty() {
-        amplitude.push(largest);
+/// Both wheels at a lateral position (in m).
+fn wheels(file: &CaseFile, lateral: f64, watch: Watch) -> Result<[WheelSolution; 2], TaskError> {
+    let wheels = file.wheels_at(lateral, watch)?;
+    let two = <[WheelSolution; 2]>::try_from(wheels);
+    two.map_err(|_| TaskError::Request("the wheelset must have two wheels".to_owned()))
+}
+
+/// An error with the lateral position (in m) at which it arose.
+fn at_position(error: TaskError, lateral: f64) -> TaskError {
+    let TaskError::Case(mut errors) = error else { return error };
+    let message = &mut errors.first.message;
+    *message = format!("at a lateral position of {} mm: {message}", millimetres(lateral));
+    TaskError::Case(errors)
+}
+
+fn is_stopped(error: &TaskError) -> bool {
+    matches!(error, TaskError::Case(errors) if errors.first.cause == Cause::Stopped)
+}
+
+/// An error without its place in the case file.
+fn reason(error: &TaskError) -> String {
+    match error {
+        TaskError::Case(errors) => errors.first.message.clone(),
+        TaskError::Request(message) => message.clone(),
     }
+}
+
+/// Δr of rigid bodies as in EN 15302, without roll, up to a lateral position (in m) at least, the
+/// equivalent conicity that follows, and what to know about both.
+fn rigid(
+    file: &CaseFile,
+    largest: f64,
+    watch: Watch,
+) -> Result<(Option<RollingRadiusDifference>, Conicity, Vec<Message>), TaskError> {
+    let pair = &file.wheel()?.pair;
+    let wanted = largest.max(LAST_AMPLITUDE);
+    let intervals = (wanted / RADIUS_STEP).ceil() as usize;
+    let ends = |largest: f64, error: &schlupf::Error| {
+        let reason = error.text(&FieldNames::CASE);
+        Message::from(Notice::ConicityEnds { largest, reason })
+    };
+    let explain = |error: &schlupf::Error| TaskError::from(file.explain(error));
+    let radii = RollingRadiusDifference::new(pair, (wanted, intervals), Roll::Neglected, watch);
+    let radii = match radii {
+        Ok(radii) => radii,
+        Err(error) if is_stopped(&explain(&error)) => return Err(explain(&error)),
+        Err(error) => return Ok((None, Conicity::default(), vec![ends(0.0, &error)])),
+    };
+    let reach = radii.ends()[1];
+    let conicity = conicity(&radii, reach).map_err(|error| explain(&error))?;
+    let mut notices = Vec::new();
+    if let Some(error) = &radii.end {
+        notices.push(ends(conicity.amplitude.last().copied().unwrap_or(0.0), error));
+    }
+    let unknown = conicity.amplitude.iter().zip(&conicity.nonlinear);
+    let unknown: Vec<f64> = unknown
+        .filter(|(_, conicity)| conicity.is_none())
+        .map(|(amplitude, _)| *amplitude)
+        .collect();
+    if let (Some(first), Some(last)) = (unknown.first(), unknown.last()) {
+        notices.push(Notice::NoPeriodicMotion { amplitudes: [*first, *last] }.into());
+    }
+    Ok((Some(radii), conicity, notices))
+}
+
+/// Both equivalent conicities at amplitudes up to the largest (in m).
+fn conicity(radii: &RollingRadiusDifference, largest: f64) -> Result<Conicity, schlupf::Error> {
+    let first = (FIRST_AMPLITUDE * AMPLITUDES).round() as usize;
+    let last = (largest * AMPLITUDES + 1e-6).floor() as usize;
+    let amplitude: Vec<f64> = (first..=last).map(|k| k as f64 / AMPLITUDES).collect();
     // Rounding must not take the last one beyond the positions.
-    let within = amplitude.iter().map(|amplitude| amplitude.min(largest));
-    let conicity = within.map(|a| radii.equivalent_conicity(a)).collect::<Result<_, _>>()?;
-    Ok(Conicity { amplitude, conicity })
+    let within = || amplitude.iter().map(|amplitude| amplitude.min(largest));
+    let nonlinear = within().map(|a| radii.equivalent_conicity(a)).collect::<Result<_, _>>()?;
+    let harmonic = within().map(|a| radii.harmonic_conicity(a)).collect::<Result<_, _>>()?;
+    Ok(Conicity { amplitude, nonlinear, harmonic })
 }
 
 /// What to know about the contacts, each kind of message once for each wheel.
 fn of_positions(positions: &[WheelsetAt]) -> Vec<Message> {
     let mut found: Vec<Message> = Vec::new();
     for at in positions {
-        for wheel in &at.wheels {
+        for wheel in at.wheels.iter().flatten() {
             let first = wheel.contacts.first().into_iter();
             let first = first.flat_map(|contact| messages(&contact.solution.warnings));
             let place = format!("{} wheel at {} mm", wheel.side.name(), millimetres(at.lateral));
@@ -120,9 +197,4 @@ fn of_positions(positions: &[WheelsetAt]) -> Vec<Message> {
         }
     }
     found
-}
-
-/// A length in mm with six digits after the point at most.
-fn millimetres(length: f64) -> f64 {
-    (1e9 * length).round() / 1e6
 }

@@ -1,14 +1,14 @@
 //! Figures of a wheelset: which points of both profiles touch each other over the lateral position,
 //! and what follows for rolling radii, angles and conicity.
 
-use schlupf::wheel_rail::{Contact, ProfileCurve, Side};
+use schlupf::wheel_rail::{Contact, ProfileCurve, RollingRadiusDifference, Side};
 
 use super::{WheelsetAt, WheelsetReport};
 use crate::figures::color::{BLUE, ColorScale, GREEN, INK, Palette, VERMILION};
 use crate::figures::frame::Frame;
 use crate::figures::label::{Anchor, TextStyle};
 use crate::figures::marks::{self, HEADING, short};
-use crate::figures::panels::{Curve, GAP, Panel, Stack, WIDTH};
+use crate::figures::panels::{Curve, GAP, Panel, Stack, WIDTH, known};
 use crate::figures::svg::Drawing;
 
 /// Distance by which the wheels are drawn above the rails, in mm.
@@ -91,8 +91,7 @@ fn view(
     drawing.polyline(&line(pair.rail(), &rail), &stroke);
     drawing.polyline(&line(pair.wheel(), &wheel), &stroke);
     for at in &report.positions {
-        let [left, right] = &at.wheels;
-        let solution = if side == Side::Left { left } else { right };
+        let Some(solution) = at.wheel(side) else { continue };
         let color = scale.paint(1e3 * at.lateral);
         for contact in &solution.contacts {
             let on_wheel = on_profile(pair.wheel(), contact.wheel_position).map(wheel);
@@ -135,6 +134,13 @@ fn on_profile(curve: &ProfileCurve, y: f64) -> Option<[f64; 2]> {
     points.windows(2).filter_map(crossing).min_by(|p, q| p[1].total_cmp(&q[1]))
 }
 
+/// Δr of rigid bodies (in mm) over the lateral positions (in mm) between two (in m).
+fn rigid(radii: &RollingRadiusDifference, from: f64, to: f64) -> impl Iterator<Item = [f64; 2]> {
+    let points = radii.lateral.iter().zip(&radii.difference);
+    let within = points.filter(move |(y, _)| (from.min(to)..=from.max(to)).contains(*y));
+    within.map(|(y, difference)| [1e3 * y, 1e3 * difference])
+}
+
 /// Height of each panel.
 const HEIGHT: f64 = 210.0;
 
@@ -146,19 +152,27 @@ pub(super) fn radii(report: &WheelsetReport) -> Option<String> {
         report.positions.iter().map(point).collect()
     };
     let difference = of(&|at| at.rolling_radius_difference().map(|value| 1e3 * value));
+    let rigid: Vec<[f64; 2]> =
+        report.radii.iter().flat_map(|radii| rigid(radii, from, to)).collect();
     let angle =
-        |k: usize| of(&move |at| at.wheels[k].contacts.first().map(|contact| contact.angle));
+        |side: Side| of(&move |at| at.wheel(side)?.contacts.first().map(|contact| contact.angle));
     let panel = |label: &str, curves| Panel { label: label.to_owned(), height: HEIGHT, curves };
     let over_position = Stack {
         x: [1e3 * from.min(to), 1e3 * from.max(to)],
         label: "lateral position to the left, $y$ (mm)",
         panels: vec![
-            panel("Δ$r$ (mm)", vec![Curve::solid(difference, GREEN, "left minus right")]),
+            panel(
+                "Δ$r$ (mm)",
+                vec![
+                    Curve::solid(difference, GREEN, "left minus right"),
+                    Curve::dashed(rigid, INK, "rigid, without roll"),
+                ],
+            ),
             panel(
                 "contact angle (rad)",
                 vec![
-                    Curve::solid(angle(0), BLUE, "left wheel"),
-                    Curve::solid(angle(1), VERMILION, "right wheel"),
+                    Curve::solid(angle(Side::Left), BLUE, "left wheel"),
+                    Curve::solid(angle(Side::Right), VERMILION, "right wheel"),
                 ],
             ),
         ],
@@ -166,12 +180,21 @@ pub(super) fn radii(report: &WheelsetReport) -> Option<String> {
         shading: "",
     };
     let curve = &report.conicity;
-    let points: Vec<[f64; 2]> =
-        curve.amplitude.iter().zip(&curve.conicity).map(|(a, c)| [1e3 * a, *c]).collect();
+    let points = |of: &[Option<f64>]| -> Vec<[f64; 2]> {
+        curve.amplitude.iter().zip(of).map(|(a, c)| [1e3 * a, known(*c)]).collect()
+    };
+    let curves = vec![
+        Curve::solid(
+            points(&curve.nonlinear),
+            INK,
+            "wavelength of the nonlinear motion (EN 15302)",
+        ),
+        Curve::dashed(points(&curve.harmonic), VERMILION, "harmonic linearisation"),
+    ];
     let conicity = Stack {
-        x: [0.0, points.last()?[0]],
+        x: [0.0, 1e3 * curve.amplitude.last().copied().unwrap_or(1e-3)],
         label: "amplitude (mm)",
-        panels: vec![panel("equivalent conicity", vec![Curve::solid(points, INK, "")])],
+        panels: vec![panel("equivalent conicity", curves)],
         shaded: Vec::new(),
         shading: "",
     };

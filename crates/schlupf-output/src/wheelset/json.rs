@@ -2,9 +2,10 @@
 
 use schlupf::Status;
 use schlupf::message::Message;
+use schlupf::wheel_rail::Side;
 use serde::Serialize;
 
-use super::{Conicity, WheelsetAt, WheelsetReport};
+use super::{Conicity, FAILED, WheelsetAt, WheelsetReport};
 use crate::json::{PROGRAM, text};
 use crate::report::Report;
 use crate::solution::wheel::WheelDocument;
@@ -39,18 +40,26 @@ struct Position<'a> {
     #[serde(rename = "lateral_position")]
     lateral: f64,
     rolling_radius_difference: Option<f64>,
-    left: WheelDocument<'a>,
-    right: WheelDocument<'a>,
+    rigid_rolling_radius_difference: Option<f64>,
+    status: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<&'a str>,
+    left: Option<WheelDocument<'a>>,
+    right: Option<WheelDocument<'a>>,
 }
 
 impl<'a> Position<'a> {
     fn new(at: &'a WheelsetAt) -> Self {
-        let [left, right] = at.wheels.each_ref().map(WheelDocument::new);
+        let error = at.wheels.as_ref().err().map(String::as_str);
+        let wheel = |side| at.wheel(side).map(WheelDocument::new);
         Self {
             lateral: at.lateral,
             rolling_radius_difference: at.rolling_radius_difference(),
-            left,
-            right,
+            rigid_rolling_radius_difference: at.rigid,
+            status: if error.is_some() { FAILED } else { at.status().name() },
+            error,
+            left: wheel(Side::Left),
+            right: wheel(Side::Right),
         }
     }
 }

@@ -9,7 +9,7 @@ use schlupf::Status;
 use schlupf::columns;
 use schlupf::columns::{Column, Record, Value};
 use schlupf::message::Message;
-use schlupf::wheel_rail::{Contact, Pair, WheelSolution};
+use schlupf::wheel_rail::{Contact, Pair, RollingRadiusDifference, Side, WheelSolution};
 use std::sync::Arc;
 
 use crate::figures::{Drawing, FigureError};
@@ -26,16 +26,32 @@ const RADII: &str = "rolling_radius";
 pub struct WheelsetAt {
     /// Lateral position of the middle of the axle, in m.
     pub lateral: f64,
-    /// The left and the right wheel.
-    pub wheels: [WheelSolution; 2],
+    /// Rolling radius of the left wheel minus that of the right one, of rigid bodies that do not
+    /// roll about x, in m.
+    pub rigid: Option<f64>,
+    /// The left and the right wheel, or why they were not found.
+    pub wheels: Result<[WheelSolution; 2], String>,
 }
 
 impl WheelsetAt {
     /// Δr, the rolling radius of the left wheel minus that of the right one, each at the contact
     /// with the largest normal force, in m.
     pub fn rolling_radius_difference(&self) -> Option<f64> {
-        let [left, right] = self.wheels.each_ref().map(|wheel| wheel.contacts.first());
+        let wheels = self.wheels.as_ref().ok()?;
+        let [left, right] = wheels.each_ref().map(|wheel| wheel.contacts.first());
         Some(left?.rolling_radius - right?.rolling_radius)
+    }
+
+    /// One of the wheels, if both were found.
+    fn wheel(&self, side: Side) -> Option<&WheelSolution> {
+        self.wheels.as_ref().ok()?.iter().find(|wheel| wheel.side == side)
+    }
+
+    /// Whether all equations of both wheels are satisfied.
+    fn status(&self) -> Status {
+        let is = |wheel: &WheelSolution| wheel.status() == Status::Converged;
+        let is_converged = self.wheels.as_ref().is_ok_and(|wheels| wheels.iter().all(is));
+        if is_converged { Status::Converged } else { Status::NotConverged }
     }
 }
 
@@ -50,6 +66,8 @@ pub struct WheelsetReport {
     pub load: f64,
     /// The positions.
     pub positions: Vec<WheelsetAt>,
+    /// Δr of rigid bodies that do not roll about x, unless they do not touch in the middle.
+    pub radii: Option<RollingRadiusDifference>,
     /// Equivalent conicity over the amplitude of the lateral motion.
     pub conicity: Conicity,
     /// Warnings for whoever uses the results.
@@ -61,8 +79,10 @@ pub struct WheelsetReport {
 pub struct Conicity {
     /// Amplitudes, in m.
     pub amplitude: Vec<f64>,
-    /// Of each, dimensionless.
-    pub conicity: Vec<f64>,
+    /// That of each by the wavelength of the nonlinear motion (EN 15302), dimensionless.
+    pub nonlinear: Vec<Option<f64>>,
+    /// That of each by harmonic linearisation, dimensionless.
+    pub harmonic: Vec<Option<f64>>,
 }
 
 impl Record for Conicity {
@@ -73,27 +93,50 @@ impl Record for Conicity {
     fn columns() -> &'static [Column<Self>] {
         columns! { Conicity:
             Amplitude => |curve, k| curve.amplitude[k],
-            EquivalentConicity => |curve, k| curve.conicity[k],
+            EquivalentConicity => |curve, k| curve.nonlinear[k],
+            HarmonicConicity => |curve, k| curve.harmonic[k],
         }
     }
 }
 
-/// A contact of a wheel.
+/// A contact of a wheel, or a wheel that was not found.
 struct Row<'a> {
     at: &'a WheelsetAt,
-    wheel: &'a WheelSolution,
-    /// Its number, from one.
+    side: Side,
+    wheel: Option<&'a WheelSolution>,
+    /// Number of the contact, from one; zero for none.
     number: usize,
-    contact: &'a Contact,
+    contact: Option<&'a Contact>,
+}
+
+/// Status of a position whose wheels were not found, as in the tables of studies.
+pub(crate) const FAILED: &str = "failed";
+
+impl Row<'_> {
+    fn status(&self) -> &'static str {
+        self.wheel.map_or(FAILED, |wheel| wheel.status().name())
+    }
+
+    /// What the wheel has.
+    fn of_wheel(&self, value: impl Fn(&WheelSolution) -> f64) -> Option<f64> {
+        self.wheel.map(value)
+    }
+
+    /// What the contact has.
+    fn of_contact(&self, value: impl Fn(&Contact) -> f64) -> Option<f64> {
+        self.contact.map(value)
+    }
 }
 
 impl WheelsetReport {
     fn contacts(&self) -> impl Iterator<Item = Row<'_>> {
-        self.positions.iter().flat_map(|at| {
-            at.wheels.iter().flat_map(move |wheel| {
-                let contacts = (1..).zip(&wheel.contacts);
-                contacts.map(move |(number, contact)| Row { at, wheel, number, contact })
-            })
+        let sides = |at| [Side::Left, Side::Right].map(|side| (at, side));
+        self.positions.iter().flat_map(sides).flat_map(|(at, side): (&WheelsetAt, _)| {
+            let wheel = at.wheel(side);
+            let contacts = wheel.map_or(&[][..], |wheel| &wheel.contacts);
+            let row = move |(number, contact)| Row { at, side, wheel, number, contact };
+            let none = contacts.is_empty().then(|| row((0, None)));
+            (1..).zip(contacts.iter().map(Some)).map(row).chain(none)
         })
     }
 
@@ -101,9 +144,19 @@ impl WheelsetReport {
     fn of<V: Into<Value>>(&self, row: usize, value: impl Fn(&Row) -> V) -> Value {
         self.contacts().nth(row).map_or(Value::Unknown, |row| value(&row).into())
     }
+
+    /// What the wheel of a row has.
+    fn of_wheel(&self, row: usize, value: impl Fn(&WheelSolution) -> f64) -> Value {
+        self.of(row, |row| row.of_wheel(&value))
+    }
+
+    /// What the contact of a row has.
+    fn of_contact(&self, row: usize, value: impl Fn(&Contact) -> f64) -> Value {
+        self.of(row, |row| row.of_contact(&value))
+    }
 }
 
-/// One row for each contact of each wheel at each position.
+/// One row for each contact of each wheel at each position, and one for a wheel that was not found.
 impl Record for WheelsetReport {
     fn rows(&self) -> usize {
         self.contacts().count()
@@ -112,48 +165,48 @@ impl Record for WheelsetReport {
     fn columns() -> &'static [Column<Self>] {
         columns! { WheelsetReport:
             LateralPosition => |all, k| all.of(k, |row| row.at.lateral),
-            WheelSide "side" => |all, k| all.of(k, |row| Value::Name(row.wheel.side.name())),
+            WheelSide "side" => |all, k| all.of(k, |row| Value::Name(row.side.name())),
             ContactNumber "contact" => |all, k| all.of(k, |row| row.number),
-            WheelsetHeight => |all, k| all.of(k, |row| row.wheel.height),
-            RollAngle => |all, k| all.of(k, |row| row.wheel.position.roll),
+            WheelsetHeight => |all, k| all.of_wheel(k, |wheel| wheel.height),
+            RollAngle => |all, k| all.of_wheel(k, |wheel| wheel.position.roll),
             RollingRadiusDifference => |all, k| all.of(k, |row| row.at.rolling_radius_difference()),
-            PositionX "position.x" => |all, k| all.of(k, |row| row.contact.position[0]),
-            PositionY "position.y" => |all, k| all.of(k, |row| row.contact.position[1]),
-            PositionZ "position.z" => |all, k| all.of(k, |row| row.contact.position[2]),
-            ContactAngle "angle" => |all, k| all.of(k, |row| row.contact.angle),
-            RailPosition => |all, k| all.of(k, |row| row.contact.rail_position),
-            WheelPosition => |all, k| all.of(k, |row| row.contact.wheel_position),
-            RollingRadius => |all, k| all.of(k, |row| row.contact.rolling_radius),
-            CreepageX => |all, k| all.of(k, |row| row.contact.solution.kinematics.creepage_x),
-            CreepageY => |all, k| all.of(k, |row| row.contact.solution.kinematics.creepage_y),
-            Spin => |all, k| all.of(k, |row| row.contact.solution.kinematics.spin),
-            Load "normal.load" => |all, k| all.of(k, |row| row.contact.solution.normal.load),
+            RigidRollingRadiusDifference => |all, k| all.of(k, |row| row.at.rigid),
+            PositionX "position.x" => |all, k| all.of_contact(k, |contact| contact.position[0]),
+            PositionY "position.y" => |all, k| all.of_contact(k, |contact| contact.position[1]),
+            PositionZ "position.z" => |all, k| all.of_contact(k, |contact| contact.position[2]),
+            ContactAngle "angle" => |all, k| all.of_contact(k, |contact| contact.angle),
+            RailPosition => |all, k| all.of_contact(k, |contact| contact.rail_position),
+            WheelPosition => |all, k| all.of_contact(k, |contact| contact.wheel_position),
+            RollingRadius => |all, k| all.of_contact(k, |contact| contact.rolling_radius),
+            CreepageX => |all, k| all.of_contact(k, |c| c.solution.kinematics.creepage_x),
+            CreepageY => |all, k| all.of_contact(k, |c| c.solution.kinematics.creepage_y),
+            Spin => |all, k| all.of_contact(k, |c| c.solution.kinematics.spin),
+            Load "normal.load" => |all, k| all.of_contact(k, |c| c.solution.normal.load),
             SemiAxisX "normal.semi_axis_x" => |all, k| {
-                all.of(k, |row| row.contact.solution.normal.semi_axis_x)
+                all.of_contact(k, |c| c.solution.normal.semi_axis_x)
             },
             SemiAxisY "normal.semi_axis_y" => |all, k| {
-                all.of(k, |row| row.contact.solution.normal.semi_axis_y)
+                all.of_contact(k, |c| c.solution.normal.semi_axis_y)
             },
             PeakPressure "normal.peak_pressure" => |all, k| {
-                all.of(k, |row| row.contact.solution.normal.peak_pressure)
+                all.of_contact(k, |c| c.solution.normal.peak_pressure)
             },
-            ForceX "force.x" => |all, k| all.of(k, |row| row.contact.solution.force.x),
-            ForceY "force.y" => |all, k| all.of(k, |row| row.contact.solution.force.y),
+            ForceX "force.x" => |all, k| all.of_contact(k, |c| c.solution.force.x),
+            ForceY "force.y" => |all, k| all.of_contact(k, |c| c.solution.force.y),
             MomentZ "force.moment_z" => |all, k| {
-                all.of(k, |row| row.contact.solution.force.moment_z)
+                all.of(k, |row| row.contact.and_then(|c| c.solution.force.moment_z))
             },
-            WheelForceX "wheel_force.x" => |all, k| all.of(k, |row| row.wheel.force[0]),
-            WheelForceY "wheel_force.y" => |all, k| all.of(k, |row| row.wheel.force[1]),
-            WheelForceZ "wheel_force.z" => |all, k| all.of(k, |row| row.wheel.force[2]),
-            Convergence "status" => |all, k| all.of(k, |row| row.contact.solution.status),
+            WheelForceX "wheel_force.x" => |all, k| all.of_wheel(k, |wheel| wheel.force[0]),
+            WheelForceY "wheel_force.y" => |all, k| all.of_wheel(k, |wheel| wheel.force[1]),
+            WheelForceZ "wheel_force.z" => |all, k| all.of_wheel(k, |wheel| wheel.force[2]),
+            Convergence "status" => |all, k| all.of(k, |row| Value::Name(row.status())),
         }
     }
 }
 
 impl Report for WheelsetReport {
     fn status(&self) -> Status {
-        let wheels = self.positions.iter().flat_map(|at| &at.wheels);
-        let mut status = wheels.map(WheelSolution::status);
+        let mut status = self.positions.iter().map(WheelsetAt::status);
         let is_failed = status.any(|status| status == Status::NotConverged);
         if is_failed { Status::NotConverged } else { Status::Converged }
     }

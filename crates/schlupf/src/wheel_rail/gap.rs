@@ -100,6 +100,12 @@ impl Gap {
         points.min_by(|one, other| one.gap.total_cmp(&other.gap)).copied()
     }
 
+    /// Whether a point is where wheel or rail cease to be seen, so that a smaller gap may lie beyond.
+    pub fn is_end(&self, point: &GapPoint) -> bool {
+        let ends = self.runs.iter().flat_map(|run| [run.first(), run.last()]);
+        ends.flatten().any(|end| end.y == point.y)
+    }
+
     /// Regions of overlap with the wheelset `height` (in m) above its nominal height, by growing y.
     /// `radius` (in m) is that of the wheel.
     pub fn regions(&self, height: f64, radius: f64) -> Vec<Region> {

@@ -37,7 +37,7 @@ mod resultant;
 mod resting;
 mod conicity;
 
-pub use conicity::{RestingWheelset, RigidContact, RollingRadiusDifference};
+pub use conicity::{RestingWheelset, RigidContact, Roll, RollingRadiusDifference};
 pub use contact_plane::Joining;
 pub use creepage::Motion;
 pub use driven::{Along, Drive};
