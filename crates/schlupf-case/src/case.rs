@@ -110,6 +110,11 @@ impl CaseFile {
         self.pose_like(None, watch)
     }
 
+    /// The same beside another case, whose micro model is taken over where it serves this one.
+    pub fn pose_beside(&self, other: &Case, watch: Watch) -> Result<Case, CaseErrors> {
+        self.pose_like(other.micro_contact(), watch)
+    }
+
     /// The same; a micro model that was solved for a like case is taken over.
     pub(crate) fn pose_like(
         &self,
@@ -315,7 +320,7 @@ impl Case {
         assignments: &[String],
         watch: Watch,
     ) -> Result<Self, CaseErrors> {
-        self.file.with(option, assignments)?.pose_like(self.micro_contact(), watch)
+        self.file.with(option, assignments)?.pose_beside(self, watch)
     }
 
     /// The value of a field with its SI unit (temperatures in degC), which may be empty, if it is a

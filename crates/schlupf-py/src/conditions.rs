@@ -15,7 +15,7 @@ use schlupf::{Error, Method, Progress, Quantity, Status, Warning, Watch, paralle
 use schlupf_case::fields::{self, Field};
 use schlupf_case::{CaseError, CaseErrors, Cause, FieldNames, Notice, Place, quantity_field};
 use schlupf_tasks::solve::report;
-use schlupf_tasks::states::{Acting, CONTACTS, Entry, NoState, StateSolver};
+use schlupf_tasks::states::{Acting, CONTACTS, Entry, FAILED, NO_CONTACT, NoState, StateSolver};
 
 use crate::case_file::CaseFile;
 use crate::errors;
@@ -109,6 +109,8 @@ impl Conditions {
 /// depend on how many threads there are.
 const FAST_BLOCK: usize = 4096;
 const FULL_BLOCK: usize = 64;
+/// A wheel with profiles is found anew in each.
+const WHEEL_BLOCK: usize = 1;
 
 /// What messages call a condition, counted from 0.
 const CONDITION: &str = "condition";
@@ -125,7 +127,7 @@ enum Became {
 /// Names of the numbers in `status`.
 #[pyfunction]
 pub fn condition_status() -> [&'static str; 4] {
-    [Status::Converged.name(), Status::NotConverged.name(), "no-contact", "failed"]
+    [Status::Converged.name(), Status::NotConverged.name(), NO_CONTACT, FAILED]
 }
 
 /// What acts on the wheel, a row for each condition.
@@ -281,15 +283,24 @@ fn forces(
 ) -> Result<Forces, CaseErrors> {
     let mut solver = StateSolver::new(file.clone(), conditions.fields.clone());
     let order = conditions.order(&solver.conditions(&conditions.entries(0)));
+    let (mut has_wheel, mut size, mut notices) = (file.wheel().is_ok(), FULL_BLOCK, Vec::new());
     // What cannot be posed is told with its condition.
-    let first = conditions.entries(order[order.len() / 2]);
-    let posed = solver.prepare(&first, CONDITION, watch);
-    let (has_wheel, is_fast, notices) = match &posed {
-        Ok(case) => (case.wheel.is_some(), case.method != Method::Full, case.notices.clone()),
-        Err(NoState::Stopped) => return Err(file.explain(&Error::Stopped {}).into()),
-        Err(_) => (file.wheel().is_ok(), false, Vec::new()),
-    };
-    let size = if is_fast { FAST_BLOCK } else { FULL_BLOCK };
+    for k in &order {
+        match solver.prepare(&conditions.entries(*k), CONDITION, watch) {
+            Ok(case) => {
+                has_wheel = case.wheel.is_some();
+                notices.clone_from(&case.notices);
+                size = match case.method {
+                    _ if has_wheel => WHEEL_BLOCK,
+                    Method::Full => FULL_BLOCK,
+                    Method::Fast(_) => FAST_BLOCK,
+                };
+                break;
+            }
+            Err(NoState::Stopped) => return Err(file.explain(&Error::Stopped {}).into()),
+            Err(_) => {}
+        }
+    }
     let found = parallel::try_map(order.chunks(size).collect(), |block: &[usize]| {
         let forces = block_of(&mut solver.fork(), conditions, (block, has_wheel), watch);
         forces.map(|forces| (forces, block))

@@ -76,8 +76,7 @@ fn solved(case: &Case, solution: Solution, notices: Vec<Message>) -> Outcome {
     let mut note = |message: Message| warnings.note(message, 0);
     notices.into_iter().chain(messages(&solution.warnings)).for_each(&mut note);
     if let Some(wheel) = &wheel {
-        let others = wheel.contacts.iter().skip(1).flat_map(|of| &of.solution.warnings);
-        messages(wheel.warnings().iter().chain(others)).for_each(&mut note);
+        messages(&wheel.further_warnings()).for_each(&mut note);
         let count = wheel.contacts.len();
         if count > CONTACTS {
             let text = format!("the wheel has {count} contacts, the table columns for {CONTACTS}");

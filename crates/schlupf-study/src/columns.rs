@@ -3,8 +3,8 @@
 use schlupf::columns::{Column as ResultColumn, Record, Value};
 use schlupf::message::Message;
 use schlupf::wheel_rail::{Contact, WheelSolution};
-use schlupf::{Quantity, Solution, Status};
-use schlupf_tasks::states::CONTACTS;
+use schlupf::{Quantity, Solution};
+use schlupf_tasks::states::{CONTACTS, FAILED, NO_CONTACT};
 
 use crate::design::{Design, Entry, Values};
 use crate::table::{Cells, Column, Kind, Rows};
@@ -121,21 +121,14 @@ impl Outcome {
     fn status(&self) -> &'static str {
         match self {
             Self::Solved { solution, wheel, .. } => {
-                let of_wheel = wheel.as_ref().map_or(Status::Converged, |wheel| wheel.status());
-                let is = solution.status == Status::Converged && of_wheel == Status::Converged;
-                if is { Status::Converged.name() } else { Status::NotConverged.name() }
+                let wheel = wheel.as_ref();
+                wheel.map_or(solution.status, |wheel| wheel.status_with(solution)).name()
             }
             Self::NoContact => NO_CONTACT,
             Self::Failed(_) => FAILED,
         }
     }
 }
-
-/// The status of a state in which nothing acts.
-pub(crate) const NO_CONTACT: &str = "no-contact";
-
-/// The status of a state that could not be solved at all.
-pub(crate) const FAILED: &str = "failed";
 
 /// A row of a table.
 pub(crate) struct Row<'a> {

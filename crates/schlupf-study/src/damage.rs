@@ -9,11 +9,11 @@ use schlupf::{Status, Watch};
 use schlupf_case::{CaseErrors, CaseFile, Setting};
 use schlupf_output::damage::{DamageReport, LeftOut};
 use schlupf_tasks::Notice;
-use schlupf_tasks::states::CONTACTS;
+use schlupf_tasks::states::{CONTACTS, NO_CONTACT};
 use tempfile::TempDir;
 
 use crate::batch::MORE_CONTACTS;
-use crate::columns::{NO_CONTACT, beside_field, contact_column};
+use crate::columns::{beside_field, contact_column};
 use crate::counts::{Counts, WARNINGS};
 use crate::error::StudyError;
 use crate::run;
@@ -164,6 +164,18 @@ fn check_places((name, places): (&str, &[f64]), across: Option<&[f64]>) -> Resul
     })
 }
 
+/// Speeds with that of the row before, or else the first, where a row without a solution has none.
+fn carried_on(mut speeds: Vec<f64>) -> Vec<f64> {
+    let mut known = speeds.iter().copied().find(|speed| speed.is_finite()).unwrap_or(f64::NAN);
+    for speed in &mut speeds {
+        if speed.is_finite() {
+            known = *speed;
+        }
+        *speed = known;
+    }
+    speeds
+}
+
 /// The columns of a contact that a run needs, in the order in which they are read; of a contact of
 /// a wheel under the second name.
 const NEEDED: [[&str; 2]; 12] = [
@@ -277,7 +289,7 @@ impl Run {
         let speed = table.numbers(SPEED).filter(|_| is_own);
         let run = Self {
             contacts,
-            speed: speed.unwrap_or_else(|| vec![own_speed; status.len()]),
+            speed: carried_on(speed.unwrap_or_else(|| vec![own_speed; status.len()])),
             status,
             along: along.ok_or_else(|| StudyError::table(path, no_run()))?,
             has_others: table.warned(MORE_CONTACTS),
@@ -303,16 +315,7 @@ impl Run {
         if *name != "time" {
             return (0..places.len()).map(interval).collect();
         }
-        // Without a solution the speed may be unknown: that of the state before, or else the first.
-        let first = self.speed.iter().copied().find(|speed| speed.is_finite());
-        let mut known = first.unwrap_or(f64::NAN);
-        let distance = |(k, speed): (usize, &f64)| {
-            if speed.is_finite() {
-                known = *speed;
-            }
-            interval(k) * known
-        };
-        self.speed.iter().enumerate().map(distance).collect()
+        self.speed.iter().enumerate().map(|(k, speed)| interval(k) * speed).collect()
     }
 
     fn report(self, plan: &Plan, counts: &Counts) -> Result<DamageReport, StudyError> {

@@ -257,7 +257,7 @@ impl Report {
         }
         for ((index, status), error) in index.iter().zip(status).zip(error) {
             match status.as_str() {
-                crate::columns::FAILED => {
+                schlupf_tasks::states::FAILED => {
                     self.failed += 1;
                     let index = usize::try_from(*index).unwrap_or_default();
                     self.first_failure.get_or_insert_with(|| (index, error.clone()));

@@ -78,6 +78,11 @@ pub fn notices(
 /// Contacts of a wheel that tables have columns for: those with the largest normal forces.
 pub const CONTACTS: usize = 3;
 
+/// The status of a state in which nothing acts, and that of one that has no solution at all.
+pub const NO_CONTACT: &str = "no-contact";
+/// See [`NO_CONTACT`].
+pub const FAILED: &str = "failed";
+
 /// Why there is no solution.
 #[derive(Debug)]
 pub enum NoState {
@@ -258,12 +263,9 @@ impl StateSolver {
         }
         let solution = posed.solve(entries, watch)?;
         let wheel = posed.case.wheel.as_deref();
-        let own = wheel.map(WheelSolution::warnings).unwrap_or_default();
-        solution.warnings.iter().chain(&own).for_each(warn);
-        let status = wheel.map_or(solution.status, |wheel| match wheel.status() {
-            Status::Converged => solution.status,
-            Status::NotConverged => Status::NotConverged,
-        });
+        let further = wheel.map(WheelSolution::further_warnings).unwrap_or_default();
+        solution.warnings.iter().chain(&further).for_each(warn);
+        let status = wheel.map_or(solution.status, |wheel| wheel.status_with(&solution));
         Ok(Acting { force: solution.force, load: solution.normal.load, status, wheel })
     }
 
@@ -279,7 +281,7 @@ impl StateSolver {
         watch: Watch,
     ) -> Result<&mut Posed, NoState> {
         let load = self.fields.iter().position(|field| field.path == LOAD);
-        if load.and_then(|load| entries[load].number()).is_some_and(|load| load <= 0.0) {
+        if load.and_then(|load| entries[load].number()) == Some(0.0) {
             return Err(NoState::NoContact);
         }
         let before = match self.posed.take() {
@@ -309,9 +311,9 @@ impl StateSolver {
         watch: Watch,
     ) -> Result<Box<Posed>, NoState> {
         let assignments = self.assignments(entries);
-        let file = self.file.with(name.clone(), &assignments)?;
+        let file = self.file.with(name, &assignments)?;
         let case = match &self.base {
-            Some(base) => base.with(name, &assignments, watch)?,
+            Some(base) => file.pose_beside(base, watch)?,
             None => self.base.insert(file.pose(watch)?).clone(),
         };
         case.require_steady("states are those").map_err(CaseErrors::from)?;

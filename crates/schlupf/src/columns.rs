@@ -232,7 +232,7 @@ impl Record for WheelSolution {
             WheelForceX "wheel_force.x" => |wheel, _| wheel.force[0],
             WheelForceY "wheel_force.y" => |wheel, _| wheel.force[1],
             WheelForceZ "wheel_force.z" => |wheel, _| wheel.force[2],
-            ContactCount "contacts" => |wheel, _| wheel.contacts.len() as f64,
+            ContactCount "contacts" => |wheel, _| wheel.contacts.len(),
         }
     }
 }

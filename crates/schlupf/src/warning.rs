@@ -417,6 +417,15 @@ messages! {
         100.0 * residual
     );
 
+    /// The heights of both wheels jump past each other as the wheelset rolls.
+    "jumping-height" JumpingHeight {
+        /// Height of the wheel above the other one, in m.
+        difference: f64,
+    } Quantity::RollAngle, |name, words| format!(
+        "{name}: the heights at which both wheels rest jump past each other as the wheelset rolls, where \
+         contacts come to touch; this wheel stays {:.1} um above the other one", 1e6 * difference
+    );
+
     /// A patch of several parts on profiles that were not smoothed.
     "rough-profile" RoughProfile {
         /// Parts of the patch.

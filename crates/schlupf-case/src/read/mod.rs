@@ -189,13 +189,14 @@ impl Parts {
         let OfRoughness::Known(stiffness) = &self.stiffness else {
             return Err(wheel_rail::refuse_micro_model(settings));
         };
-        let solver = self.wheel_solver(wheel, settings)?;
+        let mut solver = self.wheel_solver(wheel, settings)?;
         let found = solver.find_one(watch).map_err(|error| settings.explain(&error))?;
         let main = found.contacts.first().ok_or_else(|| wheel_rail::no_contact(settings))?;
         let (problem, stiffness) = (main.problem.clone(), stiffness.clone());
         let speed = solver.draft.kinematics.speed;
         let creepage_x = found.creepage(solver.radius, speed);
         let motion = Kinematics { creepage_x, ..Kinematics::free_rolling(speed) };
+        solver.known = found.resultant(motion).map(Box::new);
         Ok(Posed { problem, stiffness, motion, wheel: Some((Arc::new(found), solver)) })
     }
 
@@ -213,6 +214,7 @@ impl Parts {
             driver: driver(settings)?,
             options: Options { sensitivity: false, extrapolate: false, ..options(settings)? },
             radius: settings.number("kinematics.wheel_radius")?,
+            known: None,
         })
     }
 

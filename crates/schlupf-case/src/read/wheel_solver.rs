@@ -6,6 +6,7 @@ use schlupf::error::WheelRailError;
 use schlupf::interface::contact_law::ContactLaw;
 use schlupf::kinematics::Kinematics;
 use schlupf::prescribed_forces::{LongitudinalForce, PrescribedForces};
+use schlupf::solution::{Resultant, Status, Work};
 use schlupf::wheel_rail::{Along, Drive, WheelSolution};
 use schlupf::{Error, Method, Options, Problem, Solution, Solver, Watch};
 
@@ -36,6 +37,8 @@ pub struct WheelSolver {
     pub options: Options,
     /// The rolling radius that goes with creepages, in m.
     pub radius: f64,
+    /// A state of the wheel in place of one that is not found.
+    pub known: Option<Box<Solution>>,
 }
 
 impl WheelSolver {
@@ -88,8 +91,14 @@ impl Solver for WheelSolver {
 
     fn solve(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
         self.turn(&problem.kinematics, &problem.prescribed);
-        let wheel = self.find_one(watch)?;
         let speed = problem.kinematics.speed;
+        let wheel = match (self.find_one(watch), &self.known) {
+            (Ok(wheel), _) => wheel,
+            (Err(Error::WheelRail { .. }), Some(known)) => {
+                return Ok(unknown(&problem.kinematics, known));
+            }
+            (Err(error), _) => return Err(error),
+        };
         let creepage_x = wheel.creepage(self.radius, speed);
         let kinematics = Kinematics { creepage_x, ..Kinematics::free_rolling(speed) };
         wheel.resultant(kinematics).ok_or_else(|| WheelRailError::Unsolved {}.into())
@@ -97,5 +106,23 @@ impl Solver for WheelSolver {
 
     fn is_of_wheel(&self) -> bool {
         true
+    }
+}
+
+/// A state that was not found, such as one in which friction holds the wheel: without forces.
+fn unknown(kinematics: &Kinematics, known: &Solution) -> Solution {
+    let none = Resultant { x: f64::NAN, y: f64::NAN, moment_z: None };
+    Solution {
+        status: Status::NotConverged,
+        residual: f64::NAN,
+        kinematics: *kinematics,
+        force: none,
+        normalised: none,
+        traction_coefficient: f64::NAN,
+        power: None,
+        temperature: None,
+        warnings: Vec::new(),
+        work: Work::default(),
+        ..known.clone()
     }
 }

@@ -120,7 +120,7 @@ impl WheelOnRail {
             // Both are on one axle: the force on this wheel turns the other one, too.
             let own = wheel(self.side, None)?;
             let other = wheel(self.side.other(), Some(own.angular_velocity))?;
-            let [left, right] = match self.side {
+            let [mut left, mut right] = match self.side {
                 Side::Left => [own, other],
                 Side::Right => [other, own],
             };
@@ -130,6 +130,7 @@ impl WheelOnRail {
             let next = bracket.next(roll - off / slope.through([roll, off]));
             step = (next - roll).abs();
             if step < SETTLED {
+                (left.unevenness, right.unevenness) = (off, -off);
                 return Ok(match self.side {
                     Side::Left => [left, right],
                     Side::Right => [right, left],

@@ -22,8 +22,8 @@ impl WheelSolution {
         let [x, y, load] = self.force;
         let mut normal = main.solution.normal;
         normal.load = load;
-        let contacts = self.contacts.iter().map(|contact| &contact.solution);
-        let residual = contacts.clone().map(|solution| solution.residual).fold(0.0, f64::max);
+        let residuals = self.contacts.iter().map(|contact| contact.solution.residual);
+        let residual = residuals.fold(0.0, f64::max);
         Some(Solution {
             status: self.status(),
             residual,
@@ -37,7 +37,13 @@ impl WheelSolution {
             temperature: self.hottest(),
             area: self.area(),
             fields: Fields::default(),
-            warnings: contacts.flat_map(|solution| solution.warnings.clone()).collect(),
+            warnings: main
+                .solution
+                .warnings
+                .iter()
+                .cloned()
+                .chain(self.further_warnings())
+                .collect(),
             sensitivity: None,
             extrapolation: None,
             work: self.work(),

@@ -117,6 +117,9 @@ pub struct WheelSolution {
     /// Vertical force over that asked for, minus one; dimensionless. It is not small where the force
     /// jumps over the load as the wheel is lowered.
     residual: f64,
+    /// Height of this wheel above the other one of the wheelset, in m: it is not small where the
+    /// heights jump as the wheelset rolls.
+    pub(super) unevenness: f64,
     guess: Guess,
     rows: RowsMove,
     /// Whether one of the profiles was smoothed.
@@ -135,6 +138,11 @@ impl WheelSolution {
         } else {
             Status::NotConverged
         }
+    }
+
+    /// The status of the wheel and of a solution of its first contact.
+    pub fn status_with(&self, first: &Solution) -> Status {
+        if self.status() == Status::Converged { first.status } else { Status::NotConverged }
     }
 
     /// Depth below first touch, in m.
@@ -166,6 +174,14 @@ impl WheelSolution {
         (contacts > 1).then_some(Warning::OneContact { contacts, share })
     }
 
+    /// Warnings about the wheel, and those of its contacts but the first, whose are those of its
+    /// solution.
+    pub fn further_warnings(&self) -> Vec<Warning> {
+        let others = self.contacts.iter().skip(1);
+        let others = others.flat_map(|contact| contact.solution.warnings.iter().cloned());
+        self.warnings().into_iter().chain(others).collect()
+    }
+
     /// Warnings about the contacts as parts of a wheel.
     pub fn warnings(&self) -> Vec<Warning> {
         let warning = |contact: &Contact| {
@@ -179,6 +195,9 @@ impl WheelSolution {
         let rough = parts.max().filter(|parts| !self.is_smoothed && *parts >= MANY_PARTS);
         let jump = (self.residual.abs() > SETTLED)
             .then_some(Warning::JumpingForce { residual: self.residual });
+        let uneven = (self.unevenness.abs() > UNEVEN)
+            .then_some(Warning::JumpingHeight { difference: self.unevenness });
+        let jump = jump.into_iter().chain(uneven);
         let rough = rough.map(|parts| Warning::RoughProfile { parts });
         turned.chain(rough).chain(jump).chain(self.holes.iter().cloned()).collect()
     }
@@ -190,12 +209,15 @@ const MANY_PARTS: usize = 3;
 /// Error of the vertical force at which height and friction count as settled, dimensionless.
 const SETTLED: f64 = 1e-4;
 
+/// The same while they are approached on coarse cells.
+const NEARLY_SETTLED: f64 = 3e-3;
+
 /// Largest error where the force jumps over the load with which a wheel counts as converged,
 /// dimensionless: what cells that come and go make of the force at a steep flange.
 const LARGEST_JUMP: f64 = 3e-3;
 
-/// The same while they are approached on coarse cells.
-const NEARLY_SETTLED: f64 = 3e-3;
+/// Difference in height of the wheels of a wheelset above which it is told, in m.
+const UNEVEN: f64 = 2e-6;
 
 /// Fewest cells each way on which friction is first estimated.
 const FEWEST_CELLS: usize = 8;
@@ -394,6 +416,7 @@ impl WheelOnRail {
             angular_velocity,
             force,
             residual: 0.0,
+            unevenness: 0.0,
             guess: lowered.at,
             rows: self.rows,
             rounds,
