@@ -293,13 +293,74 @@ fn lost_order_is_found_again() {
             "repeated",
             repeated,
             "profile-order",
-            "20 rows are there twice, the first again in line 202",
+            "20 repeated rows are left out, the first in line 202",
         ),
     ] {
         let file = wheel("a.csv", csv(&points)).unwrap();
         let text = notice(&file, code);
         assert!(text.contains(place), "{name}: {text}");
         assert_eq!(curves(&file)[0].points(), expected.points(), "{name}");
+    }
+}
+
+/// A rail with a rolled lip: its lower side, no more than 0.4 mm below the upper one, comes back
+/// under the head. In mm.
+fn lipped(lip: f64) -> Points {
+    let top = |y: f64| -y * y / 600.0;
+    let head = (-72..=72).map(|k| 0.5 * f64::from(k)).map(|y| [y, top(y)]);
+    let outwards: Points = head.collect();
+    let tip = [36.0 + lip, top(36.0) - 0.2 * lip];
+    let under = [36.0 - lip, tip[1] - 0.3 * lip];
+    let dense = |from: [f64; 2], to: [f64; 2]| -> Points {
+        let count = f64::from(((to[0] - from[0]).abs() / 0.5).ceil() as i32);
+        let at = |k: f64| [0, 1].map(|c| from[c] + k / count * (to[c] - from[c]));
+        (1..=count as i32).map(|k| at(f64::from(k))).collect()
+    };
+    [outwards, dense([36.0, top(36.0)], tip), dense(tip, under)].concat()
+}
+
+/// Where an outline folds back on itself, its points are sorted only where their order is lost:
+/// neighbours swapped elsewhere, at an end and in the lip, points swapped far apart, noise that
+/// turns back, a block in random order, and a point that is appended at the end.
+#[test]
+fn lost_order_is_found_beside_a_fold() {
+    for lip in [1.0, 2.5, 4.0] {
+        let points = lipped(lip);
+        let file = rail("a.csv", csv(&points)).unwrap();
+        assert_eq!(codes(&file), Vec::<&str>::new(), "{lip}");
+        let expected = curves(&file)[1].clone();
+        let swap = |j: usize, k: usize| {
+            let mut points = points.clone();
+            points.swap(j, k);
+            points
+        };
+        let block = [&points[..40], &shuffled(&points[40..60]), &points[60..]].concat();
+        for (name, points, place) in [
+            ("neighbours", swap(40, 41), "in 2 places, the first near line 42"),
+            ("the first points", swap(0, 1), "in 1 place, the first near line 3"),
+            ("far apart", swap(20, 90), "near line 22"),
+            ("a block", block, "near line 4"),
+        ] {
+            let file = rail("a.csv", csv(&points)).unwrap_or_else(|e| panic!("{lip} {name}: {e}"));
+            let text = notice(&file, "profile-order");
+            assert!(text.contains(place), "{lip}, {name}: {text}");
+            assert_eq!(curves(&file)[1].points(), expected.points(), "{lip}, {name}");
+        }
+        // A spike, and two points of noise that turn back; they are left out or moved.
+        let mut noisy = points.clone();
+        noisy[50] = [points[50][0] + 0.02, points[50][1] + 0.3];
+        noisy[30][0] = points[31][0] + 0.06;
+        let file = rail("a.csv", csv(&noisy)).unwrap_or_else(|e| panic!("{lip} noise: {e}"));
+        notice(&file, "profile-order");
+        let [y, z] = file.wheel().unwrap().pair.rail_origin();
+        let clean: Points = points[20..100].iter().map(|p| [p[0] + 1e3 * y, p[1] + 1e3 * z]).collect();
+        let found = off(&curves(&file)[1], &clean);
+        assert!(found < 0.02, "{lip}: {found} mm");
+        // By hand, outwards from the last one.
+        let last = points[points.len() - 1];
+        let appended = [&noisy[..], &[[last[0] + 1.2, last[1] - 0.05]]].concat();
+        let file = rail("a.csv", csv(&appended)).unwrap_or_else(|e| panic!("{lip} appended: {e}"));
+        notice(&file, "profile-order");
     }
 }
 
@@ -418,17 +479,83 @@ fn texts_of_all_kinds_are_read() {
             "decimal commas, bare",
             bare(&tread, |[y, z]| format!("{}  {}", comma(y), comma(z))).into(),
         ),
+        (
+            "empty last cells",
+            with("y [mm],z [mm]", &|[y, z]| format!("{y:.7},{z:.7},")).into(),
+        ),
+        (
+            "empty last cells, header too",
+            with("y [mm],z [mm],,", &|[y, z]| format!("{y:.7},{z:.7},,")).into(),
+        ),
+        ("empty last cells, bare", bare(&tread, |[y, z]| format!("{y:.7};{z:.7};")).into()),
+        ("space before the comma", bare(&tread, |[y, z]| format!("{y:.7} ,{z:.7}")).into()),
         ("Fortran", bare(&tread, |[y, z]| format!("{}D+01 {}d-1", y / 10.0, 10.0 * z)).into()),
         ("old line ends", plain.replace('\n', "\r").into()),
     ];
     for (name, bytes) in texts {
         let file = wheel("a.csv", bytes).unwrap_or_else(|error| panic!("{name}: {error}"));
         assert!((curves(&file)[0].length() - expected.length()).abs() < 1e-8, "{name}");
-        let has_commas = name == "decimal commas, bare" || name == "semicolons, bare";
+        let has_commas = name.starts_with("decimal commas")
+            || name.starts_with("semicolons")
+            || name == "tabs";
         assert_eq!(file.profiles()[0].format.contains("decimal commas"), has_commas, "{name}");
     }
-    let error = wheel("a.csv", "y [mm],z [mm]\n0,5,1,0\n").map(|_| ()).unwrap_err();
-    assert!(error.contains("by semicolons if numbers have decimal commas"), "{error}");
+    for text in ["y [mm],z [mm]\n0,5,1,0\n", "0,5,1,0\n1,5,1,0\n"] {
+        let error = wheel("a.csv", text).map(|_| ()).unwrap_err();
+        assert!(error.contains("by semicolons if numbers have decimal commas"), "{error}");
+    }
+}
+
+/// What a comma means is decided once for a file, so that no row is read in another way than its
+/// neighbours: where some rows are whole numbers, and in every format.
+#[test]
+fn a_comma_means_the_same_in_all_rows() {
+    let [tread, head] = built_in();
+    // To 0.1 mm, whole numbers without decimals: `-35 ,2` beside `-36 ,2.1`.
+    let coarse: Points = head
+        .iter()
+        .filter(|[_, z]| *z > -20.0)
+        .map(|point| point.map(|c| (10.0 * c).round() / 10.0))
+        .collect();
+    let expected = curves(&rail("a.csv", csv(&coarse)).unwrap())[1].clone();
+    let comma = |number: f64| format!("{number}").replace('.', ",");
+    for (name, text) in [
+        ("before", bare(&coarse, |[y, z]| format!("{y} ,{z}"))),
+        ("after", bare(&coarse, |[y, z]| format!("{y}, {z}"))),
+        ("between", bare(&coarse, |[y, z]| format!("{y},{z}"))),
+        ("decimal", bare(&coarse, |[y, z]| format!("{} {}", comma(y), comma(z)))),
+        ("decimal, semicolons", bare(&coarse, |[y, z]| format!("{}; {}", comma(y), comma(z)))),
+    ] {
+        let file = rail("a.txt", text).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert_eq!(curves(&file)[1].points(), expected.points(), "{name}");
+    }
+    let comma = |number: f64| format!("{number:.7}").replace('.', ",");
+    let miniprof = |row: &dyn Fn([f64; 2]) -> String| {
+        format!("XOffset=0,0\nColumnDef=X,Y,A\n\n{}", bare(&tread, |[y, z]| row([y + 70.0, -z])))
+    };
+    let simpack = |row: &dyn Fn([f64; 2]) -> String| {
+        let rows = bare(&tread, |[y, z]| row([y, -z]));
+        format!("spline.begin\nunits.len.f = 1000,0\npoint.begin\n{rows}point.end\nspline.end\n")
+    };
+    let decimal = |[y, z]: [f64; 2]| format!("  {}   {}  1", comma(y), comma(z));
+    let separated = |[y, z]: [f64; 2]| format!("{y:.7},{z:.7},1");
+    for (name, ending, text, has_decimal_commas) in [
+        ("Miniprof, decimal", "a.whl", miniprof(&decimal), true),
+        ("Miniprof, separated", "a.whl", miniprof(&separated), false),
+        ("Simpack, decimal", "a.prw", simpack(&decimal), true),
+        ("Simpack, separated", "a.prw", simpack(&separated).replace("1000,0", "1000"), false),
+    ] {
+        let file = wheel(ending, text).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let shift = if ending == "a.whl" { 70.0 } else { 0.0 };
+        let placed: Points = tread.iter().map(|[y, z]| [y + shift, *z]).collect();
+        assert!(off(&curves(&file)[0], &placed) < 1e-3, "{name}");
+        let format = &file.profiles()[0].format;
+        assert_eq!(format.contains("decimal commas"), has_decimal_commas, "{name}: {format}");
+    }
+    // One row with a decimal comma among rows separated by commas.
+    let mixed = simpack(&separated).replacen("point.begin\n", "point.begin\n-70,5 12\n", 1);
+    let error = wheel("a.prw", mixed).map(|_| ()).unwrap_err();
+    assert!(error.contains("\"70,5 12\"") || error.contains("5 12"), "{error}");
 }
 
 /// Files of Miniprof: its axes and the origin of its wheels, comments, keys without values, heads

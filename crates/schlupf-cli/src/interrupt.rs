@@ -4,6 +4,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use schlupf_study::lock::OutputLock;
 use tempfile::TempDir;
 
 use crate::stdout;
@@ -16,8 +17,6 @@ const INTERRUPTED: i32 = 130;
 pub struct Unfinished {
     files: Vec<PathBuf>,
     directories: Vec<PathBuf>,
-    /// Of outputs that are written.
-    locks: Vec<PathBuf>,
     /// Folders to work in, which go with what is in them.
     scratch: Vec<PathBuf>,
     /// Whether all files of the command are in their places.
@@ -29,7 +28,6 @@ pub struct Unfinished {
 static UNFINISHED: Mutex<Unfinished> = Mutex::new(Unfinished {
     files: Vec::new(),
     directories: Vec::new(),
-    locks: Vec::new(),
     scratch: Vec::new(),
     is_written: false,
     keeps_parts: false,
@@ -47,16 +45,6 @@ impl Unfinished {
         self.files.push(path.to_owned());
     }
 
-    /// Notes the file of a lock.
-    pub fn lock(&mut self, path: &Path) {
-        self.locks.push(path.to_owned());
-    }
-
-    /// Forgets it.
-    pub fn unlock(&mut self, path: &Path) {
-        self.locks.retain(|lock| lock != path);
-    }
-
     /// Notes a directory that was made.
     pub fn directory(&mut self, path: &Path) {
         self.directories.push(path.to_owned());
@@ -69,15 +57,15 @@ impl Unfinished {
 
     /// All is in its place, if there was anything to write.
     pub fn finish(&mut self, is_written: bool) {
-        let locks = std::mem::take(&mut self.locks);
-        *self = Self { is_written, locks, ..Self::default() };
+        *self = Self { is_written, ..Self::default() };
     }
 
     /// What cannot be removed stays: nobody is left to tell.
     fn remove(&self) {
-        for file in self.files.iter().chain(&self.locks) {
+        for file in &self.files {
             let _ = std::fs::remove_file(file);
         }
+        OutputLock::remove_all();
         for directory in self.directories.iter().rev() {
             let _ = std::fs::remove_dir(directory);
         }

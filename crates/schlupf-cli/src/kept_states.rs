@@ -20,6 +20,8 @@ type Key = [u64; 3];
 pub struct KeptStates {
     path: PathBuf,
     known: HashMap<Key, Vec<Solved>>,
+    /// Length of the first line, in bytes.
+    head: u64,
     /// The file, and why it can no longer be written.
     file: Mutex<(File, Option<io::Error>)>,
 }
@@ -41,10 +43,10 @@ impl KeptStates {
         let whole = earlier.rfind('\n').map_or("", |end| &earlier[..=end]);
         let known = match whole.strip_prefix(&head) {
             Some(lines) => lines.lines().filter_map(part).collect(),
-            None if whole.is_empty() => HashMap::new(),
+            None if head.starts_with(&earlier) => HashMap::new(),
             None => {
-                let reason = "it has states of another table: remove it to begin anew, or name \
-                              another output";
+                let reason = "it does not hold states of this table: remove it to begin anew, or \
+                              name another output";
                 return Err(fail(io::Error::new(ErrorKind::AlreadyExists, reason)));
             }
         };
@@ -56,12 +58,20 @@ impl KeptStates {
         if whole.is_empty() {
             file.write_all(head.as_bytes()).map_err(fail)?;
         }
-        Ok(Self { path, known, file: Mutex::new((file, None)) })
+        let head = head.len() as u64;
+        Ok(Self { path, known, head, file: Mutex::new((file, None)) })
     }
 
     /// Number of states of an earlier run.
     pub fn count(&self) -> usize {
         self.known.values().map(Vec::len).sum()
+    }
+
+    /// Leaves them to the next run, if there are any.
+    pub fn leave(self) {
+        if fs::metadata(&self.path).is_ok_and(|file| file.len() <= self.head) {
+            self.remove();
+        }
     }
 
     /// Removes them: the table is whole. Tells why some of them could not be kept.
@@ -115,4 +125,50 @@ fn part(line: &str) -> Option<(Key, Vec<Solved>)> {
         converged: *converged == 1,
     };
     Some((*key, states.iter().map(solved).collect()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TASK: Task = Task::Random { set: 0, state: 3 };
+
+    /// States that a run has solved outlive a failure of the table; a file without any does not.
+    #[test]
+    fn states_are_left_if_there_are_any() {
+        let folder = tempfile::tempdir().unwrap();
+        let output = folder.path().join("t.npz");
+        KeptStates::of(&output, "one").unwrap().leave();
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+        let kept = KeptStates::of(&output, "one").unwrap();
+        kept.keep(TASK, &[Solved { force: [1.0, -2.0, 0.5], converged: true }]);
+        kept.leave();
+        let kept = KeptStates::of(&output, "one").unwrap();
+        assert_eq!(kept.count(), 1);
+        assert_eq!(kept.recall(TASK).unwrap()[0].force, [1.0, -2.0, 0.5]);
+        kept.leave();
+        assert!(KeptStates::of(&output, "another").is_err());
+        assert!(KeptStates::of(&output, "one").unwrap().remove().is_none());
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+    }
+
+    /// What is empty or a first line that was cut is the table's own; all else is someone else's,
+    /// and stays as it is.
+    #[test]
+    fn files_of_others_are_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let output = folder.path().join("t.npz");
+        let path = folder.path().join("t.npz.parts");
+        for text in ["my notes", "one and more", "my notes\n", "one \n", "\n", "oneone\n1 2 3"] {
+            fs::write(&path, text).unwrap();
+            let refused = KeptStates::of(&output, "one").unwrap_err().to_string();
+            assert!(refused.contains("t.npz.parts: it does not hold states of"), "{refused}");
+            assert_eq!(fs::read_to_string(&path).unwrap(), text);
+        }
+        for text in ["", "on", "one", "one\n", "one\n1 2"] {
+            fs::write(&path, text).unwrap();
+            assert_eq!(KeptStates::of(&output, "one").unwrap().count(), 0);
+            assert_eq!(fs::read_to_string(&path).unwrap(), "one\n", "{text:?}");
+        }
+    }
 }

@@ -213,7 +213,6 @@ pub fn reserve(outputs: &[Output], directory: Option<&Directory>) -> Result<Rese
         }
         reserved.created.directory(directory_of(path))?;
         let lock = OutputLock::take(path).map_err(|cause| Failure::file(path, cause))?;
-        interrupt::unfinished().lock(lock.path());
         reserved.locks.push(lock);
     }
     Ok(reserved)
@@ -221,11 +220,7 @@ pub fn reserve(outputs: &[Output], directory: Option<&Directory>) -> Result<Rese
 
 impl Drop for Reserved {
     fn drop(&mut self) {
-        for lock in self.locks.drain(..) {
-            let path = lock.path().to_owned();
-            drop(lock);
-            interrupt::unfinished().unlock(&path);
-        }
+        self.locks.clear();
         // Those without a file in them.
         self.created.remove();
     }

@@ -99,9 +99,14 @@ fn check(path: &Path) -> Result<(), Failure> {
 /// Prints what was done.
 fn told(done: &Report, path: &Path, is_quiet: bool) -> Result<u8, Failure> {
     if !is_quiet {
-        let Report { rows, resumed, not_converged, failed, .. } = done;
-        let solved = rows - failed - not_converged;
-        let parts = [(*not_converged, "not converged"), (*failed, "failed")].into_iter();
+        let Report { rows, resumed, not_converged, no_contact, failed, .. } = done;
+        let solved = rows - failed - not_converged - no_contact;
+        let parts = [
+            (*no_contact, "without contact"),
+            (*not_converged, "not converged"),
+            (*failed, "failed"),
+        ];
+        let parts = parts.into_iter();
         let parts = parts.filter(|(count, _)| *count > 0);
         let mut parts: Vec<String> =
             parts.map(|(count, what)| format!(", {count} {what}")).collect();

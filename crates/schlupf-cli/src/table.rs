@@ -83,7 +83,8 @@ pub fn table(arguments: &Table) -> Result<u8, Failure> {
     let built = match built {
         Ok(built) => built,
         Err(error) => {
-            kept.remove();
+            // A state that cannot be solved does not cost the others.
+            kept.leave();
             return Err(refused(&error));
         }
     };

@@ -65,6 +65,7 @@ fn a_second_run_on_an_output_is_refused() {
         let third = kill(third, "-INT");
         assert_eq!(third.code, Some(130), "{arguments:?}: {}", third.stderr);
         assert!(!third.stderr.contains("another run"), "{}", third.stderr);
+        assert!(!bench.path(lock).exists(), "{arguments:?} leaves its lock");
     }
 }
 
@@ -101,7 +102,7 @@ fn an_interrupted_table_goes_on() {
     bench.write("new/cut.npz.parts", &states);
     let other = bench.run(&[&cut[..], &["--poisson-ratio", "0.3"]].concat());
     assert_eq!(other.code, Some(1), "{}", other.stderr);
-    assert!(other.stderr.contains("cut.npz.parts: it has states of another table"));
+    assert!(other.stderr.contains("cut.npz.parts: it does not hold states of this table"));
     let resumed = bench.run(&cut);
     assert_eq!(resumed.code, Some(0), "{}", resumed.stderr);
     assert!(resumed.stdout.contains(" were there already"), "{}", resumed.stdout);

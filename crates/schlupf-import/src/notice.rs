@@ -57,7 +57,10 @@ messages! {
         .to_owned();
 
     /// Thresholds of profiles.
-    "thresholds-left-out" ThresholdsLeftOut {} "profile", |subject, words| "thresholds for kinks and \
+    "thresholds-left-out" ThresholdsLeftOut {
+        /// The field of the profile.
+        profile: &'static str,
+    } *profile, |subject, words| "thresholds for kinks and \
         errors of a profile (PRFOPT) are left out: it is taken as it is".to_owned();
 }
 

@@ -33,7 +33,7 @@ type Counts =
     (usize, usize, usize, usize, Option<(usize, String)>, Vec<(&'static str, String, String)>);
 
 fn counts(report: Report) -> Counts {
-    let Report { rows, resumed, not_converged, failed, first_failure, warnings } = report;
+    let Report { rows, resumed, not_converged, failed, first_failure, warnings, .. } = report;
     let messages = warnings.messages().into_iter();
     let messages = messages.map(|told| (told.code, told.quantity, told.text)).collect();
     (rows, resumed, not_converged, failed, first_failure, messages)

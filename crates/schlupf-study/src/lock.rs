@@ -3,10 +3,15 @@
 use std::fs::{self, File};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use fs4::{FileExt, TryLockError};
 
-/// A lock of an output, in a file beside it that goes with it.
+/// Lock files of this process.
+static HELD: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// A lock of an output, in a file beside it that goes with it. On a file system that has no locks
+/// it keeps nobody away.
 #[derive(Debug)]
 pub struct OutputLock {
     path: PathBuf,
@@ -24,37 +29,52 @@ impl OutputLock {
     /// [`ErrorKind::WouldBlock`] where another process writes it, and a lock file that cannot be
     /// made.
     pub fn take(output: &Path) -> io::Result<Self> {
+        Self::take_by(output, |file| FileExt::try_lock(file))
+    }
+
+    /// Removes the files of all locks of this process, which is about to end.
+    pub fn remove_all() {
+        for path in held().drain(..) {
+            let _ = fs::remove_file(path);
+        }
+    }
+
+    fn take_by(
+        output: &Path,
+        try_lock: impl Fn(&File) -> Result<(), TryLockError>,
+    ) -> io::Result<Self> {
         let mut name = std::ffi::OsString::from(".");
         name.push(output.file_name().unwrap_or_default());
         name.push(".lock");
         let path = output.with_file_name(name);
+        let mut held = held();
         for _ in 0..ATTEMPTS {
             let file = File::options().create(true).truncate(false).write(true).open(&path)?;
-            match FileExt::try_lock(&file) {
-                Ok(()) => {}
+            // Other errors are those of a file system without locks, or of one mounted so.
+            let is_locked = match try_lock(&file) {
+                Ok(()) => true,
                 Err(TryLockError::WouldBlock) => {
                     let message =
                         "another run is writing it: wait for its end, or name another output";
                     return Err(io::Error::new(ErrorKind::WouldBlock, message));
                 }
-                Err(TryLockError::Error(cause)) => return Err(cause),
-            }
+                Err(TryLockError::Error(_)) => false,
+            };
             // Whoever had it before may have removed the file after it was opened here.
-            if is_at(&file, &path) {
+            if !is_locked || is_at(&file, &path) {
+                held.push(path.clone());
                 return Ok(Self { path, file: Some(file) });
             }
         }
         Err(io::Error::other("its lock file changes all the time"))
     }
-
-    /// The lock file.
-    pub fn path(&self) -> &Path {
-        &self.path
-    }
 }
 
 impl Drop for OutputLock {
     fn drop(&mut self) {
+        let mut held = held();
+        let Some(place) = held.iter().position(|path| *path == self.path) else { return };
+        held.swap_remove(place);
         // What cannot be removed stays, without a lock. Only the owner of the lock removes it;
         // where an open file cannot be removed, it is closed before.
         if cfg!(unix) {
@@ -65,6 +85,10 @@ impl Drop for OutputLock {
             let _ = fs::remove_file(&self.path);
         }
     }
+}
+
+fn held() -> MutexGuard<'static, Vec<PathBuf>> {
+    HELD.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Whether an open file is the one that has the path.
@@ -102,6 +126,18 @@ mod tests {
         // The file of a process that was killed has no lock.
         fs::write(folder.path().join(".a.csv.lock"), "").unwrap();
         drop(OutputLock::take(&one).unwrap());
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+    }
+
+    /// A file system without locks (Lustre and NFS may be mounted so) does not stop a run.
+    #[test]
+    fn where_there_are_no_locks_runs_go_on() {
+        let folder = tempfile::tempdir().unwrap();
+        let output = folder.path().join("a.csv");
+        let none = |_: &File| Err(TryLockError::Error(io::Error::from(ErrorKind::Unsupported)));
+        let lock = OutputLock::take_by(&output, none).unwrap();
+        drop(OutputLock::take_by(&output, none).unwrap());
+        drop(lock);
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
     }
 }

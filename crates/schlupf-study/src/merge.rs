@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::error::StudyError;
+use crate::lock::OutputLock;
 use crate::parts::{folder_with, unfinished};
 use crate::run::{Report, assemble, existing};
 use crate::table::{Cells, Contents, Format, Place, Reader, Rows};
@@ -52,7 +53,7 @@ impl<'a> Shard<'a> {
 ///
 /// # Errors
 /// Tables of different studies, a shard that is missing, there twice or not whole, an output that
-/// is something else than the table of this study, and files that cannot be read or written.
+/// is something else than the table of this study or that another run writes, and files that cannot be read or written.
 pub fn merge(shards: &[PathBuf], output: &Path) -> Result<Report, StudyError> {
     Format::of(output)?;
     let stays_open = shards.len() <= OPEN;
@@ -91,6 +92,11 @@ pub fn merge(shards: &[PathBuf], output: &Path) -> Result<Report, StudyError> {
             }
         }
     }
+    if output.exists() {
+        return existing(output, &whole);
+    }
+    let _lock = OutputLock::take(output).map_err(|cause| StudyError::file(output, cause))?;
+    // Another run may just have ended.
     if output.exists() {
         return existing(output, &whole);
     }

@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use schlupf::progress::{Progress, Stage};
 use schlupf::{Watch, parallel};
+use schlupf_tasks::states::{FAILED, NO_CONTACT};
 use tempfile::NamedTempFile;
 
 pub use crate::solved::Solved;
@@ -29,6 +30,8 @@ pub struct Report {
     pub resumed: usize,
     /// Rows whose solution has not converged.
     pub not_converged: usize,
+    /// Rows without a contact, which have no forces.
+    pub no_contact: usize,
     /// Rows that could not be solved.
     pub failed: usize,
     /// The first row that failed, and why.
@@ -257,18 +260,19 @@ impl Report {
         }
         for ((index, status), error) in index.iter().zip(status).zip(error) {
             match status.as_str() {
-                schlupf_tasks::states::FAILED => {
+                FAILED => {
                     self.failed += 1;
                     let index = usize::try_from(*index).unwrap_or_default();
                     self.first_failure.get_or_insert_with(|| (index, error.clone()));
                 }
+                NO_CONTACT => self.no_contact += 1,
                 status if status == schlupf::Status::NotConverged.name() => self.not_converged += 1,
                 _ => {}
             }
         }
     }
 
-    /// Whether every row has a solution that converged.
+    /// Whether every row with a contact has a solution that converged.
     pub fn is_converged(&self) -> bool {
         self.failed == 0 && self.not_converged == 0
     }

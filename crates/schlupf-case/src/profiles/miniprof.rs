@@ -7,7 +7,7 @@
 //! `"` begins a comment. Files of several parts (`.mpt`) have them between `[Profile1Points]` and
 //! the next `[`.
 
-use super::points::{Axes, Content, File, Row, leading_numbers, number};
+use super::points::{Axes, Content, File, Row, Separator, begins_with_number};
 use crate::error::CaseError;
 use schlupf::message::quoted;
 
@@ -59,7 +59,7 @@ impl Head {
 /// The points of a file.
 pub fn read(file: &File, is_wheel: bool) -> Result<Content, CaseError> {
     let mut head = Head { columns: [0, 1], offset: [0.0; 2] };
-    let mut rows: Vec<Row> = Vec::new();
+    let mut rows: Vec<(usize, &str)> = Vec::new();
     let mut is_head_without_keys = is_old(file);
     let mut part: Option<usize> = None;
     // A comment is not an empty line.
@@ -82,47 +82,45 @@ pub fn read(file: &File, is_wheel: bool) -> Result<Content, CaseError> {
             }
         } else if let Some((key, value)) = line.split_once('=') {
             if part.is_none() {
-                refuse_second(file, number, rows.first().map(|row| row.line))?;
+                refuse_second(file, number, rows.first().map(|(line, _)| *line))?;
             }
-            head.set(file, number, key.trim(), value.trim())?;
-        } else if let Some(place) = point(file, number, line, &head, !rows.is_empty())? {
-            rows.push(Row { place, line: number });
+            if rows.is_empty() {
+                head.set(file, number, key.trim(), value.trim())?;
+            }
+        } else if !rows.is_empty() || begins_with_number(line) {
+            // Before the first row there may be a line of text.
+            rows.push((number, line));
         }
     }
     if rows.is_empty() {
         return Err(file.error_of_all("a Miniprof profile must have rows of X and Y, but has none"));
     }
+    let texts = rows.iter().map(|(_, text)| *text);
+    let separator = Separator::of(texts.clone());
+    let points: Result<Vec<Row>, CaseError> = rows
+        .iter()
+        .map(|(line, text)| point(file, *line, &separator.cells(text, 0), &head))
+        .collect();
     Ok(Content {
         axes: Axes { is_inwards: Some(!is_wheel), is_down: Some(is_wheel) },
         flange_back: is_wheel.then_some(0.0),
-        ..Content::of("Miniprof, in mm", rows)
+        ..Content::of(format!("Miniprof, in mm{}", separator.remark(texts)), points?)
     })
 }
 
-/// The point of a row in m; nothing for a line of text before the first one.
-fn point(
-    file: &File,
-    line: usize,
-    text: &str,
-    head: &Head,
-    has_points: bool,
-) -> Result<Option<[f64; 2]>, CaseError> {
-    let numbers = leading_numbers(text);
-    if numbers.is_empty() {
-        return match text.split_whitespace().next() {
-            Some(word) if has_points && number(word).is_none() => {
-                Err(file.number(line, word).err().unwrap_or_else(|| file.error(line, "no row")))
-            }
-            _ => Ok(None),
-        };
-    }
+/// The point of a row, in m.
+fn point(file: &File, line: usize, cells: &[&str], head: &Head) -> Result<Row, CaseError> {
     let last = head.columns[0].max(head.columns[1]);
-    if numbers.len() <= last {
-        let (needed, given) = (last + 1, numbers.len());
+    if cells.len() <= last {
+        let (needed, given) = (last + 1, cells.len());
         let message = format!("a row must have at least {needed} numbers, but has {given}");
         return Err(file.error(line, message));
     }
-    Ok(Some([0, 1].map(|k| MILLIMETRE * (numbers[head.columns[k]] + head.offset[k]))))
+    let mut place = [0.0; 2];
+    for (k, column) in head.columns.into_iter().enumerate() {
+        place[k] = MILLIMETRE * (file.number(line, cells[column])? + head.offset[k]);
+    }
+    Ok(Row { place, line })
 }
 
 /// Refuses what begins another profile at a line, after one that begins at `first`.

@@ -2,7 +2,9 @@
 //!
 //! Points that follow each other without turning back are in order. Otherwise they are sorted along
 //! the shortest tree that connects them (Prim 1957): on points of a line this is the line itself.
-//! What branches off it is no line.
+//! Where an outline folds back on itself, as at a rolled lip, that tree branches; then the order of
+//! the file stands, and points are sorted only around the places where it is lost. What branches
+//! even so is no line.
 
 use schlupf::wheel_rail::LEAST_SPACING;
 
@@ -70,7 +72,7 @@ pub fn outline(rows: &[Row]) -> Result<Outline, NoLine> {
     let points = match turns_back(&spaced).first().map(|k| spaced[*k]) {
         None => distinct,
         Some(first) if spaced.len() > MOST_SORTED => return Err(NoLine::TooMany(first)),
-        Some(first) => sorted(&spaced, first, &mut changes)?,
+        Some(_) => sorted(&spaced, &mut changes)?,
     };
     let largest = steps(&points).fold(0.0, f64::max);
     let ends = points.first().zip(points.last());
@@ -137,19 +139,14 @@ fn turns_back(points: &[Row]) -> Vec<usize> {
 }
 
 /// The points along the line that they form.
-fn sorted(points: &[Row], first: Row, changes: &mut Vec<Change>) -> Result<Vec<Row>, NoLine> {
-    let tree = Tree::new(points);
+fn sorted(points: &[Row], changes: &mut Vec<Change>) -> Result<Vec<Row>, NoLine> {
+    let tree = Tree::new(points, &[]);
     let mut line = tree.longest_path();
+    if let Some(branch) = tree.beside(&line) {
+        line = folded(points, &tree).ok_or(NoLine::Branches(points[branch]))?;
+    }
     if line.first() > line.last() {
         line.reverse();
-    }
-    if let Some(branch) = tree.beside(&line) {
-        // Out of order, a line turns back twice in a row; in a sharp corner only once.
-        let is_once = turns_back(points).windows(2).all(|k| k[1] > k[0] + 1);
-        if is_once && steps(points).sum::<f64>() < AS_SHORT * tree.length() {
-            return Ok(points.to_vec());
-        }
-        return Err(NoLine::Branches(points[branch]));
     }
     let mut place = vec![None; points.len()];
     for (position, k) in line.iter().enumerate() {
@@ -160,17 +157,72 @@ fn sorted(points: &[Row], first: Row, changes: &mut Vec<Change>) -> Result<Vec<R
     if let Some(first) = beside.first() {
         changes.push(Change::Beside { count: beside.len(), first: *first });
     }
-    let given: Vec<usize> = place.into_iter().flatten().collect();
+    let given: Vec<usize> = place.iter().copied().flatten().collect();
     let left_out = overlaps(points, &line, &given, changes);
     if left_out.is_empty() {
-        let is_beside = |pair: &&[usize]| pair[0].abs_diff(pair[1]) == 1;
-        let count = given.windows(2).filter(|pair| !is_beside(pair)).count();
-        if count > 0 {
-            changes.push(Change::Sorted { count, first });
-        }
+        let is_apart = |pair: &[usize]| pair[0].abs_diff(pair[1]) > 1;
+        let count = given.windows(2).filter(|pair| is_apart(pair)).count();
+        let is_moved = |k: &usize| {
+            let around: Vec<usize> = place[k - 1..=k + 1].iter().copied().flatten().collect();
+            around.windows(2).any(is_apart)
+        };
+        let turns = turns_back(points);
+        let first = turns.iter().find(|k| is_moved(k)).or(turns.first()).filter(|_| count > 0);
+        changes.extend(first.map(|k| Change::Sorted { count, first: points[*k] }));
     }
     let is_kept = |k: &usize| !left_out.contains(k);
     Ok(line.into_iter().filter(is_kept).map(|k| points[k]).collect())
+}
+
+/// The line through points of which the shortest tree branches: that of the file, but for the
+/// places where its order is lost. It is one if it is hardly longer than the tree.
+fn folded(points: &[Row], shortest: &Tree) -> Option<Vec<usize>> {
+    let (order, is_step) = mended(points);
+    let rows: Vec<Row> = order.iter().map(|k| points[*k]).collect();
+    let tree = Tree::new(&rows, &is_step);
+    let line = tree.longest_path();
+    let along: Vec<Row> = line.iter().map(|k| rows[*k]).collect();
+    let is_line = tree.beside(&line).is_none()
+        && is_corner(&turns_back(&along))
+        && steps(&along).sum::<f64>() < AS_SHORT * shortest.length();
+    is_line.then(|| line.into_iter().map(|k| order[k]).collect())
+}
+
+/// Whether a line that turns back in these points is in order: out of order it turns back twice in
+/// a row, in a sharp corner once.
+fn is_corner(turns: &[usize]) -> bool {
+    turns.windows(2).all(|k| k[1] > k[0] + 1)
+}
+
+/// The points in the order of the file, sorted where that turns back as far as what is around tells
+/// how, and which of the steps from one to the next are known.
+fn mended(points: &[Row]) -> (Vec<usize>, Vec<bool>) {
+    let end = points.len() - 1;
+    // Whether the ends are in order does not show in them.
+    let marks = std::iter::once(0).chain(turns_back(points)).chain([end]);
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    for mark in marks {
+        match groups.last_mut().filter(|group| mark - group[group.len() - 1] <= LONGEST_STRIDE) {
+            Some(group) => group.push(mark),
+            None => groups.push(vec![mark]),
+        }
+    }
+    let (mut order, mut is_step) = (Vec::new(), Vec::new());
+    let mut next = 0;
+    for group in groups {
+        let (from, to) = (group[0].saturating_sub(1), (group[group.len() - 1] + 1).min(end));
+        let fixed = [(from > 0).then_some(0), (to < end).then_some(to - from)];
+        let path = Tree::new(&points[from..=to], &[]).line_between(fixed);
+        let is_known = path.is_some() || is_corner(&group);
+        let path = path.unwrap_or_else(|| (0..=to - from).collect());
+        order.extend(next..from);
+        is_step.resize(order.len(), true);
+        order.extend(path.into_iter().map(|k| from + k));
+        is_step.resize(order.len() - 1, is_known);
+        is_step.push(true);
+        next = to + 1;
+    }
+    (order, is_step)
 }
 
 /// Points of a later pass of a measurement where an earlier one was. `given` has the positions
@@ -244,9 +296,13 @@ struct Tree {
 }
 
 impl Tree {
-    fn new(points: &[Row]) -> Self {
+    /// That of points of which some steps to the next one are known to belong to it.
+    fn new(points: &[Row], is_step: &[bool]) -> Self {
         let count = points.len();
         let mut beside = vec![Vec::new(); count];
+        let is_known = |j: usize, k: usize| {
+            j.abs_diff(k) == 1 && is_step.get(j.min(k)).copied().unwrap_or(false)
+        };
         let mut nearest = vec![(f64::INFINITY, 0); count];
         let mut is_in = vec![false; count];
         let mut next = 0;
@@ -254,7 +310,8 @@ impl Tree {
             is_in[next] = true;
             let mut best = (f64::INFINITY, 0);
             for k in (0..count).filter(|k| !is_in[*k]) {
-                let apart = distance(&points[next], &points[k]);
+                let is_known = is_known(next, k);
+                let apart = if is_known { 0.0 } else { distance(&points[next], &points[k]) };
                 if apart < nearest[k].0 {
                     nearest[k] = (apart, next);
                 }
@@ -262,8 +319,9 @@ impl Tree {
                     best = (nearest[k].0, k);
                 }
             }
-            let (length, new) = best;
+            let new = best.1;
             let old = nearest[new].1;
+            let length = distance(&points[old], &points[new]);
             beside[old].push((new, length));
             beside[new].push((old, length));
             next = new;
@@ -296,18 +354,31 @@ impl Tree {
         (away, before)
     }
 
-    fn longest_path(&self) -> Vec<usize> {
-        let farthest = |away: &[f64]| {
-            let last = (0..away.len()).max_by(|j, k| away[*j].total_cmp(&away[*k]));
-            last.unwrap_or(0)
-        };
-        let start = farthest(&self.from(&[0]).0);
+    /// The path from a point to another one, or to the one that is farthest along the tree.
+    fn path(&self, start: usize, end: Option<usize>) -> Vec<usize> {
         let (away, before) = self.from(&[start]);
-        let mut path = vec![farthest(&away)];
+        let farthest = (0..away.len()).max_by(|j, k| away[*j].total_cmp(&away[*k]));
+        let mut path = vec![end.or(farthest).unwrap_or(start)];
         while let Some(k) = path.last().copied().filter(|k| *k != start) {
             path.push(before[k]);
         }
+        path.reverse();
         path
+    }
+
+    fn longest_path(&self) -> Vec<usize> {
+        let from_first = self.path(0, None);
+        self.path(from_first[from_first.len() - 1], None)
+    }
+
+    /// The path from one end to the other, as far as they are fixed, if nothing but noise is beside.
+    fn line_between(&self, fixed: [Option<usize>; 2]) -> Option<Vec<usize>> {
+        let path = match fixed {
+            [Some(start), end] => self.path(start, end),
+            [None, Some(end)] => self.path(end, None).into_iter().rev().collect(),
+            [None, None] => self.longest_path(),
+        };
+        self.beside(&path).is_none().then_some(path)
     }
 
     /// Where the longest branch leaves a line, if it is no noise.

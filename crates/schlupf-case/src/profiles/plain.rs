@@ -2,7 +2,7 @@
 
 use schlupf::message::shortened;
 
-use super::points::{Content, File, Row, number, words};
+use super::points::{Content, File, Row, Separator, begins_with_number, number};
 use crate::error::CaseError;
 use crate::fields::closest;
 use crate::units::{Conversion, Measure, parse_unit};
@@ -18,25 +18,28 @@ const NAMES: [&str; 2] = ["y", "z"];
 
 /// The points of a file whose header names `y` and `z` with their units, `y [mm],z [mm]` or
 /// `y_mm,z_mm`, beside other columns, or of one without a header: y and z in mm. Where columns are
-/// not apart by commas, numbers may have decimal commas.
+/// not separated by commas, numbers may have decimal commas.
 pub fn read(file: &File) -> Result<Content, CaseError> {
     let first = file.lines(COMMENTS).find(|(_, line)| !line.is_empty());
     let Some((header_line, header)) = first else {
         return Err(file.error_of_all("the file must have points, but is empty"));
     };
-    if Numbers::of(header).words.first().is_some_and(|word| number(word).is_some()) {
+    if begins_with_number(header) {
         return bare(file);
     }
     let table = Table::new(file, header_line, header)?;
-    let rest = file.lines(COMMENTS).filter(|(line, text)| *line > header_line && !text.is_empty());
+    let rest = || {
+        file.lines(COMMENTS).filter(|(line, text)| *line > header_line && !text.is_empty())
+    };
     let rows: Result<Vec<Row>, CaseError> =
-        rest.map(|(line, text)| Ok(Row { place: table.row(file, line, text)?, line })).collect();
-    Ok(Content::of("columns with units", rows?))
+        rest().map(|(line, text)| Ok(Row { place: table.row(file, line, text)?, line })).collect();
+    let remark = table.separator.remark(rest().map(|(_, text)| text));
+    Ok(Content::of(format!("columns with units{remark}"), rows?))
 }
 
 /// The columns of a file with a header.
 struct Table {
-    separator: Option<char>,
+    separator: Separator,
     count: usize,
     /// Places and units of y and z.
     wanted: [(usize, Conversion); 2],
@@ -45,9 +48,10 @@ struct Table {
 impl Table {
     fn new(file: &File, line: usize, header: &str) -> Result<Self, CaseError> {
         let separator = [';', '\t', ','].into_iter().find(|sign| header.contains(*sign));
+        let separator = separator.map_or(Separator::Spaces, Separator::Character);
         // A unit may stand behind a space.
         let header = header.replace(" [", "[").replace(" (", "(");
-        let names = cells(&header, separator);
+        let names = separator.cells(&header, 0);
         let split: Vec<(String, Option<&str>)> = names.iter().map(|cell| name(cell)).collect();
         let find = |wanted: &str| -> Result<(usize, Conversion), CaseError> {
             let mut places = (0..split.len()).filter(|k| split[*k].0 == wanted);
@@ -73,20 +77,18 @@ impl Table {
 
     /// y and z of a row, in m.
     fn row(&self, file: &File, line: usize, text: &str) -> Result<[f64; 2], CaseError> {
-        let cells = cells(text, self.separator);
+        let cells = self.separator.cells(text, self.count);
         if cells.len() != self.count {
             let (given, expected) = (cells.len(), self.count);
             let message =
                 format!("a row must have {expected} entries as the header, but has {given}");
-            let help = (self.separator == Some(',') && given > expected).then(|| {
-                "separate columns by semicolons if numbers have decimal commas".to_owned()
-            });
+            let help = self.separator.help(&cells).filter(|_| given > expected);
             return Err(file.error(line, message).help(help));
         }
         let mut place = [0.0; 2];
         for (k, (column, convert)) in self.wanted.iter().enumerate() {
             let cell = cells[*column];
-            let number = number(&cell.replace(',', ".")).ok_or_else(|| {
+            let number = number(cell).ok_or_else(|| {
                 let (name, cell) = (NAMES[k], shortened(cell));
                 file.error(line, format!("{name} must be a finite number, but is {cell:?}"))
             })?;
@@ -107,15 +109,6 @@ fn missing(file: &File, line: usize, wanted: &str, names: &[&str]) -> CaseError 
     file.error(line, message).help(meant.map(|_| format!("name the column `{wanted} [mm]`")))
 }
 
-/// The cells of a line.
-fn cells(line: &str, separator: Option<char>) -> Vec<&str> {
-    let cells: Vec<&str> = match separator {
-        Some(separator) => line.split(separator).collect(),
-        None => line.split_whitespace().collect(),
-    };
-    cells.into_iter().map(|cell| cell.trim().trim_matches('"').trim()).collect()
-}
-
 /// Name, in small letters, and unit of a column: `Y [mm]`, `y (mm)` or `y_mm`.
 fn name(cell: &str) -> (String, Option<&str>) {
     let within = |open: char, close: char| cell.strip_suffix(close)?.split_once(open);
@@ -126,59 +119,25 @@ fn name(cell: &str) -> (String, Option<&str>) {
     (name.trim().to_lowercase(), unit)
 }
 
-/// The numbers of a line without a header.
-struct Numbers {
-    words: Vec<String>,
-    has_decimal_commas: bool,
-}
-
-impl Numbers {
-    fn of(line: &str) -> Self {
-        let is_decimal = |word: &str| {
-            let digits = |part: &str| part.trim_start_matches(['-', '+']).bytes().all(is_digit);
-            word.split_once(',').is_some_and(|(whole, decimals)| {
-                !decimals.is_empty() && digits(whole) && decimals.bytes().all(is_digit)
-            })
-        };
-        let is_digit_or_sign = |word: &str| word.parse::<i64>().is_ok();
-        let between = |separators: &[char]| -> Vec<String> {
-            let words = line.split(separators).map(str::trim).filter(|word| !word.is_empty());
-            words.map(str::to_owned).collect()
-        };
-        let apart = between(&[';', ' ', '\t']);
-        let is_one = |word: &String| is_decimal(word) || is_digit_or_sign(word);
-        let has_decimal_commas = apart.len() > 1
-            && apart.iter().all(is_one)
-            && apart.iter().any(|word| is_decimal(word));
-        if has_decimal_commas {
-            let words = apart.iter().map(|word| word.replace(',', ".")).collect();
-            return Self { words, has_decimal_commas };
-        }
-        Self { words: words(line).map(str::to_owned).collect(), has_decimal_commas }
-    }
-}
-
-fn is_digit(byte: u8) -> bool {
-    byte.is_ascii_digit()
-}
-
 fn bare(file: &File) -> Result<Content, CaseError> {
-    let mut rows = Vec::new();
-    let mut has_decimal_commas = false;
-    for (line, text) in file.lines(COMMENTS).filter(|(_, line)| !line.is_empty()) {
-        let numbers = Numbers::of(text);
-        has_decimal_commas |= numbers.has_decimal_commas;
-        let values: Result<Vec<f64>, CaseError> =
-            numbers.words.iter().map(|word| file.number(line, word)).collect();
-        let [y, z] = values?[..] else {
-            let count = numbers.words.len();
+    let lines: Vec<(usize, &str)> =
+        file.lines(COMMENTS).filter(|(_, line)| !line.is_empty()).collect();
+    let texts = lines.iter().map(|(_, text)| *text);
+    let separator = Separator::of(texts.clone());
+    let mut rows = Vec::with_capacity(lines.len());
+    for (line, text) in &lines {
+        let cells = separator.cells(text, NAMES.len());
+        let numbers: Result<Vec<f64>, CaseError> =
+            cells.iter().map(|cell| file.number(*line, cell)).collect();
+        let [y, z] = numbers?[..] else {
+            let count = cells.len();
             let message = format!("a line must have y and z in mm, but has {count} numbers");
-            let help = "a header such as `y [mm],z [mm],weight` names the columns".to_owned();
-            return Err(file.error(line, message).help((count > 2).then_some(help)));
+            let header = "a header such as `y [mm],z [mm],weight` names the columns".to_owned();
+            let help = separator.help(&cells).unwrap_or(header);
+            return Err(file.error(*line, message).help((count > NAMES.len()).then_some(help)));
         };
-        rows.push(Row { place: [y, z].map(|value| MILLIMETRE * value), line });
+        rows.push(Row { place: [y, z].map(|value| MILLIMETRE * value), line: *line });
     }
-    let remark = if has_decimal_commas { " with decimal commas" } else { "" };
-    let format = format!("two columns without units{remark}");
+    let format = format!("two columns without units{}", separator.remark(texts));
     Ok(Content { has_units: false, ..Content::of(format, rows) })
 }

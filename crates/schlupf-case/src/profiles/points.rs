@@ -98,11 +98,6 @@ impl File {
         number(word)
             .ok_or_else(|| self.error(line, format!("{} must be a finite number", quoted(word))))
     }
-
-    /// The words of a line as numbers, apart by spaces, tabs, commas or semicolons.
-    pub fn numbers(&self, line: usize, text: &str) -> Result<Vec<f64>, CaseError> {
-        words(text).map(|word| self.number(line, word)).collect()
-    }
 }
 
 /// Text in UTF-8 or UTF-16, or in a code page of which only ASCII is understood: names of places in
@@ -127,18 +122,72 @@ fn decoded(bytes: &[u8]) -> String {
     }
 }
 
-/// The words of a line, apart by spaces, tabs, commas or semicolons.
-pub fn words(text: &str) -> impl Iterator<Item = &str> {
-    text.split([' ', '\t', ',', ';']).filter(|word| !word.is_empty())
+/// What separates the numbers of all rows of a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Separator {
+    Character(char),
+    Spaces,
 }
 
-/// A finite number, also with the exponent of Fortran's double precision.
+impl Separator {
+    /// The one that leaves two numbers at the beginning of most rows.
+    pub fn of<'a>(rows: impl Iterator<Item = &'a str> + Clone) -> Self {
+        let fits = |separator: &Self| {
+            let begins = |row: &&str| {
+                let cells = separator.cells(row, 0);
+                cells.len() >= 2 && cells[..2].iter().all(|cell| number(cell).is_some())
+            };
+            rows.clone().filter(begins).count()
+        };
+        let all = [Self::Character(','), Self::Character(';'), Self::Spaces];
+        all.into_iter().max_by_key(fits).unwrap_or(Self::Spaces)
+    }
+
+    /// The cells of a row; empty last ones only as far as there must be so many.
+    pub fn cells(self, row: &str, expected: usize) -> Vec<&str> {
+        let cells: Vec<&str> = match self {
+            Self::Character(character) => row.split(character).collect(),
+            Self::Spaces => row.split_whitespace().collect(),
+        };
+        let trimmed = cells.into_iter().map(|cell| cell.trim().trim_matches('"').trim());
+        let mut cells: Vec<&str> = trimmed.collect();
+        while cells.len() > expected && cells.last().is_some_and(|cell| cell.is_empty()) {
+            cells.pop();
+        }
+        cells
+    }
+
+    /// What helps if a row has too many cells because of decimal commas.
+    pub fn help(self, cells: &[&str]) -> Option<String> {
+        let is_likely = self == Self::Character(',') && !cells.iter().any(|cell| cell.contains('.'));
+        is_likely.then(|| "separate columns by semicolons if numbers have decimal commas".to_owned())
+    }
+
+    /// Says whether numbers of rows have decimal commas.
+    pub fn remark<'a>(self, mut rows: impl Iterator<Item = &'a str>) -> &'static str {
+        let is_one = |cell: &&str| cell.contains(',') && number(cell).is_some();
+        let has_one = rows.any(|row| self.cells(row, 0).iter().any(is_one));
+        if has_one { ", decimal commas" } else { "" }
+    }
+}
+
+/// Whether a line begins with a number, whatever separates it from the next one.
+pub fn begins_with_number(line: &str) -> bool {
+    let mut words = line.split([' ', '\t', ',', ';']).filter(|word| !word.is_empty());
+    words.next().is_some_and(|word| number(word).is_some())
+}
+
+/// A finite number, also with a decimal comma between digits and with the exponent of Fortran's
+/// double precision.
 pub fn number(word: &str) -> Option<f64> {
-    let parsed = word.parse::<f64>().or_else(|_| word.replacen(['d', 'D'], "e", 1).parse());
+    let with_point = match word.split_once(',') {
+        Some((whole, decimals)) => {
+            let is_decimal = whole.ends_with(|c: char| c.is_ascii_digit())
+                && decimals.starts_with(|c: char| c.is_ascii_digit());
+            is_decimal.then(|| format!("{whole}.{decimals}"))?
+        }
+        None => word.to_owned(),
+    };
+    let parsed = with_point.replacen(['d', 'D'], "e", 1).parse::<f64>();
     parsed.ok().filter(|number| number.is_finite())
-}
-
-/// The numbers with which a line begins.
-pub fn leading_numbers(line: &str) -> Vec<f64> {
-    words(line).map_while(number).collect()
 }

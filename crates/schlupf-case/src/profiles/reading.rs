@@ -65,7 +65,7 @@ impl Change {
         match self {
             Self::Repeated { count, first } => {
                 let are = if *count == 1 { "row is" } else { "rows are" };
-                format!("{count} {are} there twice, the first again in {}", at(first))
+                format!("{count} repeated {are} left out, the first in {}", at(first))
             }
             Self::Sorted { count, first } => {
                 let times = if *count == 1 { "place" } else { "places" };

@@ -6,7 +6,7 @@
 //! inversion of the order changes nothing here. y then points outwards and z down. Comments begin
 //! with `!` or `%`.
 
-use super::points::{Axes, Content, File, Row};
+use super::points::{Axes, Content, File, Row, Separator};
 use crate::error::CaseError;
 
 /// Where a file may be recognised.
@@ -126,7 +126,7 @@ fn check_type(file: &File, line: usize, value: &str, is_wheel: bool) -> Result<(
 /// The points of a file.
 pub fn read(file: &File, is_wheel: bool) -> Result<Content, CaseError> {
     let mut changes = Changes::default();
-    let mut rows = Vec::new();
+    let mut rows: Vec<(usize, &str)> = Vec::new();
     let (mut is_header, mut is_spline, mut is_point) = (false, false, false);
     for (number, line) in file.lines(COMMENTS).filter(|(_, line)| !line.is_empty()) {
         match line.to_ascii_lowercase().as_str() {
@@ -142,16 +142,7 @@ pub fn read(file: &File, is_wheel: bool) -> Result<Content, CaseError> {
             "spline.end" => is_spline = false,
             "point.begin" if is_spline => is_point = true,
             "point.end" => is_point = false,
-            _ if is_point => match file.numbers(number, line)?[..] {
-                [y, z] | [y, z, _] => rows.push(Row { place: [y, z], line: number }),
-                ref numbers => {
-                    let message = format!(
-                        "a point must have y, z and at most a weight, but has {} numbers",
-                        numbers.len()
-                    );
-                    return Err(file.error(number, message));
-                }
-            },
+            _ if is_point => rows.push((number, line)),
             _ => {
                 let Some((key, value)) = line.split_once('=') else { continue };
                 let (key, value) = (key.trim().to_ascii_lowercase(), value.trim());
@@ -168,9 +159,25 @@ pub fn read(file: &File, is_wheel: bool) -> Result<Content, CaseError> {
                        spline.begin, but has none";
         return Err(file.error_of_all(message));
     }
+    let texts = rows.iter().map(|(_, text)| *text);
+    let separator = Separator::of(texts.clone());
+    let points: Result<Vec<Row>, CaseError> =
+        rows.iter().map(|(line, text)| point(file, *line, &separator.cells(text, 2))).collect();
     Ok(Content {
         axes: Axes { is_inwards: Some(false), is_down: Some(true) },
         left_out: changes.left_out(),
-        ..Content::of("Simpack", changes.apply(rows))
+        ..Content::of(format!("Simpack{}", separator.remark(texts)), changes.apply(points?))
     })
+}
+
+/// The point of a row, in the unit of the file.
+fn point(file: &File, line: usize, cells: &[&str]) -> Result<Row, CaseError> {
+    let numbers: Result<Vec<f64>, CaseError> =
+        cells.iter().map(|cell| file.number(line, cell)).collect();
+    let ([y, z] | [y, z, _]) = numbers?[..] else {
+        let count = cells.len();
+        let message = format!("a point must have y, z and at most a weight, but has {count} numbers");
+        return Err(file.error(line, message));
+    };
+    Ok(Row { place: [y, z], line })
 }

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use schlupf::message::shortened;
 use schlupf_case::{CaseError, Place, Source};
 
-use super::given::{At, Form, Given, GivenText, Item};
+use super::given::{At, Form, Given, GivenText, Item, angle};
 
 /// A line that is more than a comment.
 #[derive(Debug)]
@@ -163,8 +163,9 @@ impl Reader {
                 let at = word.at(number);
                 group.text = Some(GivenText { name, text: inner.to_owned(), at });
             }
-            for (item, word) in items[group.given.len()..].iter().zip(words.by_ref()) {
-                self.refuse_comma(item, word, number)?;
+            let left = &items[group.given.len()..];
+            self.refuse_comma([left, optional], words.as_slice(), number)?;
+            for (item, word) in left.iter().zip(words.by_ref()) {
                 let Some(value) = item.number(&word.text) else {
                     let (name, form) = (item.name, item.form_name());
                     let expected = expected(text, items);
@@ -177,7 +178,6 @@ impl Reader {
                 group.given.push(Given { name: item.name, value, at: word.at(number) });
             }
             for (item, word) in optional.iter().zip(words) {
-                self.refuse_comma(item, word, number)?;
                 let Some(value) = item.number(&word.text) else { break };
                 group.more.push(Given { name: item.name, value, at: word.at(number) });
             }
@@ -185,9 +185,23 @@ impl Reader {
         Ok(group)
     }
 
-    /// Refuses a decimal comma, which would make two values of one.
-    fn refuse_comma(&self, item: &Item, word: &Word, line: usize) -> Reading<()> {
-        let Some(whole) = word.with_comma.as_ref().filter(|_| item.form != Form::Whole) else {
+    /// Refuses a decimal comma, which would make two values of one. A comma between two whole
+    /// numbers may be one where the line has all values that must be there without it, too.
+    fn refuse_comma(
+        &self,
+        [required, optional]: [&[Item]; 2],
+        words: &[Word],
+        line: usize,
+    ) -> Reading<()> {
+        let is_number = |word: &&Word| angle("").number(&word.text).is_some();
+        let numbers = &words[..words.iter().take_while(is_number).count()];
+        let items = required.iter().chain(optional).zip(numbers);
+        let commas = items.filter(|(item, _)| item.form != Form::Whole);
+        let commas = commas.filter_map(|(item, word)| Some((item, word, word.with_comma.as_ref()?)));
+        let commas: Vec<_> = commas.collect();
+        let Some(&(item, word, whole)) =
+            commas.first().filter(|_| numbers.len() >= required.len() + commas.len())
+        else {
             return Ok(());
         };
         let message = format!(
@@ -320,7 +334,7 @@ fn expected(text: Option<&str>, items: &[Item]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::given::{angle, real, whole};
+    use super::super::given::{real, whole};
     use super::*;
 
     fn reader(text: &str) -> Reader {

@@ -10,7 +10,7 @@ use crate::contact::control::Control;
 use crate::contact::friction::Friction;
 
 use super::case::Translation;
-use super::contact::{Contact, Given3};
+use super::contact::{Contact, NormalProblem};
 use super::frame::{Frame, WheelBody};
 use super::laws;
 use super::normal;
@@ -73,7 +73,7 @@ pub fn write(
         return None;
     };
     let frame = frame?;
-    let given = Given3 { control, motion, elastic, area, frame };
+    let given = NormalProblem { control, motion, elastic, area, frame };
     let contact = normal::write(case, given, basic, stem)?;
     if let Some(friction) = &basic.friction {
         variation(case, friction, frame, contact);

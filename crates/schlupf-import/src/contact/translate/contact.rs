@@ -18,9 +18,9 @@ pub struct Contact {
     pub rows: Option<[f64; 2]>,
 }
 
-/// What an input case has for it.
+/// The normal problem of an input case of module 3.
 #[derive(Debug, Clone, Copy)]
-pub struct Given3<'a> {
+pub struct NormalProblem<'a> {
     /// Control digits.
     pub control: &'a Control,
     /// Loads.

@@ -6,7 +6,7 @@ use crate::contact::given::Given;
 use crate::document::number;
 
 use super::case::Translation;
-use super::contact::{Contact, Given3};
+use super::contact::{Contact, NormalProblem};
 
 /// Elements across a contact with one pressure, by symmetry.
 pub const ALIKE: usize = 2;
@@ -44,15 +44,16 @@ pub fn inside([low, high]: [f64; 2], (first, side, cells): (f64, f64, Given)) ->
 /// Refuses elements that are too few for an ellipse and too many for one pressure.
 pub fn refuse_few(case: &mut Translation, count: Given) {
     let what = "one or two elements have the same pressure, which is not that of an ellipse";
-    let help = "3 or more across the contact are those of an ellipse; 1 or 2 in both directions that \
-                fill the potential contact area are a rectangle under one pressure";
+    let help = "3 or more across the contact are those of an ellipse; a potential contact area of 1 \
+                or 2 in both directions about the middle of the contact is a rectangle under one \
+                pressure";
     case.refuse(count, what, help);
 }
 
 /// A rectangle under one pressure, which its elements have: sides and middle in mm.
 pub fn uniform(
     case: &mut Translation,
-    given: Given3,
+    given: NormalProblem,
     (sides, centre): ([f64; 2], [f64; 2]),
     stem: &str,
 ) -> Option<Contact> {
@@ -67,7 +68,7 @@ pub fn uniform(
         case.refuse(given.control.bound, what, "B = 0 is their own pressure");
         return None;
     }
-    let positive = sides[0] > 0.0 && sides[1] > 0.0;
+    let positive = sides.iter().all(|side| side.is_finite() && *side > 0.0);
     if load.value <= 0.0 || !positive {
         let (wrong, what) = if positive {
             (load, "must be positive")

@@ -10,14 +10,14 @@ use crate::contact::given::Given;
 use crate::document::number;
 
 use super::case::Translation;
-use super::contact::{Contact, Given3};
+use super::contact::{Contact, NormalProblem};
 use super::elements::{self, Elements};
 use super::hertz;
 
 const MILLIMETRE: f64 = 1e-3;
 
 /// Writes the normal contact; nothing if it is refused.
-pub fn write(case: &mut Translation, given: Given3, basic: &Basic, stem: &str) -> Option<Contact> {
+pub fn write(case: &mut Translation, given: NormalProblem, basic: &Basic, stem: &str) -> Option<Contact> {
     let contact = match &basic.distance {
         _ if given.area.is_hertzian() => hertzian(case, given, stem),
         Some(distance) => by_distance(case, given, distance, stem),
@@ -32,7 +32,7 @@ pub fn write(case: &mut Translation, given: Given3, basic: &Basic, stem: &str) -
     Some(contact)
 }
 
-fn hertzian(case: &mut Translation, given: Given3, stem: &str) -> Option<Contact> {
+fn hertzian(case: &mut Translation, given: NormalProblem, stem: &str) -> Option<Contact> {
     let area = given.area;
     let [first, second, scale] = area.values[..] else {
         case.refuse(
@@ -106,7 +106,7 @@ fn curvatures(area: &Area) -> Result<[f64; 2], Error> {
 }
 
 /// Semi-axes of Hertz's contact, in mm.
-fn semi_axes(case: &mut Translation, given: Given3, load: f64) -> Option<[f64; 2]> {
+fn semi_axes(case: &mut Translation, given: NormalProblem, load: f64) -> Option<[f64; 2]> {
     let area = given.area;
     if area.kind.is(-3) {
         return Some([area.values.first()?.value, area.values.get(1)?.value]);
@@ -132,7 +132,7 @@ fn cells(case: &mut Translation, path: &'static str, count: f64) {
 }
 
 /// Bodies with the distance A x² + B y² (in 1/m); their load, in N.
-fn curved(case: &mut Translation, given: Given3, curvatures: [f64; 2]) -> Result<f64, Error> {
+fn curved(case: &mut Translation, given: NormalProblem, curvatures: [f64; 2]) -> Result<f64, Error> {
     let [x, y] = curvatures.map(|curvature| 0.5 / curvature);
     case.document.text("normal.model", "hertz");
     case.document.quantity("wheel.radius_x", 1e3 * x, "mm");
@@ -151,7 +151,7 @@ fn curved(case: &mut Translation, given: Given3, curvatures: [f64; 2]) -> Result
 /// The load (in N), as given or from the approach.
 fn load(
     case: &mut Translation,
-    given: Given3,
+    given: NormalProblem,
     of_approach: impl Fn(f64) -> Result<f64, Error>,
 ) -> Result<f64, Error> {
     let normal = given.motion.normal;
@@ -180,7 +180,7 @@ fn accepted(case: &mut Translation, given: Given, load: Result<f64, Error>) -> O
 
 fn by_distance(
     case: &mut Translation,
-    given: Given3,
+    given: NormalProblem,
     distance: &Distance,
     stem: &str,
 ) -> Option<Contact> {
@@ -196,9 +196,8 @@ fn by_distance(
         && let [b1, b2, b3, b4, b5, b6] = distance.values[..]
         && b2.value == 0.0
     {
-        let (first, side) = given.area.lattice();
-        if given.area.cells.iter().all(|count| count.is(1)) {
-            return elements::uniform(case, given, (side, first), stem);
+        if let Some(rectangle) = alike(given.area, [b1, b3], [b4, b5]) {
+            return elements::uniform(case, given, rectangle, stem);
         }
         return quadratic(case, given, [b1, b3, b4, b5, b6]);
     }
@@ -210,10 +209,28 @@ fn by_distance(
     table(case, given, distance, stem)
 }
 
+/// Sides and middle, in mm, of an area whose elements have one pressure by symmetry: one or two in
+/// each direction, two on both sides of where the distance has no slope.
+fn alike(area: &Area, curvatures: [Given; 2], slopes: [Given; 2]) -> Option<([f64; 2], [f64; 2])> {
+    let (first, side) = area.lattice();
+    let counts = area.cells.map(|count| count.value);
+    let middle = [0, 1].map(|k| first[k] + 0.5 * (counts[k] - 1.0) * side[k]);
+    let is_alike = |k: usize| {
+        let curvature = curvatures[k].value;
+        let slope = 2.0 * curvature * middle[k] + slopes[k].value;
+        // Numbers of the file are rounded.
+        area.cells[k].is(1)
+            || area.cells[k].whole() as usize <= elements::ALIKE
+                && slope.abs() <= 1e-6 * curvature.abs() * side[k]
+    };
+    let sides = [0, 1].map(|k| counts[k] * side[k]);
+    (is_alike(0) && is_alike(1)).then_some((sides, middle))
+}
+
 /// b1 x² + b3 y² + b4 x + b5 y + b6: Hertz's contact about the lowest point.
 fn quadratic(
     case: &mut Translation,
-    given: Given3,
+    given: NormalProblem,
     [b1, b3, b4, b5, b6]: [Given; 5],
 ) -> Option<Contact> {
     for (curvature, direction) in [(b1, "along"), (b3, "across")] {
@@ -237,7 +254,7 @@ fn quadratic(
         ..*given.motion
     };
     let curvatures = [1e3 * b1.value, 1e3 * b3.value];
-    let found = curved(case, Given3 { motion: &motion, ..given }, curvatures);
+    let found = curved(case, NormalProblem { motion: &motion, ..given }, curvatures);
     let load = accepted(case, b1, found)?;
     let contact = hertz::contact(curvatures, hertz::modulus(given.elastic), load).ok()?;
     let axes = [contact.semi_axis_x, contact.semi_axis_y].map(|axis| axis / MILLIMETRE);
@@ -279,7 +296,7 @@ fn rounded(length: f64) -> String {
 /// The distance on the grid of the file as a table of its own.
 fn table(
     case: &mut Translation,
-    given: Given3,
+    given: NormalProblem,
     distance: &Distance,
     stem: &str,
 ) -> Option<Contact> {

@@ -207,7 +207,7 @@ fn write_profile(case: &mut Translation, profile: &Profile, paths: &ProfilePaths
         _ => {}
     }
     if let Some(options) = profile.thresholds {
-        case.notice(Notice::ThresholdsLeftOut {}, options);
+        case.notice(Notice::ThresholdsLeftOut { profile: paths.profile }, options);
     }
     if profile.scale.value != 1.0 {
         case.refuse(
