@@ -158,8 +158,18 @@ fn wheelset_tables_contacts_and_conicity() {
 fn positions_that_fail_do_not_take_the_table_with_them() {
     let bench = bench();
     let run = bench.run(&[
-        "wheelset", "case.toml", "--lateral-position", "0..90 mm", "--points", "2", "--csv",
-        "contacts.csv", "--json", "result.json", "--figures", "figures",
+        "wheelset",
+        "case.toml",
+        "--lateral-position",
+        "0..90 mm",
+        "--points",
+        "2",
+        "--csv",
+        "contacts.csv",
+        "--json",
+        "result.json",
+        "--figures",
+        "figures",
     ]);
     assert_eq!(run.code, Some(3), "{}", run.stderr);
     assert!(run.stderr.contains("at a lateral position of 90 mm: "), "{}", run.stderr);

@@ -64,7 +64,8 @@ fn duffing_1918_cubic_difference() {
 /// Conicity with the period of Duffing's equation, dimensionless.
 fn duffing(linear: f64, cubic: f64, amplitude: f64) -> f64 {
     let square = cubic * amplitude * amplitude;
-    let period = 4.0 * elliptic_integral(0.5 * square / (linear + square)) / (linear + square).sqrt();
+    let period =
+        4.0 * elliptic_integral(0.5 * square / (linear + square)) / (linear + square).sqrt();
     0.5 * (2.0 * PI / period).powi(2)
 }
 
