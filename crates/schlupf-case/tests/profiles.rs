@@ -353,7 +353,8 @@ fn lost_order_is_found_beside_a_fold() {
         let file = rail("a.csv", csv(&noisy)).unwrap_or_else(|e| panic!("{lip} noise: {e}"));
         notice(&file, "profile-order");
         let [y, z] = file.wheel().unwrap().pair.rail_origin();
-        let clean: Points = points[20..100].iter().map(|p| [p[0] + 1e3 * y, p[1] + 1e3 * z]).collect();
+        let clean: Points =
+            points[20..100].iter().map(|p| [p[0] + 1e3 * y, p[1] + 1e3 * z]).collect();
         let found = off(&curves(&file)[1], &clean);
         assert!(found < 0.02, "{lip}: {found} mm");
         // By hand, outwards from the last one.
@@ -479,10 +480,7 @@ fn texts_of_all_kinds_are_read() {
             "decimal commas, bare",
             bare(&tread, |[y, z]| format!("{}  {}", comma(y), comma(z))).into(),
         ),
-        (
-            "empty last cells",
-            with("y [mm],z [mm]", &|[y, z]| format!("{y:.7},{z:.7},")).into(),
-        ),
+        ("empty last cells", with("y [mm],z [mm]", &|[y, z]| format!("{y:.7},{z:.7},")).into()),
         (
             "empty last cells, header too",
             with("y [mm],z [mm],,", &|[y, z]| format!("{y:.7},{z:.7},,")).into(),
@@ -495,9 +493,8 @@ fn texts_of_all_kinds_are_read() {
     for (name, bytes) in texts {
         let file = wheel("a.csv", bytes).unwrap_or_else(|error| panic!("{name}: {error}"));
         assert!((curves(&file)[0].length() - expected.length()).abs() < 1e-8, "{name}");
-        let has_commas = name.starts_with("decimal commas")
-            || name.starts_with("semicolons")
-            || name == "tabs";
+        let has_commas =
+            name.starts_with("decimal commas") || name.starts_with("semicolons") || name == "tabs";
         assert_eq!(file.profiles()[0].format.contains("decimal commas"), has_commas, "{name}");
     }
     for text in ["y [mm],z [mm]\n0,5,1,0\n", "0,5,1,0\n1,5,1,0\n"] {

@@ -438,21 +438,29 @@ fn height_and_vertical_force_belong_together() {
     assert!(matches!(error, Error::WheelRail { error: WheelRailError::Lifted { .. } }), "{error}");
 }
 
-/// Friction that carries a flange by itself: an error that names angle and ratio, not a force
-/// without bound.
+/// Friction that carries a flange by itself, because the wheel is yawed the other way and friction
+/// holds it up: with little yaw it is pressed in, by forty times its load, until the creepage no
+/// longer saturates friction; with much yaw no force carries, and the error names angle and ratio.
 #[test]
 fn a_jammed_wheel_is_told() {
     let rows = manchester();
     let row = rows.iter().find(|row| row.name == "right 7").unwrap();
     let with = (&bristles(), 0.9, &Options::default());
-    // Yawed the other way, so that friction holds the flange up.
     let Position { lateral, yaw, roll } = row.wheel.position;
-    let position = Position { lateral, yaw: -yaw, roll };
-    let wheel = WheelOnRail { position, ..row.wheel.clone() };
-    let solved = solve_with(with, |tangential| wheel.solve(tangential, &unwatched));
-    match solved {
+    let yawed = |factor: f64| {
+        let position = Position { lateral, yaw: -factor * yaw, roll };
+        let wheel = WheelOnRail { position, ..row.wheel.clone() };
+        solve_with(with, |tangential| wheel.solve(tangential, &unwatched))
+    };
+    let pressed_in = yawed(1.0).unwrap();
+    close("F_z", pressed_in.force[2] / 10e3, 1.0, 1.1e-4);
+    let normal: f64 = pressed_in.contacts.iter().map(|c| c.solution.normal.load).sum();
+    assert!(normal > 300e3, "{normal}");
+    match yawed(5.0) {
         Err(Error::WheelRail { error: WheelRailError::Jammed { angle, ratio } }) => {
-            assert!(angle > 0.8 && ratio.abs() > 0.4, "{angle} {ratio}");
+            assert!(angle > 0.8 && ratio.abs() > 0.55, "{angle} {ratio}");
+            // Neither force along the surface nor normal force carries: cos β + ρ sin β < 0.
+            assert!(angle.cos() + ratio * angle.sin() < 0.0, "{angle} {ratio}");
         }
         other => panic!("{:?}", other.map(|solution| solution.force)),
     }

@@ -28,9 +28,8 @@ pub fn read(file: &File) -> Result<Content, CaseError> {
         return bare(file);
     }
     let table = Table::new(file, header_line, header)?;
-    let rest = || {
-        file.lines(COMMENTS).filter(|(line, text)| *line > header_line && !text.is_empty())
-    };
+    let rest =
+        || file.lines(COMMENTS).filter(|(line, text)| *line > header_line && !text.is_empty());
     let rows: Result<Vec<Row>, CaseError> =
         rest().map(|(line, text)| Ok(Row { place: table.row(file, line, text)?, line })).collect();
     let remark = table.separator.remark(rest().map(|(_, text)| text));

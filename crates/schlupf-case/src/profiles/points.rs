@@ -159,8 +159,10 @@ impl Separator {
 
     /// What helps if a row has too many cells because of decimal commas.
     pub fn help(self, cells: &[&str]) -> Option<String> {
-        let is_likely = self == Self::Character(',') && !cells.iter().any(|cell| cell.contains('.'));
-        is_likely.then(|| "separate columns by semicolons if numbers have decimal commas".to_owned())
+        let is_likely =
+            self == Self::Character(',') && !cells.iter().any(|cell| cell.contains('.'));
+        is_likely
+            .then(|| "separate columns by semicolons if numbers have decimal commas".to_owned())
     }
 
     /// Says whether numbers of rows have decimal commas.

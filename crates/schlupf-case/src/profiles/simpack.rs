@@ -176,7 +176,8 @@ fn point(file: &File, line: usize, cells: &[&str]) -> Result<Row, CaseError> {
         cells.iter().map(|cell| file.number(line, cell)).collect();
     let ([y, z] | [y, z, _]) = numbers?[..] else {
         let count = cells.len();
-        let message = format!("a point must have y, z and at most a weight, but has {count} numbers");
+        let message =
+            format!("a point must have y, z and at most a weight, but has {count} numbers");
         return Err(file.error(line, message));
     };
     Ok(Row { place: [y, z], line })

@@ -197,7 +197,8 @@ impl Reader {
         let numbers = &words[..words.iter().take_while(is_number).count()];
         let items = required.iter().chain(optional).zip(numbers);
         let commas = items.filter(|(item, _)| item.form != Form::Whole);
-        let commas = commas.filter_map(|(item, word)| Some((item, word, word.with_comma.as_ref()?)));
+        let commas =
+            commas.filter_map(|(item, word)| Some((item, word, word.with_comma.as_ref()?)));
         let commas: Vec<_> = commas.collect();
         let Some(&(item, word, whole)) =
             commas.first().filter(|_| numbers.len() >= required.len() + commas.len())

@@ -115,9 +115,8 @@ fn once_each(told: &[(Notice, At)]) -> impl Iterator<Item = Message> {
     let mut kinds: Vec<(Message, BTreeSet<usize>)> = Vec::new();
     for (notice, at) in told {
         let message = Message::from(notice.clone());
-        let is_same = |known: &Message| {
-            known.code == message.code && known.quantity == message.quantity
-        };
+        let is_same =
+            |known: &Message| known.code == message.code && known.quantity == message.quantity;
         match kinds.iter_mut().find(|(known, _)| is_same(known)) {
             Some((_, lines)) => drop(lines.insert(at.line)),
             None => kinds.push((message, BTreeSet::from([at.line]))),

@@ -17,7 +17,12 @@ use super::hertz;
 const MILLIMETRE: f64 = 1e-3;
 
 /// Writes the normal contact; nothing if it is refused.
-pub fn write(case: &mut Translation, given: NormalProblem, basic: &Basic, stem: &str) -> Option<Contact> {
+pub fn write(
+    case: &mut Translation,
+    given: NormalProblem,
+    basic: &Basic,
+    stem: &str,
+) -> Option<Contact> {
     let contact = match &basic.distance {
         _ if given.area.is_hertzian() => hertzian(case, given, stem),
         Some(distance) => by_distance(case, given, distance, stem),
@@ -132,7 +137,11 @@ fn cells(case: &mut Translation, path: &'static str, count: f64) {
 }
 
 /// Bodies with the distance A x² + B y² (in 1/m); their load, in N.
-fn curved(case: &mut Translation, given: NormalProblem, curvatures: [f64; 2]) -> Result<f64, Error> {
+fn curved(
+    case: &mut Translation,
+    given: NormalProblem,
+    curvatures: [f64; 2],
+) -> Result<f64, Error> {
     let [x, y] = curvatures.map(|curvature| 0.5 / curvature);
     case.document.text("normal.model", "hertz");
     case.document.quantity("wheel.radius_x", 1e3 * x, "mm");
