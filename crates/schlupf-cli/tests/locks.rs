@@ -6,6 +6,7 @@ mod support;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
+use schlupf_study::lock::OutputLock;
 use support::{Bench, Run};
 
 /// Starts a command that takes long, and waits until a file of it is there.
@@ -67,6 +68,37 @@ fn a_second_run_on_an_output_is_refused() {
         assert!(!third.stderr.contains("another run"), "{}", third.stderr);
         assert!(!bench.path(lock).exists(), "{arguments:?} leaves its lock");
     }
+}
+
+/// A merge does not write what a run is writing.
+#[test]
+fn a_merge_is_refused_what_another_run_writes() {
+    let bench = Bench::new();
+    bench.write("case.toml", "[solver]\nmethod = \"polach\"\n[friction]\nmodel = \"constant\"\n");
+    let study = "case = \"case.toml\"\n[vary]\n\"kinematics.creepage_x\" = [0.001, 0.002]\n";
+    bench.write("study.toml", study);
+    let sweep = ["sweep", "study.toml", "--output", "1.csv"];
+    assert_eq!(bench.run(&sweep).code, Some(0));
+    let merge = ["merge", "1.csv", "--output", "whole.csv"];
+    let lock = OutputLock::take(&bench.path("whole.csv")).unwrap();
+    let refused = bench.run(&merge);
+    assert_eq!(refused.code, Some(1), "{}", refused.stderr);
+    assert!(refused.stderr.contains("whole.csv: another run is writing it"), "{}", refused.stderr);
+    drop(lock);
+    assert_eq!(bench.run(&merge).code, Some(0));
+    assert_eq!(bench.list(), ["1.csv", "case.toml", "study.toml", "whole.csv"]);
+}
+
+/// A file beside the output that is not of a table stays as it is.
+#[test]
+fn a_table_keeps_off_files_of_others() {
+    let bench = Bench::new();
+    bench.write("tab.npz.parts", "my notes");
+    let run = bench.run(&["table", "--output", "tab.npz"]);
+    assert_eq!(run.code, Some(1), "{}", run.stderr);
+    assert!(run.stderr.contains("tab.npz.parts: it does not hold states"), "{}", run.stderr);
+    assert_eq!(bench.read("tab.npz.parts"), "my notes");
+    assert_eq!(bench.list(), ["tab.npz.parts"]);
 }
 
 /// A table that was interrupted goes on where it was, and is the same file as one that was not; one

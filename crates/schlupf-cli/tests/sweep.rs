@@ -252,6 +252,22 @@ fn wrong_arguments_are_refused() {
     assert!(failed.stdout.contains("1 states, 0 converged, 1 failed"), "{}", failed.stdout);
 }
 
+/// A wheel that lifts has no contact: it is neither converged nor a failure.
+#[test]
+fn states_without_contact_are_counted_by_themselves() {
+    let bench = Bench::new();
+    bench.write("case.toml", "[solver]\nmethod = \"polach\"\n[friction]\nmodel = \"constant\"\n");
+    let study = "case = \"case.toml\"\n[vary]\n\"normal.load\" = [0, \"80 kN\"]\n";
+    bench.write("study.toml", study);
+    // Solved, and read from its table.
+    for _ in 0..2 {
+        let run = bench.run(&["sweep", "study.toml", "--output", "table.csv"]);
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        let counted = "2 states, 1 converged, 1 without contact";
+        assert!(run.stdout.contains(counted), "{}", run.stdout);
+    }
+}
+
 /// A study at 80 MN a wheel ended "3 converged" and no more.
 #[test]
 fn a_study_ends_with_its_warnings_counted_by_code() {

@@ -36,7 +36,7 @@ fn one_element_is_a_square_under_one_pressure() {
     let sides = [extent.x, extent.y].map(|[low, high]| high - low);
     assert!(sides.iter().all(|side| (side / 1e-3 - 1.0).abs() < 1e-9), "{sides:?}");
     assert!((contact.summary.peak_pressure / 900e6 - 1.0).abs() < 1e-9);
-    let solution = posed.solve(&schlupf::unwatched).unwrap();
+    let solution = posed.solver().solve(&posed.problem, &schlupf::unwatched).unwrap();
     // G of both: 82031.25 N/mm².
     let softness = 2.0 * 1f64.asinh() * (2.0 - 0.28) / (std::f64::consts::PI * 82_031.25);
     let expected = 0.001 / softness;
@@ -63,10 +63,18 @@ fn few_elements_are_a_rectangle_or_refused() {
     assert!((found[0] + 0.5 * 4.7047).abs() < 1e-3, "{found:?}");
     let found = table("1\n 1 1 -3 -2 8 4\n 1 1\n .002 0 .002 0 0 0");
     assert!((found[2] - 52_359.878 / 32.0).abs() < 1e-6, "{found:?}");
+    // Two by two, 8 by 6 mm about the lowest point (0.5, -1) mm: larger or smaller than Hertz's
+    // contact, which has a = 4.7 mm.
+    for b in [".002 0 .002 -.002 .004 0", ".02 0 .02 -.02 .04 0", ".0002 0 0 -.0002 0 0"] {
+        let found = table(&format!("1\n 2 2 -3.5 -4 4 3\n 1 1\n {b}"));
+        let expected = [-3.0, -2.25, 52_359.878 / 48.0];
+        assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-6), "{b}: {found:?}");
+    }
     for (area, told) in [
         ("-3\n 1 40 5.0 5.0 1.0", "ball.inp:14:2: MX = 1: one or two elements have the same"),
         ("-3\n 40 2 5.0 5.0 1.0", "ball.inp:14:5: MY = 2: one or two elements have the same"),
         ("-3\n 2 2 5.0 5.0 3.0", "ball.inp:14:2: MX = 2: one or two elements have the same"),
+        ("1\n 2 2 -5 -5 5 5\n 1 1\n .004 0 .004 -.002 0 0", "ball.inp:14:2: MX = 2: one or two"),
         ("1\n 2 9 -6 -6 6 1.5\n 1 1\n .002 0 .002 0 0 0", "ball.inp:14:2: MX = 2: one or two"),
     ] {
         let found = errors(&with(BALL, &[(AREA, area)]));
@@ -101,6 +109,14 @@ fn numbers_as_they_are_written() {
     for list in ["0.3, 0.3", "0.3,0.3", "0.3 ,0.3"] {
         assert_eq!(one(&with(BALL, &[("0.3 0.3", list)])).text, plain, "{list}");
     }
+    // Whole numbers are separated, too, where the line needs both of them.
+    let text = |list: &str| one(&with(BALL, &[("0.3 0.3", list)])).text;
+    assert_eq!(text("1,1"), text("1.0 1.0"));
+    assert_eq!(text("1,1 FSTAT, FKIN"), text("1.0 1.0"));
+    assert_eq!(
+        one(&with(BALL, &[("44 44 5.0 5.0 1.1", "44,44 5,5 2")])).text,
+        one(&with(BALL, &[("44 44 5.0 5.0 1.1", "44 44 5.0 5.0 2.0")])).text
+    );
 }
 
 /// What changes results is a value, refused, or told: each kind once, with its first line.
