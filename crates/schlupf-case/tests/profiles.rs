@@ -524,7 +524,10 @@ fn a_comma_means_the_same_in_all_rows() {
         ("decimal, semicolons", bare(&coarse, |[y, z]| format!("{}; {}", comma(y), comma(z)))),
     ] {
         let file = rail("a.txt", text).unwrap_or_else(|error| panic!("{name}: {error}"));
-        assert_eq!(curves(&file)[1].points(), expected.points(), "{name}");
+        let same = curves(&file)[1].points().iter().zip(expected.points()).all(|(p, q)| {
+            (p[0] - q[0]).hypot(p[1] - q[1]) < 1e-12
+        });
+        assert!(same && curves(&file)[1].points().len() == expected.points().len(), "{name}");
     }
     let comma = |number: f64| format!("{number:.7}").replace('.', ",");
     let miniprof = |row: &dyn Fn([f64; 2]) -> String| {
@@ -663,4 +666,20 @@ fn guesses_are_told() {
     let file = case(("a.csv", csv(&tread).as_bytes()), ("60E1", b""), down).unwrap();
     let text = notice(&file, "profile-axes");
     assert!(text.contains("z is said to point down, but by its shape it points up"), "{text}");
+}
+
+#[test]
+fn scratch() {
+    for path in std::fs::read_dir("/work/shared/field/profiles").unwrap().chain(std::fs::read_dir("/tmp/rev_inputs").unwrap()) {
+        let path = path.unwrap().path();
+        let name = path.file_name().unwrap().to_str().unwrap().to_owned();
+        let is_rail = [".ban", ".prr", "lip.csv", "lip2.csv", "rs.csv"].iter().any(|e| name.ends_with(e));
+        if name.ends_with(".toml") || name == "neg.csv" || name == "states.csv" { continue }
+        let bytes = std::fs::read(&path).unwrap();
+        let file = if is_rail { rail(&name, bytes) } else { wheel(&name, bytes) };
+        match file {
+            Ok(file) => println!("OK {name} {}", file.profiles()[usize::from(is_rail)]),
+            Err(error) => println!("ERR {name} {error}"),
+        }
+    }
 }

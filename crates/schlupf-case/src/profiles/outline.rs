@@ -207,21 +207,25 @@ fn mended(points: &[Row]) -> (Vec<usize>, Vec<bool>) {
             None => groups.push(vec![mark]),
         }
     }
-    let (mut order, mut is_step) = (Vec::new(), Vec::new());
+    let mut order = Vec::new();
+    let mut lost = Vec::new();
     let mut next = 0;
     for group in groups {
         let (from, to) = (group[0].saturating_sub(1), (group[group.len() - 1] + 1).min(end));
         let fixed = [(from > 0).then_some(0), (to < end).then_some(to - from)];
         let path = Tree::new(&points[from..=to], &[]).line_between(fixed);
-        let is_known = path.is_some() || is_corner(&group);
+        let is_lost = path.is_none() && !is_corner(&group);
         let path = path.unwrap_or_else(|| (0..=to - from).collect());
         order.extend(next..from);
-        is_step.resize(order.len(), true);
+        let start = order.len();
         order.extend(path.into_iter().map(|k| from + k));
-        is_step.resize(order.len() - 1, is_known);
-        is_step.push(true);
+        if is_lost {
+            // It may be lost before the line turns back.
+            lost.push(start.saturating_sub(LONGEST_STRIDE)..order.len() + LONGEST_STRIDE);
+        }
         next = to + 1;
     }
+    let is_step = (0..order.len()).map(|k| !lost.iter().any(|range| range.contains(&k))).collect();
     (order, is_step)
 }
 
