@@ -47,7 +47,7 @@ fn measured() -> CaseFile {
     let (root, step) = (14.0, 0.2);
     // From the field side inwards, by the angle of the surface: cone, root, flange.
     let arc = root * (steep - flat);
-    let lengths = [95.0, arc, 12.0];
+    let lengths = [81.0, arc, 12.0];
     let (mut y, mut z, mut angle) = (55.0_f64, 55.0 * 0.05, flat);
     for k in 0..(lengths.iter().sum::<f64>() / step) as usize {
         let mut noise = || random.between([-2e-3, 2e-3]);
