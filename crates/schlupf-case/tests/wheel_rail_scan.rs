@@ -38,22 +38,25 @@ fn built_in() -> CaseFile {
     read("profile = \"S1002\"", &[])
 }
 
-/// A wheel as it is measured, smoothed: a cone 1:20 that a root of 14 mm joins to a flange of 70°,
-/// each 0.2 mm, with noise of 2 µm.
+/// A wheel as it is measured, smoothed: a cone 1:20 that a root of 14 mm joins to a flange of 70°
+/// with a tip of 13 mm, 28 mm high, each 0.2 mm, with noise of 2 µm.
 fn measured() -> CaseFile {
     let mut random = Random(7);
     let mut text = String::from("y_mm,z_mm\n");
     let [steep, flat] = [70_f64.to_radians(), 0.05_f64.atan()];
-    let (root, step) = (14.0, 0.2);
-    // From the field side inwards, by the angle of the surface: cone, root, flange.
+    let (root, tip, step) = (14.0, 13.0, 0.2);
+    // From the field side inwards, by the angle of the surface: cone, root, flange, tip.
     let arc = root * (steep - flat);
-    let lengths = [95.0, arc, 12.0];
+    let lengths = [81.0, arc, 8.0, tip * (steep + 0.9)];
     let (mut y, mut z, mut angle) = (55.0_f64, 55.0 * 0.05, flat);
     for k in 0..(lengths.iter().sum::<f64>() / step) as usize {
         let mut noise = || random.between([-2e-3, 2e-3]);
         writeln!(text, "{:.5},{:.5}", y + noise(), z + noise()).unwrap();
         if (lengths[0]..lengths[0] + arc).contains(&(k as f64 * step)) {
             angle = (angle + step / root).min(steep);
+        }
+        if k as f64 * step >= lengths[..3].iter().sum() {
+            angle -= step / tip;
         }
         y -= step * angle.cos();
         z -= step * angle.sin();
