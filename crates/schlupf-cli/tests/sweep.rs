@@ -257,7 +257,7 @@ fn wrong_arguments_are_refused() {
 fn states_without_contact_are_counted_by_themselves() {
     let bench = Bench::new();
     bench.write("case.toml", "[solver]\nmethod = \"polach\"\n[friction]\nmodel = \"constant\"\n");
-    let study = "case = \"case.toml\"\n[vary]\n\"normal.load\" = [0, \"80 kN\"]\n";
+    let study = "case = \"case.toml\"\n[vary]\n\"normal.load\" = [\"0 kN\", \"80 kN\"]\n";
     bench.write("study.toml", study);
     // Solved, and read from its table.
     for _ in 0..2 {

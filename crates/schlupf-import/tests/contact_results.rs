@@ -247,14 +247,14 @@ fn forces_of_module_1() {
     for (text, expected) in [
         (
             text(1, "10").replace("2031", "2001"),
-            ":3:1: F = 1: a force in place of VPITCH needs fric",
+            ":3:7: F = 1: a force in place of VPITCH needs fric",
         ),
         (
             text(1, "10").replace("2031", "2030"),
-            ":3:1: F = 1: a force in place of VPITCH needs the",
+            ":3:7: F = 1: a force in place of VPITCH needs the",
         ),
         (yielding, "F = 3: rails that give way are not available"),
-        (kept, ":16:1: VPITCH = -4.3: the velocities that are kept end with this value"),
+        (kept, ":16:15: VPITCH = -4.3: the velocities that are kept end with this value"),
     ] {
         let found = imported(text.clone()).errors;
         let is_told = found.iter().any(|error| error.to_string().contains(expected));
