@@ -524,9 +524,11 @@ fn a_comma_means_the_same_in_all_rows() {
         ("decimal, semicolons", bare(&coarse, |[y, z]| format!("{}; {}", comma(y), comma(z)))),
     ] {
         let file = rail("a.txt", text).unwrap_or_else(|error| panic!("{name}: {error}"));
-        let same = curves(&file)[1].points().iter().zip(expected.points()).all(|(p, q)| {
-            (p[0] - q[0]).hypot(p[1] - q[1]) < 1e-12
-        });
+        let same = curves(&file)[1]
+            .points()
+            .iter()
+            .zip(expected.points())
+            .all(|(p, q)| (p[0] - q[0]).hypot(p[1] - q[1]) < 1e-12);
         assert!(same && curves(&file)[1].points().len() == expected.points().len(), "{name}");
     }
     let comma = |number: f64| format!("{number:.7}").replace('.', ",");
@@ -670,11 +672,17 @@ fn guesses_are_told() {
 
 #[test]
 fn scratch() {
-    for path in std::fs::read_dir("/work/shared/field/profiles").unwrap().chain(std::fs::read_dir("/tmp/rev_inputs").unwrap()) {
+    for path in std::fs::read_dir("/work/shared/field/profiles")
+        .unwrap()
+        .chain(std::fs::read_dir("/tmp/rev_inputs").unwrap())
+    {
         let path = path.unwrap().path();
         let name = path.file_name().unwrap().to_str().unwrap().to_owned();
-        let is_rail = [".ban", ".prr", "lip.csv", "lip2.csv", "rs.csv"].iter().any(|e| name.ends_with(e));
-        if name.ends_with(".toml") || name == "neg.csv" || name == "states.csv" { continue }
+        let is_rail =
+            [".ban", ".prr", "lip.csv", "lip2.csv", "rs.csv"].iter().any(|e| name.ends_with(e));
+        if name.ends_with(".toml") || name == "neg.csv" || name == "states.csv" {
+            continue;
+        }
         let bytes = std::fs::read(&path).unwrap();
         let file = if is_rail { rail(&name, bytes) } else { wheel(&name, bytes) };
         match file {

@@ -19,7 +19,7 @@ fn init_writes_the_default_case_once() {
     assert_eq!(bench.run(&["init", "--force"]).code, Some(0));
     assert_eq!(bench.read("case.toml"), text);
     assert_eq!(bench.run(&["init", "-"]).stdout, text);
-    assert_eq!(bench.run(&["init", "no/such/case.toml"]).code, Some(1));
+    assert_eq!(bench.run(&["init", "case.toml/case.toml"]).code, Some(1));
     assert_eq!(bench.list(), ["case.toml"]);
 }
 

@@ -312,7 +312,7 @@ fn the_file_system_is_asked_before_the_work() {
     let bench = bench();
     std::fs::create_dir_all(bench.path("full/creep_curve.png")).unwrap();
     for arguments in
-        [["--json", "missing/c.json"], ["--figures", "case.toml"], ["--figures", "full"]]
+        [["--json", "case.toml/c.json"], ["--figures", "case.toml"], ["--figures", "full"]]
     {
         let run = curve(&bench, &[&["--creepage-x", "0..0.01"], &arguments[..]].concat());
         assert_eq!(run.code, Some(1), "{arguments:?}: {}", run.stderr);
@@ -341,8 +341,7 @@ fn a_warning_of_a_curve_is_that_of_its_worst_point() {
         "case.toml",
         "[grid]\ncells_x = 12\ncells_y = 12\n[friction]\nmodel = \"constant\"\n",
     );
-    let arguments = ["case.toml", "--creepage-x", "0..0.9", "--points", "10", "--set"];
-    let arguments = [&arguments[..], &["kinematics.speed=100 m/s"]].concat();
+    let arguments = ["--creepage-x", "0..0.9", "--set", "kinematics.speed=100 m/s"];
     let found = document(&bench, &arguments);
     let warnings = found["warnings"].as_array().or(found["curves"][0]["warnings"].as_array());
     let texts = warnings.unwrap().iter().filter(|warning| {

@@ -135,8 +135,10 @@ fn folders_are_made() {
     assert_eq!(run.code, Some(0), "{}", run.stderr);
     assert!(["a/b/s.json", "a/c/s.csv", "d/e/cut_y0.svg"].iter().all(|p| bench.path(p).exists()));
     assert_eq!(bench.run(&["init", "new/case.toml"]).code, Some(0));
-    bench
-        .write("study.toml", "case = \"case.toml\"\n[vary]\n\"kinematics.speed\" = [10.0, 20.0]\n");
+    bench.write(
+        "study.toml",
+        "case = \"case.toml\"\n[vary]\n\"kinematics.speed\" = [\"10 m/s\", \"20 m/s\"]\n",
+    );
     for shard in ["1/2", "2/2"] {
         let output = format!("s/{}.csv", &shard[..1]);
         let run = bench.run(&["sweep", "study.toml", "--output", &output, "--shard", shard]);

@@ -197,7 +197,7 @@ fn the_file_system_is_asked_before_the_work() {
     bench.write("case.toml", SMALL);
     bench.write("file", "");
     for arguments in [
-        &["--json", "missing/r.json"][..],
+        &["--json", "file/r.json"][..],
         &["--json", "."],
         &["--csv", "file/r.csv"],
         &["--figures", "file"],

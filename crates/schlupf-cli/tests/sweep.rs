@@ -257,8 +257,8 @@ fn wrong_arguments_are_refused() {
 fn states_without_contact_are_counted_by_themselves() {
     let bench = Bench::new();
     bench.write("case.toml", "[solver]\nmethod = \"polach\"\n[friction]\nmodel = \"constant\"\n");
-    let study = "case = \"case.toml\"\n[vary]\n\"normal.load\" = [\"0 kN\", \"80 kN\"]\n";
-    bench.write("study.toml", study);
+    bench.write("states.csv", "normal.load [kN]\n0\n80\n");
+    bench.write("study.toml", "case = \"case.toml\"\n[states]\nfile = \"states.csv\"\n");
     // Solved, and read from its table.
     for _ in 0..2 {
         let run = bench.run(&["sweep", "study.toml", "--output", "table.csv"]);
