@@ -93,7 +93,8 @@ fn another_version_is_named() {
 
 #[test]
 fn options_outside_their_bounds_are_named() {
-    let refused = |options: &TableOptions| build(options, &unwatched).unwrap_err().to_string();
+    let refused =
+        |options: &TableOptions| build(options, &NothingKept, &unwatched).unwrap_err().to_string();
     let base = options();
     for (options, name) in [
         (TableOptions { axis_ratios: [1.2, 0.9], ..base.clone() }, "axis_ratio"),

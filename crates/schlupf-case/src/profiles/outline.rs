@@ -210,10 +210,11 @@ fn mended(points: &[Row]) -> (Vec<usize>, Vec<bool>) {
     let mut order = Vec::new();
     let mut lost = Vec::new();
     let mut next = 0;
-    for group in groups {
+    for mut group in groups {
         let (from, to) = (group[0].saturating_sub(1), (group[group.len() - 1] + 1).min(end));
         let fixed = [(from > 0).then_some(0), (to < end).then_some(to - from)];
         let path = Tree::new(&points[from..=to], &[]).line_between(fixed);
+        group.retain(|k| (1..end).contains(k));
         let is_lost = path.is_none() && !is_corner(&group);
         let path = path.unwrap_or_else(|| (0..=to - from).collect());
         order.extend(next..from);
