@@ -1,5 +1,5 @@
-//! Random positions of a wheelset, into the flange, with yaw, loads and friction: contacts and forces
-//! are found at each of them.
+//! Random positions of a wheelset, into the flange, with yaw, loads and friction: contacts and
+//! forces are found at each of them.
 
 use std::fmt::Write;
 use std::sync::Arc;
@@ -104,9 +104,9 @@ fn error_of_force(wheel: &WheelSolution, load: f64) -> f64 {
     (wheel.force[2] / load - 1.0).abs()
 }
 
-/// Solves so many random states of a pair. Every wheel carries its load: to 10⁻⁴, or where cells that
-/// come and go at a steep flange make the force jump over it, to 3·10⁻³ with a warning; both wheels
-/// are on one axle. At least a tenth of all states has a flange in contact.
+/// Solves so many random states of a pair. Every wheel carries its load: to 10⁻⁴, or where cells
+/// that come and go at a steep flange make the force jump over it, to 3·10⁻³ with a warning; both
+/// wheels are on one axle. At least a tenth of all states has a flange in contact.
 fn scan(file: &CaseFile, seed: u64, count: usize) {
     let mut random = Random(seed);
     let states: Vec<_> = (0..count).map(|_| random.state()).collect();
@@ -142,8 +142,8 @@ fn random_positions_have_contacts() {
 }
 
 /// Positions at which height and friction in turns come back to the same two states for ever,
-/// because a row of cells comes into contact between both: the flange at 1.2 rad, where a last digit
-/// of the friction ratio counts sevenfold in the vertical force.
+/// because a row of cells comes into contact between both: the flange at 1.2 rad, where a last
+/// digit of the friction ratio counts sevenfold in the vertical force.
 #[test]
 fn steep_flanges_whose_force_jumps_are_found() {
     for (lateral, yaw, load, friction, side) in [

@@ -53,7 +53,8 @@ impl<'a> Shard<'a> {
 ///
 /// # Errors
 /// Tables of different studies, a shard that is missing, there twice or not whole, an output that
-/// is something else than the table of this study or that another run writes, and files that cannot be read or written.
+/// is something else than the table of this study or that another run writes, and files that cannot
+/// be read or written.
 pub fn merge(shards: &[PathBuf], output: &Path) -> Result<Report, StudyError> {
     Format::of(output)?;
     let stays_open = shards.len() <= OPEN;

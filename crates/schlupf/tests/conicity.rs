@@ -1,5 +1,5 @@
-//! Equivalent conicity: the wavelength of the nonlinear motion (EN 15302) and harmonic linearisation,
-//! from given Δr(y) with closed solutions and from profiles that are cones and arcs.
+//! Equivalent conicity: the wavelength of the nonlinear motion (EN 15302) and harmonic
+//! linearisation, from given Δr(y) with closed solutions and from profiles that are cones and arcs.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -80,8 +80,8 @@ fn elliptic_integral(m: f64) -> f64 {
 
 /// Cylinders between two cones, as wheels whose flange root comes into contact at a distance d: the
 /// wheelset crosses 2d at a constant slope, and the period is 2π/ω + 4d/(ω(ŷ − d)). Harmonic
-/// linearisation is larger there (0.066 against 0.058 at 2.5 mm). Below d nothing brings the wheelset
-/// back, and the conicity is zero.
+/// linearisation is larger there (0.066 against 0.058 at 2.5 mm). Below d nothing brings the
+/// wheelset back, and the conicity is zero.
 #[test]
 fn a_dead_band_separates_both_methods() {
     let (band, slope) = (2e-3, 0.6);
@@ -135,8 +135,8 @@ fn no_motion_has_an_amplitude_from_which_it_is_driven_away() {
     assert_eq!(away.equivalent_conicity(6e-3).unwrap(), None);
 }
 
-/// A wheel and a rail of given profiles (y and z in mm), the rail's origin 750 mm from the middle of
-/// the track as that of the wheel's profile.
+/// A wheel and a rail of given profiles (y and z in mm), the rail's origin 750 mm from the middle
+/// of the track as that of the wheel's profile.
 fn pair(wheel: &[[f64; 2]], rail: &[[f64; 2]]) -> Pair {
     let curve = |points: &[[f64; 2]], quantity| {
         let points: Vec<[f64; 2]> = points.iter().map(|point| point.map(|c| 1e-3 * c)).collect();

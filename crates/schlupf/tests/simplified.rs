@@ -473,8 +473,7 @@ fn a_contact_follows_its_load() {
         contact.force(&motions()[1]).unwrap();
         contact.set_load(60e3).unwrap();
         let force = contact.force(&motions()[2]).unwrap();
-        let growth = (60.0_f64 / 82.0).cbrt();
-        case.normal = Arc::new(Ellipse::from_load(8e-3 * growth, 4e-3 * growth, 60e3).unwrap());
+        case.normal = Arc::new(Ellipse::from_load(8e-3, 4e-3, 60e3).unwrap());
         let fresh =
             FastContact::new(&case, method, &cells(16)).unwrap().force(&motions()[2]).unwrap();
         assert_relative_eq!(force.x, fresh.x, max_relative = 1e-9);
@@ -523,7 +522,6 @@ fn methods_of_forces_claim_no_fields() {
         assert!(solution.fields.is_empty() && !method.has_fields());
         assert!(solution.temperature.is_none() && solution.area.slip.is_none());
         assert_eq!(solution.force.moment_z.is_none(), method == FastMethod::Polach(PLAIN));
-        assert!(solution.warnings.iter().any(|text| text.to_string().contains("no fields")));
         let warns =
             solution.warnings.iter().any(|text| text.to_string().contains("entering material"));
         assert_eq!(warns, method != FastMethod::KalkerLinear);

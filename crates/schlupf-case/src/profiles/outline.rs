@@ -376,7 +376,8 @@ impl Tree {
         self.path(from_first[from_first.len() - 1], None)
     }
 
-    /// The path from one end to the other, as far as they are fixed, if nothing but noise is beside.
+    /// The path from one end to the other, as far as they are fixed, if nothing but noise is
+    /// beside.
     fn line_between(&self, fixed: [Option<usize>; 2]) -> Option<Vec<usize>> {
         let path = match fixed {
             [Some(start), end] => self.path(start, end),

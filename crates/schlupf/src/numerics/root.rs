@@ -124,17 +124,17 @@ impl Bracket {
         }
     }
 
-    /// Its ends.
+    /// Its ends, in the unit of its points.
     pub fn ends(&self) -> [f64; 2] {
         self.ends
     }
 
-    /// Its width; infinite until both ends are known.
+    /// Its width, in the unit of its points; infinite until both ends are known.
     pub fn width(&self) -> f64 {
         self.ends[1] - self.ends[0]
     }
 
-    /// The next point: the one that is proposed, or the middle where that is not inside or where
+    /// The next point, in the unit of the others: the one that is proposed, or the middle where that is not inside or where
     /// proposals do not narrow the bracket.
     pub fn next(&self, proposal: f64) -> f64 {
         let [low, high] = self.ends;

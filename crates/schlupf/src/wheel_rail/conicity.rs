@@ -4,8 +4,8 @@
 //! A wheelset without mass and creepage follows y″ = −Δr(y)/(e r₀) along the track, with the
 //! distance e of the contacts and the radius r₀ of the wheels (Klingel 1883). Its equivalent
 //! conicity is that of the cones, Δr = 2 y tan γ, on which a motion of the same amplitude has the
-//! same wavelength (EN 15302), or the same fundamental wave of Δr (harmonic linearisation); e and r₀
-//! cancel from both.
+//! same wavelength (EN 15302), or the same fundamental wave of Δr (harmonic linearisation); e and
+//! r₀ cancel from both.
 
 use std::f64::consts::{PI, TAU};
 
@@ -178,9 +178,9 @@ impl RollingRadiusDifference {
         is_known.then(|| piecewise_linear(&self.lateral, &self.difference, lateral)[0])
     }
 
-    /// Equivalent conicity for a lateral motion of an amplitude ŷ (in m), dimensionless: that of the
-    /// cones with the wavelength λ of the nonlinear motion y″ = −Δr(y)/(e r₀) between the turning
-    /// points c ± ŷ (EN 15302),
+    /// Equivalent conicity for a lateral motion of an amplitude ŷ (in m), dimensionless: that of
+    /// the cones with the wavelength λ of the nonlinear motion y″ = −Δr(y)/(e r₀) between the
+    /// turning points c ± ŷ (EN 15302),
     ///
     /// tan γ = (2π/λ)² e r₀/2.
     ///
@@ -249,8 +249,8 @@ impl RollingRadiusDifference {
         require(Quantity::Amplitude, requirement, amplitude)
     }
 
-    /// The middle c of a motion of an amplitude (in m): where a function of it (in m²) vanishes, that
-    /// grows with c where Δr does. In m; unknown where it does not change its sign.
+    /// The middle c of a motion of an amplitude (in m): where a function of it (in m²) vanishes,
+    /// that grows with c where Δr does. In m; unknown where it does not change its sign.
     fn middle(&self, amplitude: f64, off: impl Fn(f64) -> f64) -> Option<f64> {
         let [first, last] = self.ends();
         let reach = [first + amplitude, last - amplitude];

@@ -100,7 +100,8 @@ impl Gap {
         points.min_by(|one, other| one.gap.total_cmp(&other.gap)).copied()
     }
 
-    /// Whether a point is where wheel or rail cease to be seen, so that a smaller gap may lie beyond.
+    /// Whether a point is where wheel or rail cease to be seen, so that a smaller gap may lie
+    /// beyond.
     pub fn is_end(&self, point: &GapPoint) -> bool {
         let ends = self.runs.iter().flat_map(|run| [run.first(), run.last()]);
         ends.flatten().any(|end| end.y == point.y)

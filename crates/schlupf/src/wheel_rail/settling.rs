@@ -1,16 +1,16 @@
 //! The depth at which the contacts of a wheel carry the vertical force with their own friction.
 //!
-//! With friction solved at every depth that is tried, the vertical force G(d) = Σ F (cos β + ρ sin β)
-//! is a function of the depth d alone. The next depth is that at which the contacts carry the load
-//! with the friction ratios ρ of the last one; it is taken as a proposal within a bracket, which
-//! closes whatever is proposed. At a steep flange a last digit of ρ counts several times in G, so
-//! that G jumps where a row of cells comes into contact, and where contacts join a plane. A bracket
-//! that closes on a jump ends with the state that is nearer to the load.
+//! With friction solved at every depth that is tried, the vertical force G(d) = Σ F (cos β + ρ sin
+//! β) is a function of the depth d alone. The next depth is that at which the contacts carry the
+//! load with the friction ratios ρ of the last one; it is taken as a proposal within a bracket,
+//! which closes whatever is proposed. At a steep flange a last digit of ρ counts several times in
+//! G, so that G jumps where a row of cells comes into contact, and where contacts join a plane. A
+//! bracket that closes on a jump ends with the state that is nearer to the load.
 
 use super::equilibrium::{DEEPEST, FrictionRatio, Guess, Lowered, Lowering};
 use super::pressed::Accuracy;
 use super::sliding::{Tangential, Turning};
-use super::wheel::WheelOnRail;
+use super::wheel::{NEARLY_SETTLED, SETTLED, WheelOnRail, WheelSolution, first_guess};
 use crate::error::Error;
 use crate::numerics::root::Bracket;
 use crate::problem::Options;
@@ -39,6 +39,7 @@ const FLAT: f64 = 0.02;
 pub(super) struct Start {
     pub ratios: Vec<FrictionRatio>,
     pub guess: Guess,
+    /// In rad/s.
     pub turned: Option<f64>,
 }
 
@@ -66,6 +67,62 @@ pub(super) struct Settled {
     pub residual: f64,
     /// Depths at which friction was solved.
     pub rounds: usize,
+}
+
+/// Fewest cells each way on which friction is first estimated.
+const FEWEST_CELLS: usize = 8;
+
+/// Accuracy of that estimate, dimensionless.
+const ESTIMATE: f64 = 1e-3;
+
+impl WheelOnRail {
+    /// Height and friction in turns, first with coarse cells unless there is a solution nearby.
+    pub(super) fn settle(
+        &self,
+        lowering: &Lowering,
+        (force, near): (f64, Option<&WheelSolution>),
+        tangential: &Tangential,
+        watch: Watch,
+    ) -> Result<WheelSolution, Error> {
+        let coarse = Options {
+            cells_x: (tangential.options.cells_x / 2).max(FEWEST_CELLS),
+            cells_y: (tangential.options.cells_y / 2).max(FEWEST_CELLS),
+            tolerance: tangential.options.tolerance.max(ESTIMATE),
+            sensitivity: false,
+            extrapolate: false,
+            keeps_state: false,
+            ..tangential.options.clone()
+        };
+        let settling = |accuracy: Accuracy, tolerance: f64, options| Settling {
+            wheel: self,
+            lowering,
+            force,
+            accuracy,
+            tolerance,
+            how: (tangential, options),
+            watch,
+        };
+        let (from, rounds) = match near {
+            Some(near) => {
+                let (ratios, turned) = (near.ratios(), near.nearby());
+                (Start { ratios, guess: near.guess, turned }, 0)
+            }
+            None => {
+                let guess = first_guess(lowering, force);
+                let from = Start { ratios: Vec::new(), guess, turned: None };
+                let coarse = settling(Accuracy::Coarse, NEARLY_SETTLED, &coarse).find(from)?;
+                (coarse.start, coarse.rounds)
+            }
+        };
+        let fine = settling(Accuracy::Cells(self.cells), SETTLED, tangential.options);
+        let Settled { lowered, turning, residual, rounds: more, .. } = fine.find(from)?;
+        if let Some(missed) = turning.missed {
+            return Err(missed.into());
+        }
+        let mut solution = self.solution(lowering, &lowered, turning, rounds + more);
+        solution.residual = residual;
+        Ok(solution)
+    }
 }
 
 impl Settling<'_> {

@@ -12,7 +12,6 @@ use super::pair::Pair;
 use super::pose::{Attitude, minus};
 use super::pressed::Accuracy;
 use super::rows::{CONFORMAL, RowsMove};
-use super::settling::{Settled, Settling, Start};
 use super::side::Side;
 use super::sliding::{Slid, Sliding, Tangential, Turning, turn};
 use crate::error::{Error, WheelRailError, require, require_finite, require_positive};
@@ -114,13 +113,13 @@ pub struct WheelSolution {
     pub force: [f64; 3],
     /// Rounds between height and friction.
     pub rounds: usize,
-    /// Vertical force over that asked for, minus one; dimensionless. It is not small where the force
-    /// jumps over the load as the wheel is lowered.
-    residual: f64,
+    /// Vertical force over that asked for, minus one; dimensionless. It is not small where the
+    /// force jumps over the load as the wheel is lowered.
+    pub(super) residual: f64,
     /// Height of this wheel above the other one of the wheelset, in m: it is not small where the
     /// heights jump as the wheelset rolls.
     pub(super) unevenness: f64,
-    guess: Guess,
+    pub(super) guess: Guess,
     rows: RowsMove,
     /// Whether one of the profiles was smoothed.
     is_smoothed: bool,
@@ -151,13 +150,13 @@ impl WheelSolution {
     }
 
     /// See [`Turning::nearby`].
-    fn nearby(&self) -> Option<f64> {
+    pub(super) fn nearby(&self) -> Option<f64> {
         let rises = self.contacts.iter().all(|contact| contact.problem.has_constant_bound());
         rises.then_some(self.angular_velocity)
     }
 
     /// Friction of its contacts as seen from the left.
-    fn ratios(&self) -> Vec<FrictionRatio> {
+    pub(super) fn ratios(&self) -> Vec<FrictionRatio> {
         let sign = self.side.outwards();
         let ratio = |contact: &Contact| FrictionRatio {
             y: sign * contact.position[1],
@@ -207,10 +206,10 @@ impl WheelSolution {
 const MANY_PARTS: usize = 3;
 
 /// Error of the vertical force at which height and friction count as settled, dimensionless.
-const SETTLED: f64 = 1e-4;
+pub(super) const SETTLED: f64 = 1e-4;
 
 /// The same while they are approached on coarse cells.
-const NEARLY_SETTLED: f64 = 3e-3;
+pub(super) const NEARLY_SETTLED: f64 = 3e-3;
 
 /// Largest error where the force jumps over the load with which a wheel counts as converged,
 /// dimensionless: what cells that come and go make of the force at a steep flange.
@@ -218,12 +217,6 @@ const LARGEST_JUMP: f64 = 3e-3;
 
 /// Difference in height of the wheels of a wheelset above which it is told, in m.
 const UNEVEN: f64 = 2e-6;
-
-/// Fewest cells each way on which friction is first estimated.
-const FEWEST_CELLS: usize = 8;
-
-/// Accuracy of that estimate, dimensionless.
-const ESTIMATE: f64 = 1e-3;
 
 impl WheelOnRail {
     /// Checks position, motion and support.
@@ -332,53 +325,6 @@ impl WheelOnRail {
         Ok(lowering.carrying(force, &[], first_guess(&lowering, force), how)?.at.depth)
     }
 
-    /// Height and friction in turns, first with coarse cells unless there is a solution nearby.
-    fn settle(
-        &self,
-        lowering: &Lowering,
-        (force, near): (f64, Option<&WheelSolution>),
-        tangential: &Tangential,
-        watch: Watch,
-    ) -> Result<WheelSolution, Error> {
-        let coarse = Options {
-            cells_x: (tangential.options.cells_x / 2).max(FEWEST_CELLS),
-            cells_y: (tangential.options.cells_y / 2).max(FEWEST_CELLS),
-            tolerance: tangential.options.tolerance.max(ESTIMATE),
-            sensitivity: false,
-            extrapolate: false,
-            keeps_state: false,
-            ..tangential.options.clone()
-        };
-        let settling = |accuracy: Accuracy, tolerance: f64, options| Settling {
-            wheel: self,
-            lowering,
-            force,
-            accuracy,
-            tolerance,
-            how: (tangential, options),
-            watch,
-        };
-        let (from, rounds) = match near {
-            Some(near) => {
-                let (ratios, turned) = (near.ratios(), near.nearby());
-                (Start { ratios, guess: near.guess, turned }, 0)
-            }
-            None => {
-                let guess = first_guess(lowering, force);
-                let from = Start { ratios: Vec::new(), guess, turned: None };
-                let coarse = settling(Accuracy::Coarse, NEARLY_SETTLED, &coarse).find(from)?;
-                (coarse.start, coarse.rounds)
-            }
-        };
-        let fine = settling(Accuracy::Cells(self.cells), SETTLED, tangential.options);
-        let Settled { lowered, turning, residual, rounds: more, .. } = fine.find(from)?;
-        if let Some(missed) = turning.missed {
-            return Err(missed.into());
-        }
-        let solution = self.solution(lowering, &lowered, turning, rounds + more);
-        Ok(WheelSolution { residual, ..solution })
-    }
-
     pub(super) fn ratios(&self, solved: &[Slid]) -> Vec<FrictionRatio> {
         let ratio = |(pressed, _, solution): &Slid| FrictionRatio {
             y: pressed.plane.origin[1],
@@ -387,7 +333,7 @@ impl WheelOnRail {
         solved.iter().map(ratio).collect()
     }
 
-    fn solution(
+    pub(super) fn solution(
         &self,
         lowering: &Lowering,
         lowered: &Lowered,
@@ -450,7 +396,7 @@ impl WheelOnRail {
 }
 
 /// A first guess of the depth: 20 µm under 10 kN, growing as by Hertz.
-fn first_guess(lowering: &Lowering, force: f64) -> Guess {
+pub(super) fn first_guess(lowering: &Lowering, force: f64) -> Guess {
     let slope = lowering.gap.least().map_or(1.0, |point| point.inclination.cos());
     Guess::smooth(2e-5 * (force / 1e4).powf(2.0 / 3.0) / slope.max(0.2))
 }
