@@ -47,7 +47,7 @@ fn numbers_a_thousand_times_off_are_warned_of() {
         assert!(message.starts_with("case.toml:"), "{message}");
         assert!(message.contains(part), "{text:?}: {part:?} is not in {message:?}");
     }
-    let track = "[normal]\nmodel = \"wheel-rail\"\n[wheel]\nprofile = \"S1002\"\n\
+    let track = "[normal]\nmodel = \"wheel-rail\"\nload = \"80 kN\"\n[wheel]\nprofile = \"S1002\"\n\
                  [rail]\nprofile = \"60E1\"\ncant = 0.4\n[track]\ngauge = \"1.435 mm\"\n";
     let files: Arc<BTreeMap<String, Vec<u8>>> = Arc::default();
     let file = CaseFile::from_str(track, "case.toml", files, Overrides::NONE).unwrap();
@@ -75,7 +75,7 @@ fn a_file_over_time_is_looked_at() {
 /// What the chosen models do not use is none of their numbers.
 #[test]
 fn fields_without_effect_are_not_looked_at() {
-    let ellipse = "[normal]\nmodel = \"ellipse\"\nsemi_axis_x = \"6 mm\"\nsemi_axis_y = \"5 mm\"\n";
+    let ellipse = "[normal]\nmodel = \"ellipse\"\nsemi_axis_x = \"6 mm\"\nsemi_axis_y = \"5 mm\"\nload = \"80 kN\"\n";
     let warnings = warned(&format!("{ellipse}[wheel]\nradius_x = \"460 m\""));
     assert_eq!(warnings.iter().map(|(code, _)| *code).collect::<Vec<_>>(), ["no-effect"]);
 }

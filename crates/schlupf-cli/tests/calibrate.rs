@@ -281,7 +281,7 @@ fn bad_input_is_named() {
         (&["--displacements", "bad.csv", "--direct"], 2, "cannot be used with"),
         (&["--displacements", "fe.csv", "--json", "fe.csv"], 2, "must name a file of its own"),
         (&["--cells", "5"], 2, "between 10 and 80"),
-        (&["--json", "no/such/file.json"], 1, "no/such"),
+        (&["--json", "fe.csv/file.json"], 1, "fe.csv"),
         (&["--set", "normal.semi_axis_x=80 mm"], 2, "between 0.1 and 10"),
     ];
     for (arguments, code, expected) in cases {

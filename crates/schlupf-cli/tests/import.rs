@@ -151,7 +151,7 @@ fn profiles_are_found_from_the_cases() {
     std::fs::write(bench.path("profiles/rail.csv"), rail.unwrap()).unwrap();
     let run = bench.run(&["import", "wheel.inp", "--output", "cases"]);
     assert_eq!(run.code, Some(1), "{}", run.stderr);
-    let missing = "wheel.inp:13:1: wheel.profile must be the path of a readable file";
+    let missing = "wheel.inp:13:2: wheel.profile must be the path of a readable file";
     assert_eq!(run.stderr.matches(missing).count(), 1, "{}", run.stderr);
     assert!(!bench.path("cases/wheel_1.toml").exists());
     std::fs::write(bench.path("wheel.csv"), wheel.unwrap()).unwrap();
