@@ -18,6 +18,12 @@ messages! {
     } "solver.method", |subject, words| {
         format!("{option} has {what}: solver.method = {method:?} gives no fields")
     };
+
+    /// States of a look-up table that could not be kept for a later run.
+    "states-not-kept" StatesNotKept {
+        /// Why.
+        reason: String,
+    } "--output", |subject, words| reason.clone();
 }
 
 impl From<Notice> for Message {

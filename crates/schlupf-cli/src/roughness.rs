@@ -291,8 +291,8 @@ fn synthetic(arguments: &Roughness) -> Result<Vec<GivenByOption>, Failure> {
             }),
             _ => Err(Failure::Arguments(format!(
                 "--synthetic must be key=value,key=value,… with the keys {}, but has {}",
-                quoted(part),
-                GIVEN.iter().filter_map(|given| given.key).collect::<Vec<_>>().join(", ")
+                GIVEN.iter().filter_map(|given| given.key).collect::<Vec<_>>().join(", "),
+                quoted(part)
             ))),
         }
     });

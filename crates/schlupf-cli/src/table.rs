@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use schlupf::message::Message;
 use schlupf::table_building::{LONGER_SIDE_EXPONENT, TableOptions, build, build_from};
 use schlupf::{Error, Quantity};
 use schlupf_table::{StatedError, StoredTable, TableFileError};
@@ -11,6 +10,7 @@ use schlupf_table::{StatedError, StoredTable, TableFileError};
 use crate::failure::{Failure, NOT_CONVERGED, SUCCESS};
 use crate::interrupt;
 use crate::kept_states::KeptStates;
+use crate::notice::Notice;
 use crate::outputs::{self, Input, Output};
 use crate::progress::Progress;
 use crate::report;
@@ -97,7 +97,7 @@ pub fn table(arguments: &Table) -> Result<u8, Failure> {
     let unkept = kept.remove();
     drop(reserved);
     if let Some(failure) = unkept {
-        report::warn(&Message::new("states-not-kept", OUTPUT, failure.to_string()));
+        report::warn(&Notice::StatesNotKept { reason: failure.to_string() }.into());
     }
     if !arguments.quiet {
         stdout::write(&summary(arguments, &stored, size, resumed))?;
