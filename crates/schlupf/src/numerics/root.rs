@@ -134,8 +134,8 @@ impl Bracket {
         self.ends[1] - self.ends[0]
     }
 
-    /// The next point, in the unit of the others: the one that is proposed, or the middle where that is not inside or where
-    /// proposals do not narrow the bracket.
+    /// The next point, in the unit of the others: the one that is proposed, or the middle where
+    /// that is not inside or where proposals do not narrow the bracket.
     pub fn next(&self, proposal: f64) -> f64 {
         let [low, high] = self.ends;
         let is_inside = proposal > low && proposal < high;

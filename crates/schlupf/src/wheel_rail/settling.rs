@@ -39,7 +39,7 @@ const FLAT: f64 = 0.02;
 pub(super) struct Start {
     pub ratios: Vec<FrictionRatio>,
     pub guess: Guess,
-    /// In rad/s.
+    /// The angular velocity of a driven wheel, in rad/s.
     pub turned: Option<f64>,
 }
 
