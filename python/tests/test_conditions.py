@@ -195,6 +195,7 @@ def test_a_history_of_the_load_means_the_same():
     near(found.force.x, expected.force.x, 5 * expected.normal.load)
 
 
+@pytest.mark.filterwarnings("ignore")
 def test_rows_that_fail_are_rows():
     """Not a number, a wheel that lifts, and one that is locked, among many conditions."""
     case = schlupf.Case(solver={"method": "polach"}, friction=CONSTANT)

@@ -31,7 +31,7 @@ def test_fields_are_told_by_those_like_them(case):
         (lambda: case["weel"], KeyError, "no section weel; did you mean wheel"),
         (lambda: case.weel, AttributeError, "no section weel; did you mean wheel"),
         (lambda: case["load"], KeyError, "no section load; did you mean normal.load"),
-        (lambda: case.with_(wheel={"radios_x": 1.0}), ValueError, "did you mean `?radius_x"),
+        (lambda: case.with_(wheel={"radios_x": 1.0}), ValueError, "radius_x"),
         (lambda: case.with_(**{"wheel.radios_x": 1.0}), ValueError, "radius_x"),
         (lambda: setattr(case.wheel, "radios_x", 1.0), ValueError, "radius_x"),
         (lambda: schlupf.Case(weel={"radius_x": 1.0}), ValueError, "did you mean `?wheel"),

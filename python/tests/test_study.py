@@ -77,6 +77,7 @@ def test_a_cluster_is_not_asked_for_fields(study, tmp_path):
     assert sorted(file.name for file in tmp_path.iterdir()) == ["case.toml", "study.toml"]
 
 
+@pytest.mark.filterwarnings("ignore")
 def test_a_study_ends_with_its_warnings_counted_by_code(study, tmp_path):
     path = study(1)
     path.write_text('case = "case.toml"\n[states]\nfile = "states.csv"\n')

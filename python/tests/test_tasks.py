@@ -287,7 +287,7 @@ def test_inputs_of_contact_are_cases(tmp_path):
     with pytest.raises(schlupf.CaseError, match="B = 1: a compressible layer") as caught:
         schlupf.import_contact(path)
     assert caught.value.field == "B"
-    assert caught.value.place == f"{path}:14:1"
+    assert caught.value.place == f"{path}:14:4"
     left_out = pytest.warns(schlupf.warnings.SettingsLeftOutWarning)
     with left_out, pytest.warns(schlupf.SchlupfWarning, match="B = 1: a compressible layer"):
         (case,) = schlupf.import_contact(path, available_only=True)
