@@ -50,6 +50,8 @@ def toml_value(field: Field | None, value: Any) -> str:
     path = field.path if field else "a field"
     if is_quantity(value):
         value = magnitude(value, field.units if field else "", path)
+    if getattr(value, "shape", None) == ():
+        value = value.item()
     if field is not None and field.kind in ONE_VALUE:
         _check_one(field, value)
     if hasattr(value, "tolist"):
