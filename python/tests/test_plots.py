@@ -173,7 +173,9 @@ def test_every_keyword_of_matplotlib_may_be_given(case, result):
     assert bars.patches[0].get_height() == pytest.approx(0.2)
     many = case.curve(creepage_x=(0.0, 0.01), over={"kinematics.speed": [5, 10, 20]}, points=5)
     assert many.plot_map(levels=4, cmap="magma").collections
-    assert len(schlupf.animate([result], frames=1, interval=50)._fig.axes) == 2
+    animation = schlupf.animate([result], frames=1, interval=50)
+    assert len(animation._fig.axes) == 2
+    assert "<img" in animation.to_jshtml()
 
 
 def test_the_picture_of_a_notebook_keeps_its_shape(result):

@@ -45,10 +45,10 @@ messages! {
     } *field, |subject, words| {
         let is = with_unit(*value, unit);
         let usual = usual.text(unit, &FieldNames::CASE);
-        let advice = if !unit.is_empty() {
-            ": is its unit right?".to_owned()
-        } else {
+        let advice = if unit.is_empty() {
             creepage_in_per_cent(field, *value).map_or(String::new(), |help| format!(": {help}"))
+        } else {
+            ": is its unit right?".to_owned()
         };
         format!("{place}: {field} is {is}, but is usually {usual}{advice}")
     }, severity usual.remoteness(*value);

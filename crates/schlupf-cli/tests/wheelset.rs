@@ -144,7 +144,8 @@ fn wheelset_tables_contacts_and_conicity() {
     let rigid = number(&json, "/positions/4/rigid_rolling_radius_difference");
     let ratio = rigid / difference(4);
     assert!(ratio > 0.9 && ratio < 1.02, "{ratio}");
-    assert_eq!(at(1, "rigid_rolling_radius_difference"), -rigid);
+    // The profiles are symmetric.
+    assert!((at(1, "rigid_rolling_radius_difference") / -rigid - 1.0).abs() < 1e-12);
     for name in ["contact_points", "rolling_radius"] {
         for ending in ["svg", "png"] {
             assert!(bench.path(&format!("figures/{name}.{ending}")).exists());

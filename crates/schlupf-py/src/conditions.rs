@@ -97,10 +97,12 @@ impl Conditions {
             (0..self.fields.len()).filter(|c| is_condition[*c] && self.fields[*c].shapes_contact);
         let keys: Vec<&[f64]> = by_case.chain(by_load).map(|c| &*self.values[c]).collect();
         let mut order: Vec<usize> = (0..self.count()).collect();
-        order.sort_by(|one, other| {
-            let each = keys.iter().map(|key| key[*one].total_cmp(&key[*other]));
-            each.fold(std::cmp::Ordering::Equal, std::cmp::Ordering::then)
-        });
+        if !keys.is_empty() {
+            order.sort_by(|one, other| {
+                let each = keys.iter().map(|key| key[*one].total_cmp(&key[*other]));
+                each.fold(std::cmp::Ordering::Equal, std::cmp::Ordering::then)
+            });
+        }
         order
     }
 }

@@ -54,7 +54,9 @@ pub(crate) fn solve(
         let outcome = outcome.unwrap_or_else(|| Outcome::Failed("not solved".to_owned()));
         let carried = study.design.carried().iter().map(|column| column.values[index]).collect();
         if let Outcome::Solved { warnings: of_row, .. } = &outcome {
-            of_row.iter().for_each(|warning| warnings.note(warning.clone(), index));
+            for warning in of_row {
+                warnings.note(warning.clone(), index);
+            }
         }
         push(&mut rows, &Row { index, carried, entries, has_wheel, outcome: &outcome });
         if let (Some(cells), Some(fields), Outcome::Solved { solution, .. }) =

@@ -29,7 +29,7 @@ impl OutputLock {
     /// [`ErrorKind::WouldBlock`] where another process writes it, and a lock file that cannot be
     /// made.
     pub fn take(output: &Path) -> io::Result<Self> {
-        Self::take_by(output, |file| FileExt::try_lock(file))
+        Self::take_by(output, FileExt::try_lock)
     }
 
     /// Removes the files of all locks of this process, which is about to end.

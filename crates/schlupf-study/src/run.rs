@@ -75,7 +75,9 @@ pub fn run(
         if told(solved).is_break() { Err(StudyError::Stopped) } else { Ok(found.warnings) }
     })?;
     let mut report = run.finish()?;
-    found.into_iter().for_each(|warnings| report.warnings.tell(warnings));
+    for warnings in found {
+        report.warnings.tell(warnings);
+    }
     Ok(report)
 }
 

@@ -116,6 +116,15 @@ impl<W, P> IntoIterator for Tally<W, P> {
     }
 }
 
+impl<'a, W: Graded, P: PartialOrd> IntoIterator for &'a Tally<W, P> {
+    type Item = &'a Tallied<W, P>;
+    type IntoIter = std::slice::Iter<'a, Tallied<W, P>>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
 impl<W: Graded, P: PartialOrd> Extend<Tallied<W, P>> for Tally<W, P> {
     fn extend<I: IntoIterator<Item = Tallied<W, P>>>(&mut self, others: I) {
         others.into_iter().for_each(|other| self.add(other));
@@ -136,7 +145,7 @@ mod tests {
         tally.note(Warning::NoSensitivity {}, "b");
         tally.note(margin(0.03), "c");
         tally.note(Warning::NoSensitivity {}, "c");
-        let [margins, sensitivity] = tally.iter().as_slice() else { panic!("{tally:?}") };
+        let [margins, sensitivity] = tally.0.as_slice() else { panic!("{tally:?}") };
         assert_eq!((margins.worst.clone(), margins.place, margins.count), (margin(0.4), "b", 3));
         assert_eq!(places("b", "point", 3, margins.is_even), "b, the worst of 3 points");
         assert_eq!((sensitivity.place, sensitivity.count), ("b", 2));

@@ -532,7 +532,7 @@ fn methods_of_forces_claim_no_fields() {
         "{warnings:?}"
     );
     case.kinematics = rolling(1e-5, 0.0, 0.0);
-    assert_eq!(fast(&case, FastMethod::KalkerLinear, 24).warnings.len(), 1);
+    assert!(fast(&case, FastMethod::KalkerLinear, 24).warnings.is_empty());
 }
 
 /// Kalker's coefficients are tabulated for a/b from 1/10 to 10; beyond, each method says so, once.

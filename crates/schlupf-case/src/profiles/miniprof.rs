@@ -96,7 +96,7 @@ pub fn read(file: &File, is_wheel: bool) -> Result<Content, CaseError> {
         return Err(file.error_of_all("a Miniprof profile must have rows of X and Y, but has none"));
     }
     let texts = rows.iter().map(|(_, text)| *text);
-    let separator = Separator::of(texts.clone());
+    let separator = Separator::of(&texts);
     let points: Result<Vec<Row>, CaseError> = rows
         .iter()
         .map(|(line, text)| point(file, *line, &separator.cells(text, 0), &head))

@@ -197,8 +197,8 @@ impl Reader<'_> {
             let rows = content.rows.into_iter().map(scaled).collect();
             return Ok(Content { rows, format: format!("{}, in m", content.format), ..content });
         }
-        let others = [("m", 1e3), ("inches", 25.4)].into_iter();
-        let other = others.filter(|(_, factor)| FULL_SIZE.contains(&(factor * width))).next();
+        let mut others = [("m", 1e3), ("inches", 25.4)].into_iter();
+        let other = others.find(|(_, factor)| FULL_SIZE.contains(&(factor * width)));
         let other = other.map(|(unit, factor)| {
             format!("were its numbers {unit} in place of mm, it would be {}", shown(factor))
         });

@@ -122,7 +122,7 @@ fn bare(file: &File) -> Result<Content, CaseError> {
     let lines: Vec<(usize, &str)> =
         file.lines(COMMENTS).filter(|(_, line)| !line.is_empty()).collect();
     let texts = lines.iter().map(|(_, text)| *text);
-    let separator = Separator::of(texts.clone());
+    let separator = Separator::of(&texts);
     let mut rows = Vec::with_capacity(lines.len());
     for (line, text) in &lines {
         let cells = separator.cells(text, NAMES.len());

@@ -131,7 +131,7 @@ pub enum Separator {
 
 impl Separator {
     /// The one that leaves two numbers at the beginning of most rows.
-    pub fn of<'a>(rows: impl Iterator<Item = &'a str> + Clone) -> Self {
+    pub fn of<'a>(rows: &(impl Iterator<Item = &'a str> + Clone)) -> Self {
         let fits = |separator: &Self| {
             let begins = |row: &&str| {
                 let cells = separator.cells(row, 0);

@@ -160,7 +160,7 @@ pub fn read(file: &File, is_wheel: bool) -> Result<Content, CaseError> {
         return Err(file.error_of_all(message));
     }
     let texts = rows.iter().map(|(_, text)| *text);
-    let separator = Separator::of(texts.clone());
+    let separator = Separator::of(&texts);
     let points: Result<Vec<Row>, CaseError> =
         rows.iter().map(|(line, text)| point(file, *line, &separator.cells(text, 2))).collect();
     Ok(Content {

@@ -232,7 +232,7 @@ fn shapes_are_read_the_right_way_round() {
                 // Not the corners to the faces, where a spline swings.
                 let running = &running[20..running.len() - 10];
                 let found = if is_wheel {
-                    off(&on_wheel, &running)
+                    off(&on_wheel, running)
                 } else {
                     let [y, z] = file.wheel().unwrap().pair.rail_origin();
                     let placed: Points =

@@ -57,7 +57,9 @@ const MOST_NAMES: usize = 12;
 impl Warnings {
     /// Warnings of the solution at an abscissa.
     pub(super) fn note(&mut self, abscissa: f64, warnings: &[Warning]) {
-        warnings.iter().for_each(|warning| self.of_points.note(warning.clone(), abscissa));
+        for warning in warnings {
+            self.of_points.note(warning.clone(), abscissa);
+        }
     }
 
     /// Adds a warning of the curve as a whole.

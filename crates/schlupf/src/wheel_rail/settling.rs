@@ -102,17 +102,14 @@ impl WheelOnRail {
             how: (tangential, options),
             watch,
         };
-        let (from, rounds) = match near {
-            Some(near) => {
-                let (ratios, turned) = (near.ratios(), near.nearby());
-                (Start { ratios, guess: near.guess, turned }, 0)
-            }
-            None => {
-                let guess = first_guess(lowering, force);
-                let from = Start { ratios: Vec::new(), guess, turned: None };
-                let coarse = settling(Accuracy::Coarse, NEARLY_SETTLED, &coarse).find(from)?;
-                (coarse.start, coarse.rounds)
-            }
+        let (from, rounds) = if let Some(near) = near {
+            let (ratios, turned) = (near.ratios(), near.nearby());
+            (Start { ratios, guess: near.guess, turned }, 0)
+        } else {
+            let guess = first_guess(lowering, force);
+            let from = Start { ratios: Vec::new(), guess, turned: None };
+            let coarse = settling(Accuracy::Coarse, NEARLY_SETTLED, &coarse).find(from)?;
+            (coarse.start, coarse.rounds)
         };
         let fine = settling(Accuracy::Cells(self.cells), SETTLED, tangential.options);
         let Settled { lowered, turning, residual, rounds: more, .. } = fine.find(from)?;
