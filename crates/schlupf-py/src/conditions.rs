@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use numpy::{PyArray1, PyReadonlyArray1};
+use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1, PyReadwriteArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -34,23 +34,23 @@ pub fn conditions() -> Vec<(&'static str, &'static str)> {
     NAMED.map(|quantity| (quantity.name(), quantity_field(quantity))).to_vec()
 }
 
+/// Arrays of fields by their paths.
+type Arrays<'py> = Vec<(String, PyReadonlyArray1<'py, f64>)>;
+
 /// Values of fields, one for each condition.
-struct Conditions {
+struct Conditions<'a> {
     fields: Vec<&'static Field>,
-    values: Vec<Vec<f64>>,
+    values: Vec<&'a [f64]>,
 }
 
-impl Conditions {
-    /// Copies arrays of equal length, by the paths of their fields.
-    fn read(arrays: &Bound<'_, PyDict>) -> PyResult<Self> {
+impl<'a> Conditions<'a> {
+    /// Arrays of equal length.
+    fn of(arrays: &'a Arrays) -> PyResult<Self> {
         let mut conditions = Self { fields: Vec::new(), values: Vec::new() };
         for (path, values) in arrays {
-            let path: String = path.extract()?;
-            let values: PyReadonlyArray1<'_, f64> = values.extract()?;
-            let field = fields::find(&path);
             let no_field = || PyValueError::new_err(format!("no field: {path}"));
-            conditions.fields.push(field.ok_or_else(no_field)?);
-            conditions.values.push(values.as_slice()?.to_vec());
+            conditions.fields.push(fields::find(path).ok_or_else(no_field)?);
+            conditions.values.push(values.as_slice()?);
         }
         let count = conditions.count();
         if conditions.values.iter().any(|values| values.len() != count) {
@@ -60,7 +60,7 @@ impl Conditions {
     }
 
     fn count(&self) -> usize {
-        self.values.first().map_or(1, Vec::len)
+        self.values.first().map_or(1, |values| values.len())
     }
 
     fn entries(&self, k: usize) -> Vec<Entry> {
@@ -91,19 +91,30 @@ impl Conditions {
     }
 
     /// The order in which they are solved: those of a case after one another, with growing loads.
-    fn order(&self, is_condition: &[bool]) -> Vec<usize> {
+    fn order(&self, is_condition: &[bool]) -> Order {
         let by_case = (0..self.fields.len()).filter(|c| !is_condition[*c]);
         let by_load =
             (0..self.fields.len()).filter(|c| is_condition[*c] && self.fields[*c].shapes_contact);
-        let keys: Vec<&[f64]> = by_case.chain(by_load).map(|c| &*self.values[c]).collect();
-        let mut order: Vec<usize> = (0..self.count()).collect();
-        if !keys.is_empty() {
-            order.sort_by(|one, other| {
-                let each = keys.iter().map(|key| key[*one].total_cmp(&key[*other]));
-                each.fold(std::cmp::Ordering::Equal, std::cmp::Ordering::then)
-            });
+        let keys: Vec<&[f64]> = by_case.chain(by_load).map(|c| self.values[c]).collect();
+        if keys.is_empty() {
+            return Order(None);
         }
-        order
+        let mut order: Vec<usize> = (0..self.count()).collect();
+        order.sort_by(|one, other| {
+            let each = keys.iter().map(|key| key[*one].total_cmp(&key[*other]));
+            each.fold(std::cmp::Ordering::Equal, std::cmp::Ordering::then)
+        });
+        Order(Some(order))
+    }
+}
+
+/// The conditions in the order of their solutions, if it is not that of the conditions.
+struct Order(Option<Vec<usize>>);
+
+impl Order {
+    /// The condition that is solved at this place.
+    fn at(&self, place: usize) -> usize {
+        self.0.as_ref().map_or(place, |order| order[place])
     }
 }
 
@@ -132,22 +143,6 @@ pub fn condition_status() -> [&'static str; 4] {
     [Status::Converged.name(), Status::NotConverged.name(), NO_CONTACT, FAILED]
 }
 
-/// What acts on the wheel, a row for each condition.
-#[derive(Default)]
-struct Forces {
-    /// Of each of [`COLUMNS`]; a moment is not a number where the method has none.
-    values: [Vec<f64>; COLUMNS.len()],
-    /// Of each column of a wheel, and of each column of a contact, [`CONTACTS`] a row; none without
-    /// a wheel.
-    wheel: Vec<Vec<f64>>,
-    contacts: Vec<Vec<f64>>,
-    status: Vec<u8>,
-    warnings: Tally<Message, usize>,
-    /// The first condition that failed, and how many did.
-    failure: Option<(usize, CaseErrors)>,
-    failed: usize,
-}
-
 /// The quantities of a contact.
 const COLUMNS: [Quantity; 4] =
     [Quantity::ForceX, Quantity::ForceY, Quantity::MomentZ, Quantity::TractionCoefficient];
@@ -165,32 +160,131 @@ fn of_contact(column: &Column<Contact>) -> String {
     format!("contact_{}", column.name.replace('.', "_"))
 }
 
-impl Forces {
-    /// With room for so many rows.
-    fn new(rows: usize, has_wheel: bool) -> Self {
-        let columns = |count: usize, width: usize| {
-            vec![vec![f64::NAN; rows * width]; if has_wheel { count } else { 0 }]
-        };
-        Self {
-            values: COLUMNS.map(|_| vec![f64::NAN; rows]),
-            wheel: columns(<WheelSolution as Record>::columns().len(), 1),
-            contacts: columns(<Contact as Record>::columns().len(), CONTACTS),
-            status: vec![0; rows],
-            ..Self::default()
+/// Forces on the wheel, a row for each condition: [`COLUMNS`], columns of a wheel and of contacts.
+struct Forces<'py> {
+    columns: Vec<Values<'py>>,
+    status: Bound<'py, PyArray1<u8>>,
+}
+
+/// The values of a column, some of them a row.
+struct Values<'py> {
+    name: String,
+    quantity: Quantity,
+    width: usize,
+    values: Bound<'py, PyArray1<f64>>,
+}
+
+/// Successive rows.
+struct Rows<'a> {
+    columns: Vec<&'a mut [f64]>,
+    status: &'a mut [u8],
+}
+
+/// What is to be told of conditions.
+#[derive(Default)]
+struct Told {
+    warnings: Tally<Message, usize>,
+    /// The first condition that failed, and how many did.
+    failure: Option<(usize, CaseErrors)>,
+    failed: usize,
+}
+
+impl Told {
+    fn fail(&mut self, condition: usize, errors: CaseErrors) {
+        self.failed += 1;
+        if self.failure.as_ref().is_none_or(|(first, _)| condition < *first) {
+            self.failure = Some((condition, errors));
         }
     }
 
+    fn add(&mut self, other: Self) {
+        let failed = self.failed + other.failed;
+        self.warnings.extend(other.warnings);
+        if let Some((k, errors)) = other.failure {
+            self.fail(k, errors);
+        }
+        self.failed = failed;
+    }
+}
+
+impl<'py> Forces<'py> {
+    /// With room for so many rows.
+    fn new(py: Python<'py>, rows: usize, has_wheel: bool) -> Self {
+        let column = |name: String, quantity, width| {
+            let values = PyArray1::zeros(py, rows * width, false);
+            Values { name, quantity, width, values }
+        };
+        let contact = COLUMNS.into_iter().map(|of| column(of.name().to_owned(), of, 1));
+        let wheel = <WheelSolution as Record>::columns().iter();
+        let wheel = wheel.map(|of| column(of.quantity.name().to_owned(), of.quantity, 1));
+        let contacts = <Contact as Record>::columns().iter();
+        let contacts = contacts.map(|of| column(of_contact(of), of.quantity, CONTACTS));
+        let of_wheel = wheel.chain(contacts).take_while(|_| has_wheel);
+        let columns = contact.chain(of_wheel).collect();
+        Self { columns, status: PyArray1::zeros(py, rows, false) }
+    }
+
+    /// Lets work fill its rows, in blocks.
+    fn fill<R>(&self, size: usize, work: impl FnOnce(Vec<Rows>) -> R) -> PyResult<R> {
+        let mut status = self.status.try_readwrite()?;
+        let columns = self.columns.iter().map(|column| Ok(column.values.try_readwrite()?));
+        let mut columns: Vec<PyReadwriteArray1<'_, f64>> = columns.collect::<PyResult<_>>()?;
+        let with_status = |status| Rows { columns: Vec::new(), status };
+        let mut blocks: Vec<Rows> =
+            status.as_slice_mut()?.chunks_mut(size).map(with_status).collect();
+        for (column, values) in self.columns.iter().zip(&mut columns) {
+            let values = values.as_slice_mut()?.chunks_mut(size * column.width);
+            for (block, values) in blocks.iter_mut().zip(values) {
+                block.columns.push(values);
+            }
+        }
+        Ok(work(blocks))
+    }
+
+    /// Puts rows that were filled in an order to their conditions.
+    fn reorder(&self, order: &Order) -> PyResult<()> {
+        let Order(Some(order)) = order else { return Ok(()) };
+        for column in &self.columns {
+            let (mut values, width) = (column.values.try_readwrite()?, column.width);
+            let from = values.as_slice()?.to_vec();
+            let to = values.as_slice_mut()?;
+            for (values, k) in from.chunks(width).zip(order) {
+                to[k * width..][..width].copy_from_slice(values);
+            }
+        }
+        let mut status = self.status.try_readwrite()?;
+        let from = status.as_slice()?.to_vec();
+        let to = status.as_slice_mut()?;
+        for (status, k) in from.into_iter().zip(order) {
+            to[*k] = status;
+        }
+        Ok(())
+    }
+
+    /// Its arrays by name: those of a contact have [`CONTACTS`] values a row.
+    fn columns(self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let table = PyDict::new(py);
+        for Values { name, quantity, values, .. } in self.columns {
+            table.set_item(name, described(py, quantity, values.into_any())?)?;
+        }
+        Ok(table)
+    }
+}
+
+impl Rows<'_> {
     fn set(&mut self, row: usize, acting: &Acting) {
         let moment = acting.force.moment_z.unwrap_or(f64::NAN);
         let coefficient = acting.force.tangential() / acting.load;
         let values = [acting.force.x, acting.force.y, moment, coefficient];
-        for (column, value) in self.values.iter_mut().zip(values) {
+        for (column, value) in self.columns.iter_mut().zip(values) {
             column[row] = value;
         }
         if let Some(wheel) = acting.wheel {
-            put(&mut self.wheel, row, wheel);
+            let (of_wheel, of_contacts) =
+                self.columns[COLUMNS.len()..].split_at_mut(WheelSolution::columns().len());
+            put(of_wheel, row, wheel);
             for (k, contact) in wheel.contacts.iter().take(CONTACTS).enumerate() {
-                put(&mut self.contacts, CONTACTS * row + k, contact);
+                put(of_contacts, CONTACTS * row + k, contact);
             }
         }
         self.status[row] = match acting.status {
@@ -201,162 +295,126 @@ impl Forces {
 
     /// Nothing acts: forces, not their ratios, are zero.
     fn set_none(&mut self, row: usize) {
-        let [x, y, moment, _] = &mut self.values;
-        for column in [x, y, moment] {
-            column[row] = 0.0;
-        }
-        let of_wheel = <WheelSolution as Record>::columns().iter();
-        for (column, of) in self.wheel.iter_mut().zip(of_wheel) {
-            if matches!(of.quantity.unit(), "N") || of.quantity == Quantity::ContactCount {
+        let of_wheel = <WheelSolution as Record>::columns().iter().map(|column| column.quantity);
+        let quantities = COLUMNS.into_iter().chain(of_wheel);
+        for (column, quantity) in self.columns.iter_mut().zip(quantities) {
+            if matches!(quantity.unit(), "N" | "N m") || quantity == Quantity::ContactCount {
                 column[row] = 0.0;
             }
         }
         self.status[row] = Became::NoContact as u8;
     }
-
-    fn fail(&mut self, row: usize, condition: usize, errors: CaseErrors) {
-        self.status[row] = Became::Failed as u8;
-        self.failed += 1;
-        if self.failure.as_ref().is_none_or(|(first, _)| condition < *first) {
-            self.failure = Some((condition, errors));
-        }
-    }
-
-    /// Takes the rows of a block, whose conditions are these.
-    fn take(&mut self, block: Self, conditions: &[usize]) {
-        let scatter = |into: &mut [f64], from: &[f64], width: usize| {
-            for (row, k) in conditions.iter().enumerate() {
-                into[k * width..][..width].copy_from_slice(&from[row * width..][..width]);
-            }
-        };
-        for (into, from) in self.values.iter_mut().zip(&block.values) {
-            scatter(into, from, 1);
-        }
-        for (into, from) in self.wheel.iter_mut().zip(&block.wheel) {
-            scatter(into, from, 1);
-        }
-        for (into, from) in self.contacts.iter_mut().zip(&block.contacts) {
-            scatter(into, from, CONTACTS);
-        }
-        for (row, k) in conditions.iter().enumerate() {
-            self.status[*k] = block.status[row];
-        }
-        self.warnings.extend(block.warnings);
-        let failed = self.failed + block.failed;
-        if let Some((k, errors)) = block.failure {
-            self.fail(k, k, errors);
-        }
-        self.failed = failed;
-    }
-
-    /// As arrays by name, without copies: those of a contact have [`CONTACTS`] values a row.
-    fn columns(self, py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
-        let table = PyDict::new(py);
-        let add = |name: &str, quantity, values: Vec<f64>| {
-            let values = PyArray1::from_vec(py, values).into_any();
-            table.set_item(name, described(py, quantity, values)?)
-        };
-        for (quantity, values) in COLUMNS.into_iter().zip(self.values) {
-            add(quantity.name(), quantity, values)?;
-        }
-        let of_wheel = <WheelSolution as Record>::columns().iter();
-        for (column, values) in of_wheel.zip(self.wheel) {
-            add(column.quantity.name(), column.quantity, values)?;
-        }
-        for (column, values) in <Contact as Record>::columns().iter().zip(self.contacts) {
-            add(&of_contact(column), column.quantity, values)?;
-        }
-        Ok(table)
-    }
 }
 
 /// The only row of a record.
-fn put<R: Record>(columns: &mut [Vec<f64>], row: usize, record: &R) {
+fn put<R: Record>(columns: &mut [&mut [f64]], row: usize, record: &R) {
     for (values, Column { value, .. }) in columns.iter_mut().zip(R::columns()) {
         values[row] = value(record, 0).number().unwrap_or(f64::NAN);
     }
 }
 
-/// The forces of all conditions on all threads.
-fn forces(
-    file: &schlupf_case::CaseFile,
-    conditions: &Conditions,
-    watch: Watch,
-) -> Result<Forces, CaseErrors> {
-    let mut solver = StateSolver::new(file.clone(), conditions.fields.clone());
-    let order = conditions.order(&solver.conditions(&conditions.entries(0)));
-    let (mut has_wheel, mut size, mut notices) = (file.wheel().is_ok(), FULL_BLOCK, Vec::new());
-    // What cannot be posed is told with its condition.
-    for k in &order {
-        match solver.prepare(&conditions.entries(*k), CONDITION, watch) {
-            Ok(case) => {
-                has_wheel = case.wheel.is_some();
-                notices.clone_from(&case.notices);
-                size = match case.method {
-                    _ if has_wheel => WHEEL_BLOCK,
-                    Method::Full => FULL_BLOCK,
-                    Method::Fast(_) => FAST_BLOCK,
-                };
-                break;
-            }
-            Err(NoState::Stopped) => return Err(file.explain(&Error::Stopped {}).into()),
-            Err(_) => {}
-        }
-    }
-    let found = parallel::try_map(order.chunks(size).collect(), |block: &[usize]| {
-        let forces = block_of(&mut solver.fork(), conditions, (block, has_wheel), watch);
-        forces.map(|forces| (forces, block))
-    });
-    let stopped = |()| CaseErrors::from(file.explain(&Error::Stopped {}));
-    let mut all = Forces::new(conditions.count(), has_wheel);
-    for message in notices.into_iter().filter(|notice| !conditions.varies(notice)) {
-        all.warnings.add(Tallied::new(message, 0, conditions.count()));
-    }
-    all.warnings.extend(conditions.unusual());
-    for (forces, block) in found.map_err(stopped)? {
-        all.take(forces, block);
-    }
-    Ok(all)
+/// How conditions are solved: from which solver, in which order, and in blocks of which size.
+struct Plan {
+    solver: StateSolver,
+    order: Order,
+    has_wheel: bool,
+    size: usize,
+    /// Of all conditions.
+    notices: Vec<Message>,
 }
 
-/// Those of successive conditions, which one solver takes one after the other; an error if it was
-/// stopped.
+impl Plan {
+    fn new(
+        file: &schlupf_case::CaseFile,
+        conditions: &Conditions,
+        watch: Watch,
+    ) -> Result<Self, CaseErrors> {
+        let mut solver = StateSolver::new(file.clone(), conditions.fields.clone());
+        let order = conditions.order(&solver.conditions(&conditions.entries(0)));
+        let (mut has_wheel, mut size, mut notices) = (false, FULL_BLOCK, Vec::new());
+        // What cannot be posed is told with its condition.
+        for place in 0..conditions.count() {
+            match solver.prepare(&conditions.entries(order.at(place)), CONDITION, watch) {
+                Ok(case) => {
+                    has_wheel = case.wheel.is_some();
+                    notices.clone_from(&case.notices);
+                    size = match case.method {
+                        _ if has_wheel => WHEEL_BLOCK,
+                        Method::Full => FULL_BLOCK,
+                        Method::Fast(_) => FAST_BLOCK,
+                    };
+                    break;
+                }
+                Err(NoState::Stopped) => return Err(file.explain(&Error::Stopped {}).into()),
+                Err(_) => {}
+            }
+        }
+        Ok(Self { solver, order, has_wheel, size, notices })
+    }
+
+    /// The forces of all conditions on all threads.
+    fn run(
+        &self,
+        conditions: &Conditions,
+        rows: Vec<Rows>,
+        watch: Watch,
+    ) -> Result<Told, CaseErrors> {
+        let places = (0..conditions.count()).step_by(self.size).zip(rows).collect();
+        let found = parallel::try_map(places, |(place, rows): (usize, Rows)| {
+            block_of(&mut self.solver.fork(), (conditions, &self.order), (place, rows), watch)
+        });
+        let stopped = |()| CaseErrors::from(self.solver.file().explain(&Error::Stopped {}));
+        let mut told = Told::default();
+        for notice in self.notices.iter().filter(|notice| !conditions.varies(notice)) {
+            told.warnings.add(Tallied::new(notice.clone(), 0, conditions.count()));
+        }
+        told.warnings.extend(conditions.unusual());
+        found.map_err(stopped)?.into_iter().for_each(|of_block| told.add(of_block));
+        Ok(told)
+    }
+}
+
+/// Those of successive conditions from a place on, which one solver takes one after the other; an
+/// error if it was stopped.
 fn block_of(
     solver: &mut StateSolver,
-    conditions: &Conditions,
-    (block, has_wheel): (&[usize], bool),
+    (conditions, order): (&Conditions, &Order),
+    (place, mut rows): (usize, Rows),
     watch: Watch,
-) -> Result<Forces, ()> {
-    let mut forces = Forces::new(block.len(), has_wheel);
-    let mut warnings = Tally::default();
-    let mut entries = conditions.entries(block[0]);
-    if watch(Progress::count(Stage::Curve, block[0])).is_break() {
+) -> Result<Told, ()> {
+    let (mut told, mut warnings) = (Told::default(), Tally::default());
+    rows.columns.iter_mut().for_each(|column| column.fill(f64::NAN));
+    let mut entries = conditions.entries(order.at(place));
+    if watch(Progress::count(Stage::Curve, place)).is_break() {
         return Err(());
     }
-    for (row, k) in block.iter().enumerate() {
-        conditions.put(*k, &mut entries);
+    for row in 0..rows.status.len() {
+        let k = order.at(place + row);
+        conditions.put(k, &mut entries);
         let mut warn = |warning: &Warning| {
             // Of a condition only what the table does not show.
             if !matches!(warning, Warning::NotConverged { .. }) {
-                warnings.note(warning.clone(), *k);
+                warnings.note(warning.clone(), k);
             }
         };
         let name = || format!("{CONDITION} {k}");
         match solver.acting(&entries, name, &mut warn, watch) {
-            Ok(acting) => forces.set(row, &acting),
-            Err(NoState::NoContact) => forces.set_none(row),
-            Err(NoState::Failed(errors)) => forces.fail(row, *k, errors),
+            Ok(acting) => rows.set(row, &acting),
+            Err(NoState::NoContact) => rows.set_none(row),
+            Err(NoState::Failed(errors)) => {
+                rows.status[row] = Became::Failed as u8;
+                told.fail(k, errors);
+            }
             Err(NoState::Stopped) => return Err(()),
         }
     }
-    let warnings = warnings.into_iter().map(|found: Tallied<Warning, usize>| Tallied {
+    told.warnings.extend(warnings.into_iter().map(|found: Tallied<Warning, usize>| Tallied {
         worst: found.worst.message(&FieldNames::CASE),
         place: found.place,
         count: found.count,
         is_even: found.is_even,
-    });
-    forces.warnings.extend(warnings);
-    Ok(forces)
+    }));
+    Ok(told)
 }
 
 /// Warnings as code, quantity, text, number of conditions, the worst or first of them, and whether
@@ -373,25 +431,31 @@ pub fn batch<'py>(
     arrays: &Bound<'py, PyDict>,
     strict: bool,
 ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyArray1<u8>>, Warnings)> {
-    let conditions = Conditions::read(arrays)?;
+    let arrays: Arrays = arrays.items().extract()?;
+    let conditions = Conditions::of(&arrays)?;
     let raised = Arc::default();
-    let found = case.run(py, &raised, |file, watch| forces(file, &conditions, watch))?;
-    let mut forces = found.map_err(|errors| errors::of_case(py, &errors))?;
+    let planned = case.run(py, &raised, |file, watch| Plan::new(file, &conditions, watch))?;
+    let plan = planned.map_err(|errors| errors::of_case(py, &errors))?;
+    let forces = Forces::new(py, conditions.count(), plan.has_wheel);
+    let told = forces.fill(plan.size, |rows| {
+        interruptible(py, &raised, |watch| plan.run(&conditions, rows, watch))
+    })??;
+    let told = told.map_err(|errors| errors::of_case(py, &errors))?;
+    forces.reorder(&plan.order)?;
     let mut warnings = Vec::new();
-    if let Some((k, errors)) = forces.failure.take() {
+    if let Some((k, errors)) = told.failure {
         let place = Place::Override { option: CONDITION.into(), text: k.to_string() };
         let first = CaseError { place, ..*errors.first };
-        if strict || forces.failed == conditions.count() {
+        if strict || told.failed == conditions.count() {
             return Err(errors::of_case(py, &first.into()));
         }
         let text = first.message;
-        warnings.push(("failed".to_owned(), first.field, text, forces.failed, k, true));
+        warnings.push(("failed".to_owned(), first.field, text, told.failed, k, true));
     }
-    let of_states = std::mem::take(&mut forces.warnings).into_iter();
-    warnings.extend(of_states.map(|Tallied { worst, place, count, is_even }| {
+    warnings.extend(told.warnings.into_iter().map(|Tallied { worst, place, count, is_even }| {
         (worst.code.to_owned(), worst.quantity, worst.text, count, place, is_even)
     }));
-    let status = PyArray1::from_slice(py, &forces.status);
+    let status = forces.status.clone();
     Ok((forces.columns(py)?, status, warnings))
 }
 
@@ -425,7 +489,8 @@ impl BatchSolver {
 
     /// Solves with other values of fields, by their paths; the rest is that of the case.
     fn solve(&self, py: Python<'_>, arrays: &Bound<'_, PyDict>) -> PyResult<Solution> {
-        let conditions = Conditions::read(arrays)?;
+        let arrays: Arrays = arrays.items().extract()?;
+        let conditions = Conditions::of(&arrays)?;
         let work = |watch: Watch<'_>| {
             // A panic within a solution leaves a solver that starts anew.
             let mut solver = self.solver.lock().unwrap_or_else(PoisonError::into_inner);
