@@ -162,12 +162,12 @@ fn of_contact(column: &Column<Contact>) -> String {
 
 /// Forces on the wheel, a row for each condition: [`COLUMNS`], columns of a wheel and of contacts.
 struct Forces<'py> {
-    columns: Vec<Values<'py>>,
+    columns: Vec<Filled<'py>>,
     status: Bound<'py, PyArray1<u8>>,
 }
 
-/// The values of a column, some of them a row.
-struct Values<'py> {
+/// A column, with some values a row.
+struct Filled<'py> {
     name: String,
     quantity: Quantity,
     width: usize,
@@ -212,7 +212,7 @@ impl<'py> Forces<'py> {
     fn new(py: Python<'py>, rows: usize, has_wheel: bool) -> Self {
         let column = |name: String, quantity, width| {
             let values = PyArray1::zeros(py, rows * width, false);
-            Values { name, quantity, width, values }
+            Filled { name, quantity, width, values }
         };
         let contact = COLUMNS.into_iter().map(|of| column(of.name().to_owned(), of, 1));
         let wheel = <WheelSolution as Record>::columns().iter();
@@ -264,7 +264,7 @@ impl<'py> Forces<'py> {
     /// Its arrays by name: those of a contact have [`CONTACTS`] values a row.
     fn columns(self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let table = PyDict::new(py);
-        for Values { name, quantity, values, .. } in self.columns {
+        for Filled { name, quantity, values, .. } in self.columns {
             table.set_item(name, described(py, quantity, values.into_any())?)?;
         }
         Ok(table)
