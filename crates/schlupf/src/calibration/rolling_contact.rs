@@ -31,22 +31,6 @@ pub(super) const FRICTION: f64 = 0.3;
 /// k_c, in 1/m: close to Coulomb's law.
 const STIFFNESS: f64 = 1e8;
 
-/// The law without the treatment of stiff bristles as in series with stick and slip. That treatment
-/// calibrates the displacement on finer grids, also that of the layer, whereas stiffnesses are to
-/// be found that serve on the grid that is used.
-#[derive(Debug)]
-struct FromCellToCell(Incremental);
-
-impl ContactLaw for FromCellToCell {
-    fn respond(&self, slide: &Slide) -> Response {
-        self.0.respond(slide)
-    }
-
-    fn with_stiffness(&self, stiffness: f64) -> Result<Option<Arc<dyn ContactLaw>>, Error> {
-        Ok(Some(Arc::new(Self(Incremental::new(stiffness)?))))
-    }
-}
-
 /// One ellipse between half-spaces.
 pub(super) struct RollingContact {
     pub bodies: HalfSpace,
@@ -73,7 +57,7 @@ impl RollingContact {
             normal: Arc::new(ellipse),
             elasticity: Arc::new(bodies),
             layer: None,
-            contact_law: Arc::new(FromCellToCell(Incremental::new(STIFFNESS)?)),
+            contact_law: Arc::new(Incremental::new(STIFFNESS)?),
             friction: Friction::new(Arc::new(Constant::new(FRICTION)?), 20.0),
             heat: Heat { model: None, partition: Partition::Given(0.5) },
         };

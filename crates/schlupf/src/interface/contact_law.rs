@@ -43,6 +43,32 @@ pub struct Response {
     pub by_distance: [[f64; 2]; 2],
 }
 
+/// How a traction follows from the path of its point; k_c in 1/m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Path {
+    /// From every part of it: dq = k_c (ds − q |ds|); Coulomb's law if k_c is infinite.
+    Incremental {
+        /// k_c.
+        stiffness: f64,
+    },
+    /// From its ends.
+    Total {
+        /// k_c.
+        stiffness: f64,
+    },
+}
+
+impl Path {
+    /// Whether both follow from the same of a path.
+    pub fn is_like(&self, other: &Self) -> bool {
+        matches!(
+            (self, other),
+            (Self::Incremental { .. }, Self::Incremental { .. })
+                | (Self::Total { .. }, Self::Total { .. })
+        )
+    }
+}
+
 /// A law for the tangential traction. Extension point.
 pub trait ContactLaw: Debug + Send + Sync {
     /// Traction after the increment.
@@ -59,6 +85,9 @@ pub trait ContactLaw: Debug + Send + Sync {
     fn relaxation(&self) -> Option<f64> {
         None
     }
+
+    /// How the traction follows from the path of the point.
+    fn path(&self) -> Path;
 
     /// Whether this is Coulomb's law: where a point sticks, its traction is whatever equilibrium
     /// requires and no function of the sliding, so the solver must treat it in its own way.
@@ -105,6 +134,10 @@ impl ContactLaw for TotalDisplacement {
 
     fn with_stiffness(&self, stiffness: f64) -> Result<Option<Arc<dyn ContactLaw>>, Error> {
         Ok(Some(Arc::new(Self::new(stiffness)?)))
+    }
+
+    fn path(&self) -> Path {
+        Path::Total { stiffness: self.stiffness }
     }
 }
 
@@ -177,6 +210,10 @@ impl ContactLaw for Incremental {
     fn relaxation(&self) -> Option<f64> {
         Some(self.stiffness)
     }
+
+    fn path(&self) -> Path {
+        Path::Incremental { stiffness: self.stiffness }
+    }
 }
 
 /// Coulomb's law, the limit k_c → ∞ of both others: a point either does not slide at all, with any
@@ -201,6 +238,10 @@ impl ContactLaw for Coulomb {
 
     fn is_coulomb(&self) -> bool {
         true
+    }
+
+    fn path(&self) -> Path {
+        Path::Incremental { stiffness: f64::INFINITY }
     }
 }
 

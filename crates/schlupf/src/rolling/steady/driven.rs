@@ -316,7 +316,7 @@ impl Equilibrium for Driven<'_> {
     }
 
     fn recycles(&self) -> bool {
-        self.levels[0].strips.stick_share() > 0.0
+        true
     }
 
     /// Block elimination with the preconditioner of the tractions in place of their inverse.

@@ -8,17 +8,14 @@ use crate::progress::{Progress, Stage, Watch, tell};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::coulomb::Discretisation;
 
-use super::blend::Blend;
-use super::bristles::Bristles;
 use super::steady_friction::SteadyFriction;
-use super::stick_slip::StickSlip;
 use super::strip_law::StripLaw;
 use super::transfer::Transfer;
 
 /// A grid with its discrete contact, and the previous solutions on it.
 pub(super) struct Level {
     pub contact: DiscreteContact,
-    pub strips: Box<dyn StripLaw>,
+    pub strips: StripLaw,
     pub friction: SteadyFriction,
     /// Transfer to the next coarser level, if there is one.
     pub descent: Option<Descent>,
@@ -64,21 +61,20 @@ const COARSEST: usize = 16;
 /// The same if displacements decay within the patch.
 const COARSEST_SHORT_RANGED: usize = 8;
 
-/// The nested grids of a normal contact, the finest first; where the bristles are stiff, with stick
-/// and slip if there is a discretisation for them.
+/// The nested grids of a normal contact, the finest first.
 pub(super) fn nested(
     problem: &Problem,
     normal: &NormalContact,
     options: &Options,
-    (sticking, watch): (Option<Discretisation>, Watch),
+    (discretisation, watch): (Discretisation, Watch),
 ) -> Result<Vec<Level>, Error> {
     let mut cells = [options.cells_x, options.cells_y];
     let mut levels: Vec<Level> = Vec::new();
     loop {
         let grid = Grid::across(&normal.extent(), cells[0], cells[1]);
         tell(watch, Progress::count(Stage::Steady, 0))?;
-        let finest = levels.first().map(|finest| &finest.contact);
-        let level = Level::new(problem, normal, grid, (sticking, finest))?;
+        let level = Level::new(problem, normal, grid, discretisation)?;
+        levels.first().unwrap_or(&level).contact.require_rows(problem)?;
         if let Some(finer) = levels.last_mut() {
             let transfer = Transfer::new(&finer.contact.patch, &level.contact.patch);
             let (carried, known) = (vec![0.0; level.size()], vec![0.0; level.size()]);
@@ -95,41 +91,18 @@ pub(super) fn nested(
     }
 }
 
-/// The contact law along the strips of a patch, as it is treated on the finest grid; where the
-/// bristles are stiff, with stick and slip if there is a discretisation for them.
-fn strips(
-    problem: &Problem,
-    normal: &NormalContact,
-    contact: &mut DiscreteContact,
-    (sticking, finest): (Option<Discretisation>, Option<&DiscreteContact>),
-) -> Result<Box<dyn StripLaw>, Error> {
-    let finest = finest.unwrap_or(contact);
-    finest.require_rows(problem)?;
-    let (share, finest_cell) = (finest.stick_share(problem).value, finest.cell_stiffness());
-    let has_slider = share > 0.0 || finest.is_held(problem);
-    let sticking =
-        sticking.or_else(|| problem.contact_law.is_coulomb().then_some(Discretisation::Exact));
-    let Some(discretisation) = sticking.filter(|_| has_slider) else {
-        return Ok(Box::new(Bristles::new(problem, &contact.patch)));
-    };
-    if share == 1.0 {
-        return Ok(Box::new(StickSlip::new(problem, normal, contact, discretisation)?));
-    }
-    Ok(Box::new(Blend::new(problem, normal, contact, (discretisation, finest_cell))?))
-}
-
 impl Level {
-    /// A grid; with the contact on the finest one, if this is another.
     fn new(
         problem: &Problem,
         normal: &NormalContact,
         grid: Grid,
-        treated: (Option<Discretisation>, Option<&DiscreteContact>),
+        discretisation: Discretisation,
     ) -> Result<Self, Error> {
         let mut contact = DiscreteContact::new(problem, normal, grid)?;
         let unknowns = 2 * contact.patch.len();
         let zeros = || vec![0.0; unknowns];
-        let strips = strips(problem, normal, &mut contact, treated)?;
+        contact.fix_interpolation(0.0);
+        let strips = StripLaw::new(problem, normal, &mut contact, discretisation)?;
         Ok(Self {
             strips,
             friction: SteadyFriction::new(problem, &contact.patch),

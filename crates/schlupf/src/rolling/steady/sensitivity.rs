@@ -92,8 +92,6 @@ struct Derivatives<'a> {
     /// Why the last derivative was not found, if it was stopped.
     stopped: Option<Error>,
     accuracy: f64,
-    /// Derivative of the linear response with respect to the logarithm of the bristle stiffness.
-    by_bristles: Option<Vec<f64>>,
     step: Vec<f64>,
     response_step: Vec<f64>,
     change: Vec<f64>,
@@ -109,11 +107,9 @@ impl<'a> Derivatives<'a> {
         let (size, response_size) = (levels[0].size(), levels[0].response.len());
         let [least, largest] = ACCURACY_RANGE;
         let dimension = (MAX_SIZE / (size + response_size)).clamp(60, MAX_DIMENSION);
-        let by_bristles = SteadyState::new(problem, levels).response_by_stiffness();
         Self {
             accuracy: (ACCURACY * tolerance).clamp(least, largest),
-            products: usize::from(by_bristles.is_some()),
-            by_bristles,
+            products: 0,
             watch,
             stopped: None,
             problem,
@@ -218,25 +214,13 @@ impl<'a> Derivatives<'a> {
             direct.friction.law[k] = response.by_cold_coefficient;
             direct.friction.entry[k] = entry.by_cold_coefficient;
         }
-        self.stiffen(&mut direct, self.problem.friction.cold_coefficient().recip());
         direct
-    }
-
-    /// Adds the effect of a change of ln(μ0 k_c p0 / cell stiffness) on the interpolation at the
-    /// leading edge, and on how the contact law is treated.
-    fn stiffen(&self, direct: &mut Direct, change: f64) {
-        direct.cause.over_cells = change;
-        if let Some(by_bristles) = &self.by_bristles {
-            direct.response.resize(by_bristles.len(), 0.0);
-            add_scaled(&mut direct.response, change, by_bristles);
-        }
     }
 
     fn by_stiffness(&mut self) -> Option<Resultant> {
         let stiffness = self.problem.contact_law.respond(&Slide::default()).by_increment[0][0];
         let mut direct = Direct::nothing(self.levels[0].strips.len());
         direct.cause.stiffness = 1.0;
-        self.stiffen(&mut direct, 1.0);
         Some(scaled(&self.by(&direct)?, stiffness.recip()))
     }
 
@@ -294,19 +278,16 @@ impl<'a> Derivatives<'a> {
         for (k, cell) in contact.patch.cells.iter().enumerate() {
             // All paths grow; the contribution of spin grows with the square.
             direct.set_motion(k, cell, &turning);
-            let (rigid, half_turn) =
-                (cell.path_in.rigid_slip(kinematics), turning.half_turn(cell.path_in.distance));
+            let rigid = cell.path_in.rigid_slip(kinematics);
             for c in 0..2 {
                 direct.cause.rigid[2 * k + c] += rigid[c];
                 direct.cause.rigid[2 * k + c] *= load_exponent;
-                direct.cause.turn[2 * k + c] = 2.0 * load_exponent * half_turn[c];
-                direct.friction.slip[k][c] *= load_exponent;
+                        direct.friction.slip[k][c] *= load_exponent;
             }
             if let Some(changes) = &changes {
-                let [way, turn, slip] = cell.row_by_size(&changes[k]);
+                let [way, _, slip] = cell.row_by_size(&changes[k]);
                 for c in 0..2 {
                     direct.cause.rigid[2 * k + c] += load_exponent * way[c];
-                    direct.cause.turn[2 * k + c] += load_exponent * turn[c];
                     direct.friction.slip[k][c] += load_exponent * kinematics.speed * slip[c];
                 }
             }
@@ -327,26 +308,16 @@ impl<'a> Derivatives<'a> {
             let size = strips.len() * 2;
             add_scaled(&mut direct.response[size..], -load_exponent, &response[size..]);
         }
-        let softening = if load_exponent == 0.0 { Some(0.0) } else { self.stiffness_by_size() };
-        self.stiffen(
-            &mut direct,
-            1.0 - 2.0 * load_exponent - load_exponent * softening.unwrap_or(0.0),
-        );
         Some(direct)
     }
 
     /// Whether all that is computed of the displacement of the bodies scales with the patch. The
-    /// calibration of stick and slip does so with that of the half-space, but not in a mean with
-    /// bristles.
+    /// calibration does so with that of the half-space.
     fn scales(&self) -> bool {
-        let Level { contact, strips, .. } = &self.levels[0];
+        let contact = &self.levels[0].contact;
         let semi_axes = [contact.normal.semi_axis_x, contact.normal.semi_axis_y];
         let is_half_space = || self.problem.elasticity.under_ellipsoid(semi_axes).is_some();
-        match strips.stick_share() {
-            0.0 => true,
-            1.0 => !contact.compliance.couples_cells() || is_half_space(),
-            _ => false,
-        }
+        !contact.compliance.couples_cells() || is_half_space()
     }
 
     fn by_load(&mut self, direct: &Direct) -> Option<Resultant> {
@@ -357,13 +328,6 @@ impl<'a> Derivatives<'a> {
         // The area of the cells also grows, and so do the lever arms.
         let grown = moved.plus(load_exponent, &whole.scaled(2.0, 3.0));
         Some(scaled(&grown, contact.normal.load.recip()))
-    }
-
-    /// Derivative of ln(cell stiffness) with respect to that of the patch size, where it matters.
-    fn stiffness_by_size(&mut self) -> Option<f64> {
-        self.by_bristles.as_ref()?;
-        self.products += 1;
-        self.levels[0].contact.cell_stiffness_by_size()
     }
 
     /// Change of the forces due to direct changes.
@@ -414,11 +378,10 @@ impl Direct {
     /// The changes in a cell when its motion changes.
     pub(super) fn set_motion(&mut self, k: usize, cell: &Cell, motion: &Kinematics) {
         let way = &cell.path_in;
-        let (rigid, turn) = (way.rigid_slip(motion), motion.half_turn(way.distance));
+        let rigid = way.rigid_slip(motion);
         let slip = motion.rigid_slip(cell.x, cell.y);
         for c in 0..2 {
             self.cause.rigid[2 * k + c] = rigid[c];
-            self.cause.turn[2 * k + c] = turn[c];
             self.friction.slip[k][c] = motion.speed * slip[c];
         }
     }

@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use crate::equilibrium::{Equilibrium, Limits, Newton, Outcome};
 use crate::error::Error;
-use crate::interface::contact_law::{ContactLaw, Coulomb, Slide};
 use crate::kinematics::Kinematics;
 use crate::method::Method;
 use crate::numerics::vector::{dot, norm};
@@ -39,45 +38,11 @@ pub(super) struct Setup {
     /// The problem solved last.
     pub problem: Problem,
     pub levels: Vec<Level>,
-    /// Share of stick and slip of the first problem: none, all, or a part of it like in all others.
-    stick_share: f64,
-    /// Whether patches that stick are known to be, see [`DiscreteContact::is_held`].
-    ///
-    /// [`DiscreteContact::is_held`]: crate::rolling::shared::contact::DiscreteContact::is_held
-    is_held: bool,
     /// Whether stick and slip are discretised as exactly as possible. Otherwise it is for one
     /// problem: the next one is not to depend on which it was.
     is_exact: bool,
     /// Motions of the solutions stored in the levels, the latest first.
     pub earlier: Vec<Kinematics>,
-}
-
-/// Fractions of k_c through which a state is approached that is not found otherwise.
-const SOFTER: [f64; 2] = [0.01, 0.1];
-
-/// The same problem with softer bristles, the softest first, if the law can be made softer.
-fn softened(problem: &Problem) -> Vec<Problem> {
-    let stiffness = problem.contact_law.respond(&Slide::default()).by_increment[0][0];
-    let soften = |part: f64| {
-        let contact_law = problem.contact_law.with_stiffness(part * stiffness).ok()??;
-        Some(Problem { contact_law, ..problem.clone() })
-    };
-    SOFTER.into_iter().filter_map(soften).collect()
-}
-
-/// Multiples of k_c through which the state of stiff bristles is approached from that under
-/// Coulomb's law.
-const STIFFER: [f64; 2] = [30.0, 5.0];
-
-/// The same problem under Coulomb's law and with stiffer bristles, the stiffest first; nothing if
-/// it has none.
-fn stiffened(problem: &Problem) -> Vec<Problem> {
-    let Some(stiffness) = problem.contact_law.relaxation() else { return Vec::new() };
-    let stiffen = |times: f64| problem.contact_law.with_stiffness(times * stiffness).ok()?;
-    let stiffer = STIFFER.into_iter().filter_map(stiffen);
-    let coulomb: Arc<dyn ContactLaw> = Arc::new(Coulomb);
-    let with = |contact_law| Problem { contact_law, ..problem.clone() };
-    std::iter::once(coulomb).chain(stiffer).map(with).collect()
 }
 
 /// Multiples of a motion through which a state under Coulomb's law is approached that is not found
@@ -98,14 +63,8 @@ fn quickened(problem: &Problem) -> impl Iterator<Item = Problem> {
     FASTER.into_iter().filter_map(quicken)
 }
 
-/// Whether two shares of stick and slip are both none, both all, or both between.
-fn is_alike(one: f64, other: f64) -> bool {
-    (one == 0.0, one == 1.0) == (other == 0.0, other == 1.0)
-}
-
-/// Largest defect of a coarse grid from which a finer one starts, dimensionless; and the same if
-/// only the change since an earlier solution matters, or the coarse one must know where it sticks.
-pub(super) const COARSE_TOLERANCE: [f64; 2] = [1e-1, 1e-2];
+/// Largest defect of a coarse grid from which a finer one starts, dimensionless.
+pub(super) const COARSE_TOLERANCE: f64 = 1e-2;
 
 /// Defect of a coarse grid's prediction from earlier solutions up to which its solution tells a
 /// finer one nothing new, dimensionless: such a change is hardly more than what the coarse
@@ -128,34 +87,25 @@ const FARTHEST: f64 = 2.5;
 
 impl Setup {
     pub fn new(problem: &Problem, options: &Options, watch: Watch) -> Result<Self, Error> {
-        Self::treated(problem, options, (Some(Discretisation::Exact), watch))
+        Self::treated(problem, options, (Discretisation::Exact, watch))
     }
 
     /// For edges and pressures on which the exact discretisation of stick and slip fails.
     pub fn robust(problem: &Problem, options: &Options, watch: Watch) -> Result<Self, Error> {
-        Self::treated(problem, options, (Some(Discretisation::Robust), watch))
-    }
-
-    /// With bristles that are followed from cell to cell however stiff they are.
-    pub fn of_bristles(problem: &Problem, options: &Options, watch: Watch) -> Result<Self, Error> {
-        Self::treated(problem, options, (None, watch))
+        Self::treated(problem, options, (Discretisation::Robust, watch))
     }
 
     fn treated(
         problem: &Problem,
         options: &Options,
-        treated: (Option<Discretisation>, Watch),
+        treated: (Discretisation, Watch),
     ) -> Result<Self, Error> {
         let normal = problem.normal.normal_contact(None)?;
         let levels = level::nested(problem, &normal, options, treated)?;
-        let stick_share = levels[0].strips.stick_share();
-        let is_held = levels[0].contact.is_held(problem);
         Ok(Self {
             problem: problem.clone(),
             levels,
-            stick_share,
-            is_held,
-            is_exact: treated.0 == Some(Discretisation::Exact),
+            is_exact: treated.0 == Discretisation::Exact,
             earlier: Vec::new(),
         })
     }
@@ -165,19 +115,7 @@ impl Setup {
             && Arc::ptr_eq(&self.problem.normal, &problem.normal)
             && Arc::ptr_eq(&self.problem.elasticity, &problem.elasticity)
             && self.problem.layer == problem.layer
-            && self.problem.contact_law.is_coulomb() == problem.contact_law.is_coulomb()
-            && is_alike(self.levels[0].contact.stick_share(problem).value, self.stick_share)
-            && (self.is_held || !self.levels[0].contact.is_held(problem))
-    }
-
-    /// Whether the bristles of a problem are in series with stick and slip, at least in part.
-    pub fn has_stiff_bristles(&self, problem: &Problem) -> bool {
-        self.sticks() && !problem.contact_law.is_coulomb()
-    }
-
-    /// Whether cells stick without sliding, at least in part.
-    pub fn sticks(&self) -> bool {
-        self.stick_share > 0.0
+            && self.problem.contact_law.path().is_like(&problem.contact_law.path())
     }
 
     /// The steady state, starting from previous solutions; if that fails, from none; and then
@@ -194,20 +132,7 @@ impl Setup {
         if outcome.converged {
             return Ok(outcome);
         }
-        if problem.contact_law.is_coulomb() {
-            return Ok(self.find_from_faster(problem, search)?.unwrap_or(outcome));
-        }
-        let easier = if self.sticks() { stiffened(problem) } else { softened(problem) };
-        if easier.is_empty() {
-            return Ok(outcome);
-        }
-        for easier in easier {
-            let found = self.find_equilibrium(&easier, search)?;
-            if !found.converged {
-                return Ok(outcome);
-            }
-        }
-        self.find_equilibrium(problem, search)
+        Ok(self.find_from_faster(problem, search)?.unwrap_or(outcome))
     }
 
     /// The steady state, starting from those of faster motions; none if there may be several, or
@@ -237,18 +162,12 @@ impl Setup {
     ) -> Result<Outcome, Error> {
         let cells = self.levels[0].contact.patch.len();
         (search.work.cells, search.work.outer_iterations) = (cells, 1);
-        let sticks = self.sticks();
-        if self.earlier.len() == 1 && !sticks {
-            self.finish_coarse(search)?;
-        }
         let mut ahead = self.extrapolation(problem);
         self.problem = problem.clone();
         if self.is_nearer_rest() && self.is_misled(ahead, search) {
             self.earlier.clear();
             ahead = 0.0;
         }
-        let is_fine = !self.earlier.is_empty() || sticks;
-        let coarse = COARSE_TOLERANCE[usize::from(is_fine)];
         let mut outcome = Outcome::default();
         for depth in (0..self.levels.len()).rev() {
             self.levels[depth].set_problem(problem);
@@ -258,7 +177,7 @@ impl Setup {
                 1 if search.options.extrapolate => {
                     EXTRAPOLATED_TOLERANCE.min(EXTRAPOLATED * search.options.tolerance)
                 }
-                _ => coarse,
+                _ => COARSE_TOLERANCE,
             };
             outcome = self.solve_level(depth, tolerance, search)?;
             let is_new = self.earlier.is_empty() || outcome.first_residual > LEAST_NEWS;
@@ -302,22 +221,6 @@ impl Setup {
         system.residual(&guess, &response, &mut residual);
         self.levels[coarsest].traction = guess;
         norm(&residual) > without
-    }
-
-    /// Solves the coarser grids of the previous problem as accurately as those of the next one will
-    /// be: what a cold solution left undone on them is no change from one problem to the next.
-    fn finish_coarse(&mut self, search: &mut Search) -> Result<(), Error> {
-        let problem = self.problem.clone();
-        let [_, tolerance] = COARSE_TOLERANCE;
-        for depth in (1..self.levels.len()).rev() {
-            let level = &mut self.levels[depth];
-            level.set_problem(&problem);
-            level.traction.copy_from_slice(&level.earlier[0]);
-            self.solve_level(depth, tolerance, search)?;
-            let level = &mut self.levels[depth];
-            level.earlier[0].copy_from_slice(&level.traction);
-        }
-        Ok(())
     }
 
     /// Newton's method for the present problem on one level, from its initial guess.

@@ -208,12 +208,8 @@ impl SteadySolver {
         let is_lost = |setup: &Setup, outcome: &Outcome| {
             !outcome.converged && !branches::may_be_several(problem, &setup.levels[0], false)
         };
-        if is_lost(&setup, &outcome) && setup.sticks() {
+        if is_lost(&setup, &outcome) {
             setup = Setup::robust(problem, &self.options, watch)?;
-            outcome = setup.find(problem, &mut search)?;
-        }
-        if !outcome.converged && setup.has_stiff_bristles(problem) {
-            setup = Setup::of_bristles(problem, &self.options, watch)?;
             outcome = setup.find(problem, &mut search)?;
         }
         let mut warning = None;
@@ -261,7 +257,7 @@ impl SteadySolver {
         if is_warm && !found.0.converged {
             found = setup.find_together(&at.problem, &drives, &mut search)?;
         }
-        if !found.0.converged && setup.sticks() {
+        if !found.0.converged {
             setup = Setup::robust(&at.problem, &self.options, watch)?;
             found = setup.find_together(&at.problem, &drives, &mut search)?;
         }

@@ -61,7 +61,7 @@ impl Equilibrium for SteadyState<'_> {
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]) {
         let is_coupled = self.is_coupled();
         let Level { contact, strips, workspace, .. } = &mut self.levels[0];
-        let strips = Strips { law: strips.as_ref(), traction: p };
+        let strips = Strips { law: strips, traction: p };
         relate(contact.product(p), &strips, &mut workspace.at_entry, u, is_coupled);
     }
 
@@ -102,7 +102,7 @@ impl Equilibrium for SteadyState<'_> {
     }
 
     fn recycles(&self) -> bool {
-        self.level().strips.stick_share() > 0.0
+        true
     }
 
     fn precondition(&mut self, v: &mut [f64]) {
@@ -112,7 +112,7 @@ impl Equilibrium for SteadyState<'_> {
 
 /// The strips of a patch under a traction (in Pa).
 struct Strips<'a> {
-    law: &'a dyn StripLaw,
+    law: &'a StripLaw,
     traction: &'a [f64],
 }
 
@@ -155,9 +155,7 @@ impl Direct {
         Self {
             cause: Cause {
                 rigid: vec![0.0; 2 * cells],
-                turn: vec![0.0; 2 * cells],
                 stiffness: 0.0,
-                over_cells: 0.0,
             },
             response: Vec::new(),
             bound: vec![0.0; cells],
@@ -202,26 +200,6 @@ impl SteadyState<'_> {
         friction.evaluate(self.problem, &contact.patch, traction, &passing);
     }
 
-    /// Derivative of the linear response (in m) at the solution with respect to the logarithm of
-    /// the ratio of bristle to cell stiffness, on which the interpolation at the leading edge
-    /// depends; `None` if it does not.
-    pub fn response_by_stiffness(&mut self) -> Option<Vec<f64>> {
-        let mut response = vec![0.0; self.response_size()];
-        let Level { contact, strips, traction, workspace, .. } = &mut self.levels[0];
-        let by_stiffness = contact.cubic_share_by_stiffness();
-        if by_stiffness == 0.0 {
-            return None;
-        }
-        let b = &mut response[..traction.len()];
-        contact.product(traction).at_entries_by_share(&mut workspace.at_entry);
-        for (b, entry) in b.iter_mut().zip(&workspace.at_entry) {
-            *b = -by_stiffness * entry;
-        }
-        let nothing = vec![0.0; b.len()];
-        strips.relate(&nothing, b);
-        Some(response)
-    }
-
     /// Derivative of the linear response at the solution with respect to the logarithm of the patch
     /// size; returns whether the elasticity knows it.
     pub fn response_by_size(&mut self, response: &mut [f64]) -> bool {
@@ -230,7 +208,7 @@ impl SteadyState<'_> {
         let made = contact.product_by_size(traction);
         let is_known = made.is_some();
         if let Some(made) = made {
-            let strips = Strips { law: strips.as_ref(), traction };
+            let strips = Strips { law: strips, traction };
             relate(made, &strips, &mut workspace.at_entry, response, is_coupled);
         }
         // The law has added the calibration of the layer, which does not depend on the size.
@@ -245,8 +223,8 @@ impl SteadyState<'_> {
     /// What the law adds to the shear of the layer between the surfaces at the present traction,
     /// where the displacement is calibrated; in m.
     fn calibration_of_layer(&mut self) -> Option<Vec<f64>> {
-        let Level { contact, strips, traction, .. } = &mut self.levels[0];
-        if strips.stick_share() != 1.0 || !contact.compliance.couples_cells() {
+        let Level { contact, traction, .. } = &mut self.levels[0];
+        if !contact.compliance.couples_cells() {
             return None;
         }
         let cells = contact.patch.cells.iter();
@@ -274,8 +252,7 @@ impl SteadyState<'_> {
     /// The part of the linear response at the present traction that is the shear of the layer
     /// between the surfaces. Returns whether there is one.
     ///
-    /// Where the displacement is calibrated, so is this. In a mean with bristles it is not, and the
-    /// derivative by the layer is that but for the cells at the edge.
+    /// Where the displacement is calibrated, so is this.
     pub fn response_of_layer(&mut self, response: &mut [f64]) -> bool {
         let is_coupled = self.is_coupled();
         let calibration = self.calibration_of_layer();
@@ -299,12 +276,12 @@ impl SteadyState<'_> {
 fn precondition(levels: &mut [Level], v: &mut [f64]) {
     let Some((level, coarser)) = levels.split_first_mut() else { return };
     let Some(Descent { transfer, carried, known }) = &mut level.descent else {
-        sweep(level.strips.as_mut(), &level.friction, v);
+        sweep(&mut level.strips, &level.friction, v);
         return;
     };
     level.strips.complete(v);
     transfer.restrict(v, carried);
-    sweep(level.strips.as_mut(), &level.friction, v);
+    sweep(&mut level.strips, &level.friction, v);
     transfer.restrict(v, known);
     precondition(coarser, carried);
     for (carried, known) in carried.iter_mut().zip(known) {
@@ -314,6 +291,6 @@ fn precondition(levels: &mut [Level], v: &mut [f64]) {
     level.strips.complete(v);
 }
 
-fn sweep(strips: &mut dyn StripLaw, friction: &SteadyFriction, v: &mut [f64]) {
+fn sweep(strips: &mut StripLaw, friction: &SteadyFriction, v: &mut [f64]) {
     strips.precondition(v, friction.is_coupled.then_some(friction));
 }

@@ -8,10 +8,9 @@ use std::ops::Range;
 
 use crate::patch::Patch;
 use crate::rolling::shared::contact::at_distance;
-use crate::rolling::shared::coulomb::{CoulombContact, Matrix, SlipStencil, Slope};
+use crate::rolling::shared::coulomb::{Answer, CoulombContact, Matrix, SlipStencil};
 
 use super::block::{Block, Twice, image, reduced_by};
-use super::stretching::{Cells, Stretching};
 
 /// Number of neighbours on either side that displace a cell.
 const NEIGHBOURS: usize = 2;
@@ -88,41 +87,22 @@ impl StripFactors {
         }
     }
 
-    /// Factorises the Jacobian of all strips, with γ in Pa/m and the stretching of the bristles, if
-    /// there are any.
-    pub fn factorise(
-        &mut self,
-        strips: &[Range<usize>],
-        slopes: &[Slope],
-        gamma: f64,
-        stretching: Option<(&Stretching, Cells)>,
-    ) {
-        let stiffness = (gamma * self.own) as f32;
-        for cells in strips.chunks(AT_ONCE) {
+    /// Factorises the Jacobian of all strips.
+    pub fn factorise(&mut self, interface: &Interface) {
+        let stiffness = (interface.gamma * self.own) as f32;
+        for cells in interface.kept.chunks(AT_ONCE) {
             let longest = cells.iter().map(ExactSizeIterator::len).max().unwrap_or(0);
             for n in 0..longest {
                 for cells in cells.iter().filter(|cells| n < cells.len()) {
                     let k = cells.start + n;
-                    let mut slips = self.slips[k];
-                    if let Some((stretching, cells)) = stretching {
-                        self.add_bristles(&mut slips, k, stretching.blocks(k, cells));
+                    let slope = Block::of(&interface.answers[k].by_pull);
+                    let mut row = [Block::default(); WIDTH];
+                    for (block, slip) in row.iter_mut().zip(&self.slips[k]) {
+                        *block = block.plus(stiffness, slope.times(*slip));
                     }
-                    self.factorise_row((k, n), &slips, &slopes[k], stiffness);
+                    interface.add_bristles(&mut row, k);
+                    self.factorise_row((k, n), row, slope);
                 }
-            }
-        }
-    }
-
-    /// Adds the stretching of the bristles to the row of cell `k`.
-    fn add_bristles(
-        &self,
-        row: &mut Row<Block>,
-        k: usize,
-        blocks: impl Iterator<Item = (usize, Matrix)>,
-    ) {
-        for (j, block) in blocks {
-            if let Some(at) = row.get_mut((LOWER + j).wrapping_sub(k)) {
-                *at = at.plus(self.own.recip() as f32, Block::of(&block));
             }
         }
     }
@@ -131,15 +111,9 @@ impl StripFactors {
     fn factorise_row(
         &mut self,
         (k, upstream): (usize, usize),
-        slips: &Row<Block>,
-        slope: &Slope,
-        stiffness: f32,
+        mut row: Row<Block>,
+        slope: Block,
     ) {
-        let slope = Block::of(&slope.by_pull);
-        let mut row = [Block::default(); WIDTH];
-        for (block, slip) in row.iter_mut().zip(slips) {
-            *block = block.plus(stiffness, slope.times(*slip));
-        }
         row[LOWER] = row[LOWER].plus(-1.0, slope).plus(1.0, Block::ONE);
         for at in LOWER - LOWER.min(upstream)..LOWER {
             let above = self.upper[k + at - LOWER];
@@ -184,6 +158,33 @@ impl StripFactors {
                         [v[2 * k], v[2 * k + 1]] = value.map(f64::from);
                     }
                 }
+            }
+        }
+    }
+}
+
+/// What the interface answers in every cell.
+pub(super) struct Interface<'a> {
+    /// The cells with equations of their own, strip by strip.
+    pub kept: &'a [Range<usize>],
+    pub answers: &'a [Answer],
+    /// In Pa/m.
+    pub gamma: f64,
+    /// Stencils of the bristles, if there are any, and the derivatives of the tractions by what is
+    /// upstream, in Pa.
+    pub bristles: Option<(&'a Vec<SlipStencil>, &'a Vec<Matrix>)>,
+    /// μ pₙ, in Pa.
+    pub bound: &'a [f64],
+}
+
+impl Interface<'_> {
+    /// Takes what the traction of cell `k` owes to those upstream off its row.
+    fn add_bristles(&self, row: &mut Row<Block>, k: usize) {
+        let Some((stencils, by_upstream)) = self.bristles else { return };
+        let block = Block::of(&by_upstream[k].map(|row| row.map(|by| by / self.bound[k])));
+        for (j, weight) in stencils[k].cells(k).filter(|(j, _)| *j != k) {
+            if let Some(at) = row.get_mut((LOWER + j).wrapping_sub(k)) {
+                *at = at.plus(-(weight * self.bound[k] / self.bound[j]) as f32, block);
             }
         }
     }
@@ -254,6 +255,7 @@ mod tests {
 
     use super::*;
     use crate::rolling::shared::cell::times;
+    use crate::rolling::shared::coulomb::Bristles;
     use crate::rolling::shared::passage::pair;
 
     /// The factors solve the banded system, strip by strip, in stick and in slip.
@@ -268,11 +270,18 @@ mod tests {
         let slips: Vec<Row<Matrix>> = (0..14)
             .map(|k| std::array::from_fn(|at| block(k, at).map(|r| r.map(|s| 1e-2 * s))))
             .collect();
-        let slopes: Vec<Slope> =
-            (0..14).map(|k| Slope::at([0.3 * f64::from(k), 1.0], 2.0)).collect();
+        let bristles = Bristles::default();
+        let answers: Vec<Answer> =
+            (0..14).map(|k| Answer::to([0.3 * f64::from(k), 1.0], 2.0, &bristles)).collect();
         let single = slips.iter().map(|row| row.map(|block| Block::of(&block)));
         let mut factors = StripFactors::of(single.collect());
-        factors.factorise(std::slice::from_ref(&cells), &slopes, 3.0, None);
+        factors.factorise(&Interface {
+            kept: std::slice::from_ref(&cells),
+            answers: &answers,
+            gamma: 3.0,
+            bristles: None,
+            bound: &[2.0; 14],
+        });
         let right: Vec<f64> = (0..28).map(|n| f64::from((5 * n) % 9) - 4.0).collect();
         let mut v = right.clone();
         factors.solve(std::slice::from_ref(&cells), &mut v);
@@ -283,7 +292,7 @@ mod tests {
                 let by = times(&slips[k][LOWER + j - k], pair(&v, j));
                 slid = [slid[0] + 3.0 * by[0], slid[1] + 3.0 * by[1]];
             }
-            let moved = times(&slopes[k].by_pull, [own[0] - slid[0], own[1] - slid[1]]);
+            let moved = times(&answers[k].by_pull, [own[0] - slid[0], own[1] - slid[1]]);
             for c in 0..2 {
                 assert_relative_eq!(own[c] - moved[c], right[2 * k + c], epsilon = 2e-5);
             }

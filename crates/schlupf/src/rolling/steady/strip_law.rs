@@ -1,75 +1,56 @@
 //! What the interface of wheel and rail demands along the strips of a patch in steady rolling.
+//!
+//! For every cell p = R(p + γ v), see [`resolvent`](crate::rolling::shared::coulomb::Answer): v is
+//! the sliding over the way into the cell, and what the material brings along is what it has done
+//! upstream in its strip.
 
+use crate::error::Error;
+use crate::interface::contact_law::Path;
+use crate::normal::NormalContact;
 use crate::numerics::vector::norm;
 use crate::patch::{Cell, Patch};
 use crate::problem::Problem;
-use crate::state::Element;
+use crate::rolling::shared::cell::{inverse_2x2, times};
+use crate::rolling::shared::contact::DiscreteContact;
+use crate::rolling::shared::coulomb::{
+    Answer, Bristles, CoulombContact, Discretisation, Matrix, SlipStencil, product_2x2, saturation,
+    slide,
+};
+use crate::rolling::shared::passage::pair;
+use crate::state::{Element, Places, TrackPoint};
 
 use super::steady_friction::SteadyFriction;
+use super::strip_factors::{Interface, StripFactors};
 
 /// The equations F(p) = 0 of the cells, given b = B p: the linear response of the bodies to the
 /// traction p on the rail. Vectors have the x and y component of each cell in turn.
-pub(super) trait StripLaw: Send + Sync {
-    /// Switches to another motion and other laws, with γ in Pa/m.
-    fn set_problem(&mut self, problem: &Problem, patch: &Patch, gamma: f64);
-
+pub(super) struct StripLaw {
+    path: Path,
+    gamma: f64,
     /// μ pₙ of each cell, in Pa.
-    fn bound(&self) -> &[f64];
-
-    /// Sets μ pₙ from the coefficient of friction (dimensionless) of each cell.
-    fn set_bound(&mut self, cells: &[Cell], coefficient: &[f64]);
-
-    /// Converts displacements at the cells under the traction p, relative to those where their
-    /// material entered, into b, in place; both in m.
-    fn relate(&self, p: &[f64], b: &mut [f64]);
-
-    /// Traction on the rail divided by μ pₙ of each cell, if only the bristles were compliant;
-    /// dimensionless.
-    fn rigid_saturation(&self) -> Vec<[f64; 2]>;
-
-    /// The residual that defines the tolerance, in Pa.
-    fn defect(&self, p: &[f64], b: &[f64]) -> f64;
-
-    /// F(p), in Pa; prepares the tangent.
-    fn residual(&mut self, p: &[f64], b: &[f64], residual: &mut [f64]);
-
-    /// Change of F due to small changes.
-    fn tangent(&self, change: &Changed, cause: Option<&Cause>, product: &mut [f64]);
-
-    /// Replaces v by an approximation to the inverse Jacobian times v, in one pass down every
-    /// strip. If `friction` depends on the heat from upstream, this is included.
-    fn precondition(&mut self, v: &mut [f64], friction: Option<&SteadyFriction>);
-
-    /// The elements of the steady state with the traction p, without their heat, given also the
-    /// displacements at the cells relative to those where their material entered, in m.
-    fn elements(&self, patch: &Patch, p: &[f64], b: &[f64], relative: &[f64]) -> Vec<Element>;
-
-    /// Gives the cells that have no equation of their own the traction that follows from the
-    /// others, in place.
-    fn complete(&self, _p: &mut [f64]) {}
-
-    /// Gives such cells the coefficient of friction (dimensionless) that their traction obeys.
-    fn complete_friction(&self, _coefficient: &mut [f64]) {}
-
-    /// Replaces the slip velocity of the cells, at a rolling speed in m/s, by that of the law, if
-    /// it has one of its own.
-    fn take_slip(&self, _b: &[f64], _speed: f64, _slip: &mut [[f64; 2]]) {}
-
-    /// Share of F in which cells stick without sliding, but for what stretches bristles;
-    /// dimensionless.
-    fn stick_share(&self) -> f64 {
-        0.0
-    }
-
-    /// Number of cells.
-    fn len(&self) -> usize {
-        self.bound().len()
-    }
-
-    /// ‖μ pₙ‖₂, in Pa.
-    fn scale(&self) -> f64 {
-        norm(self.bound())
-    }
+    bound: Vec<f64>,
+    contact: CoulombContact,
+    /// Those of the slip, and those of what the bristles do.
+    stencils: [Vec<SlipStencil>; 2],
+    factors: StripFactors,
+    /// Whether factors and inverses are those of the last residual.
+    is_factorised: bool,
+    /// Whether a cell is the first of its strip.
+    is_first: Vec<bool>,
+    /// Rigid sliding since entry, and over the way into each cell, in m.
+    rigid_since_entry: Vec<f64>,
+    rigid: Vec<f64>,
+    /// p/(μ pₙ) at the last residual, dimensionless.
+    saturation: Vec<f64>,
+    answers: Vec<Answer>,
+    /// Derivatives of the traction by c, in Pa.
+    by_upstream: Vec<Matrix>,
+    /// Inverse of the local Jacobian of each cell.
+    inverses: Vec<Matrix>,
+    /// Changes of the saturation.
+    changes: Vec<f64>,
+    /// Changes of the heat flux (in W/m²) during a pass of the preconditioner down the strips.
+    flux_changes: Vec<f64>,
 }
 
 /// Small changes of the arguments of F.
@@ -88,10 +69,404 @@ pub(super) struct Changed<'a> {
 pub(super) struct Cause {
     /// Of the rigid slip D along the path into each cell, in m.
     pub rigid: Vec<f64>,
-    /// Of the rigid part of the turn between the middle and the end of the path, in m.
-    pub turn: Vec<f64>,
     /// Relative change of k_c, dimensionless.
     pub stiffness: f64,
-    /// Relative change of the stiffness of bristles over that of cells, dimensionless.
-    pub over_cells: f64,
+}
+
+/// Largest part of c to τ: the stencil overshoots where q has a kink.
+const MOST_INHERITED: f64 = 1.0;
+
+impl StripLaw {
+    /// The strips of a patch; [`Self::set_problem`] sets motion and laws.
+    ///
+    /// # Errors
+    /// Those of [`CoulombContact::new`].
+    pub fn new(
+        problem: &Problem,
+        normal: &NormalContact,
+        discrete: &mut DiscreteContact,
+        discretisation: Discretisation,
+    ) -> Result<Self, Error> {
+        let contact = CoulombContact::new(problem, normal, discrete, discretisation)?;
+        let row = discrete.row_compliances();
+        let patch = &discrete.patch;
+        let path = problem.contact_law.path();
+        let ratio = normal.summary.semi_axis_x / normal.summary.semi_axis_y;
+        let kept = &contact.slivers.kept;
+        let stencils = match path {
+            Path::Incremental { .. } => [
+                SlipStencil::of(patch, kept, ratio, discretisation),
+                SlipStencil::of(patch, kept, ratio, Discretisation::Robust),
+            ],
+            Path::Total { .. } => [(); 2].map(|()| SlipStencil::since_entry(patch, kept)),
+        };
+        let cells = patch.len();
+        let mut is_first = vec![false; cells];
+        for strip in &patch.strips {
+            is_first[strip.cells.start] = true;
+        }
+        Ok(Self {
+            path,
+            gamma: 0.0,
+            bound: vec![0.0; cells],
+            factors: StripFactors::new(patch, &contact, &stencils[0], &row),
+            stencils,
+            is_factorised: false,
+            is_first,
+            rigid_since_entry: vec![0.0; 2 * cells],
+            rigid: vec![0.0; 2 * cells],
+            saturation: vec![0.0; 2 * cells],
+            answers: vec![Answer::default(); cells],
+            by_upstream: vec![Matrix::default(); cells],
+            inverses: vec![Matrix::default(); cells],
+            changes: vec![0.0; 2 * cells],
+            flux_changes: vec![0.0; cells],
+            contact,
+        })
+    }
+
+    /// Switches to another motion and other laws of the same kind, with γ in Pa/m.
+    pub fn set_problem(&mut self, problem: &Problem, patch: &Patch, gamma: f64) {
+        self.gamma = gamma;
+        self.path = problem.contact_law.path();
+        let since_entry =
+            patch.cells.iter().flat_map(|cell| cell.rigid_slip_since_entry(&problem.kinematics));
+        self.rigid_since_entry = since_entry.collect();
+        self.rigid.copy_from_slice(&self.rigid_since_entry);
+        slide(&self.stencils[0], &mut self.rigid);
+    }
+
+    /// Number of cells.
+    pub fn len(&self) -> usize {
+        self.bound.len()
+    }
+
+    /// ‖μ pₙ‖₂, in Pa.
+    pub fn scale(&self) -> f64 {
+        norm(&self.bound)
+    }
+
+    /// μ pₙ of each cell, in Pa.
+    pub fn bound(&self) -> &[f64] {
+        &self.bound
+    }
+
+    /// Sets μ pₙ from the coefficient of friction (dimensionless) of each cell.
+    pub fn set_bound(&mut self, cells: &[Cell], coefficient: &[f64]) {
+        for (bound, (cell, coefficient)) in self.bound.iter_mut().zip(cells.iter().zip(coefficient))
+        {
+            *bound = coefficient * cell.pressure;
+        }
+        self.contact.slivers.complete_scalar(&mut self.bound);
+    }
+
+    /// Converts displacements at the cells under the traction p, relative to those where their
+    /// material entered, into b, in place; both in m.
+    pub fn relate(&self, p: &[f64], b: &mut [f64]) {
+        self.contact.calibration.add(p, b);
+        slide(&self.stencils[0], b);
+    }
+
+    /// Sliding at a cell over the way into it, in m.
+    fn sliding(&self, b: &[f64], k: usize) -> [f64; 2] {
+        [0, 1].map(|c| self.rigid[2 * k + c] - b[2 * k + c])
+    }
+
+    /// Traction on the rail divided by μ pₙ of each cell, if only the bristles were compliant;
+    /// dimensionless.
+    pub fn rigid_saturation(&self) -> Vec<[f64; 2]> {
+        let mut all = vec![[0.0; 2]; self.len()];
+        for k in self.contact.kept() {
+            let s = pair(&self.rigid, k);
+            let length = s[0].hypot(s[1]);
+            all[k] = match self.path {
+                Path::Incremental { stiffness } => {
+                    let stencil = &self.stencils[1][k];
+                    let mut free = s;
+                    for (j, weight) in stencil.cells(k).filter(|(j, _)| *j < k) {
+                        free = [0, 1].map(|c| free[c] - weight * all[j][c] / stiffness);
+                    }
+                    let whole = stencil.own() / stiffness + length;
+                    free.map(|s| if whole > 0.0 { s / whole } else { 0.0 })
+                }
+                Path::Total { stiffness } => {
+                    let share = -(-stiffness * length).exp_m1();
+                    s.map(|s| if length > 0.0 { share * s / length } else { 0.0 })
+                }
+            };
+        }
+        all
+    }
+
+    /// What is known at a cell of its traction: τ and c.
+    fn upstream(&self, saturation: &[f64], k: usize) -> (f64, [f64; 2]) {
+        let mut sum = [0.0; 2];
+        let stencil = &self.stencils[1][k];
+        for (j, weight) in stencil.cells(k).filter(|(j, _)| *j != k) {
+            sum = [0, 1].map(|c| sum[c] + weight * saturation[2 * j + c]);
+        }
+        (stencil.own(), sum)
+    }
+
+    /// The answer of a cell, and its derivative by c in Pa.
+    fn answer(&self, (p, b): (&[f64], &[f64]), saturation: &[f64], k: usize) -> (Answer, Matrix) {
+        let sliding = self.sliding(b, k);
+        let pull = [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
+        let stiffness = match self.path {
+            Path::Total { stiffness } => {
+                let answer = Answer::in_total(pull, self.bound[k], self.gamma / stiffness);
+                return (answer, Matrix::default());
+            }
+            Path::Incremental { stiffness } if stiffness.is_infinite() => {
+                let answer = Answer::to(pull, self.bound[k], &Bristles::default());
+                return (answer, Matrix::default());
+            }
+            Path::Incremental { stiffness } => stiffness,
+        };
+        let compliance = self.gamma / stiffness;
+        let (own, c) = self.upstream(saturation, k);
+        let size = c[0].hypot(c[1]);
+        let most = MOST_INHERITED * own;
+        let share = if size > most { most / size } else { 1.0 };
+        let inherited = c.map(|c| compliance * share * c);
+        let bristles = Bristles { own: compliance * own, inherited };
+        let answer = Answer::to(pull, self.bound[k], &bristles);
+        let mut by_c = [[compliance, 0.0], [0.0, compliance]];
+        if size > most {
+            let n = c.map(|c| c / size);
+            let mixed = -compliance * share * n[0] * n[1];
+            by_c = [
+                [compliance * share * n[1] * n[1], mixed],
+                [mixed, compliance * share * n[0] * n[0]],
+            ];
+        }
+        (answer, product_2x2(&answer.by_inherited, &by_c))
+    }
+
+    fn take_saturation(&mut self, p: &[f64]) {
+        for k in self.contact.slivers.kept.iter().flat_map(Clone::clone) {
+            for c in 0..2 {
+                self.saturation[2 * k + c] = p[2 * k + c] / self.bound[k];
+            }
+        }
+    }
+
+    /// The residual that defines the tolerance, in Pa.
+    pub fn defect(&self, p: &[f64], b: &[f64]) -> f64 {
+        let over = |(at, p): (usize, &f64)| {
+            let bound = self.bound[at / 2];
+            if bound > 0.0 { p / bound } else { 0.0 }
+        };
+        let saturation: Vec<f64> = p.iter().enumerate().map(over).collect();
+        let square = |k: usize| {
+            let (Answer { traction, .. }, _) = self.answer((p, b), &saturation, k);
+            (p[2 * k] - traction[0]).powi(2) + (p[2 * k + 1] - traction[1]).powi(2)
+        };
+        self.contact.kept().map(square).sum::<f64>().sqrt()
+    }
+
+    /// F(p), in Pa; prepares the tangent.
+    pub fn residual(&mut self, p: &[f64], b: &[f64], residual: &mut [f64]) {
+        residual.fill(0.0);
+        self.take_saturation(p);
+        for strip in 0..self.contact.slivers.kept.len() {
+            for k in self.contact.slivers.kept[strip].clone() {
+                let (answer, by_upstream) = self.answer((p, b), &self.saturation, k);
+                for c in 0..2 {
+                    residual[2 * k + c] = p[2 * k + c] - answer.traction[c];
+                }
+                self.answers[k] = answer;
+                self.by_upstream[k] = by_upstream;
+            }
+        }
+        self.is_factorised = false;
+    }
+
+    /// Change of F due to small changes.
+    pub fn tangent(&mut self, change: &Changed, cause: Option<&Cause>, product: &mut [f64]) {
+        product.fill(0.0);
+        for cells in &self.contact.slivers.kept {
+            let pairs = 2 * cells.start..2 * cells.end;
+            let tractions = change.traction[pairs.clone()].chunks_exact(2);
+            let responses = change.response[pairs.clone()].chunks_exact(2);
+            let products = product[pairs].chunks_exact_mut(2);
+            let data = tractions.zip(responses).zip(&self.answers[cells.clone()]);
+            for (product, ((p, u), answer)) in products.zip(data) {
+                let moved =
+                    times(&answer.by_pull, [p[0] - self.gamma * u[0], p[1] - self.gamma * u[1]]);
+                product.copy_from_slice(&[p[0] - moved[0], p[1] - moved[1]]);
+            }
+        }
+        if let Some(bound) = change.bound {
+            for k in self.contact.kept() {
+                for c in 0..2 {
+                    product[2 * k + c] -= bound[k] * self.answers[k].by_bound[c];
+                }
+            }
+        }
+        if self.has_bristles() {
+            self.add_upstream(change, product);
+        }
+        let Some(cause) = cause else { return };
+        let mut slid = self.since_entry(&cause.rigid);
+        slide(&self.stencils[0], &mut slid);
+        for k in self.contact.kept() {
+            let answer = &self.answers[k];
+            let moved = times(&answer.by_pull, pair(&slid, k));
+            for c in 0..2 {
+                product[2 * k + c] -=
+                    self.gamma * moved[c] + cause.stiffness * answer.by_stiffness[c];
+            }
+        }
+    }
+
+    fn has_bristles(&self) -> bool {
+        matches!(self.path, Path::Incremental { stiffness } if stiffness.is_finite())
+    }
+
+    /// Adds what changes upstream do through the bristles.
+    fn add_upstream(&mut self, change: &Changed, product: &mut [f64]) {
+        for k in self.contact.slivers.kept.iter().flat_map(Clone::clone) {
+            let raised = change.bound.map_or(0.0, |bound| bound[k]);
+            for c in 0..2 {
+                let at = 2 * k + c;
+                self.changes[at] =
+                    (change.traction[at] - self.saturation[at] * raised) / self.bound[k];
+            }
+        }
+        for k in self.contact.kept() {
+            let (_, changed) = self.upstream(&self.changes, k);
+            let moved = times(&self.by_upstream[k], changed);
+            for c in 0..2 {
+                product[2 * k + c] -= moved[c];
+            }
+        }
+    }
+
+    /// Replaces v by an approximation to the inverse Jacobian times v: strip by strip, and then
+    /// what friction that depends on the heat from upstream adds in each cell, without what this
+    /// does to its neighbours.
+    pub fn precondition(&mut self, v: &mut [f64], friction: Option<&SteadyFriction>) {
+        if !self.is_factorised {
+            self.factorise(friction.is_some());
+        }
+        self.factors.solve(&self.contact.slivers.kept, v);
+        if let Some(friction) = friction {
+            self.flux_changes.fill(0.0);
+            for k in self.contact.kept() {
+                let by_bound = times(&self.inverses[k], self.answers[k].by_bound);
+                let traction = pair(v, k);
+                let raised = friction.raised_bound(k, &self.flux_changes, traction, by_bound);
+                let traction = [0, 1].map(|c| traction[c] + raised * by_bound[c]);
+                self.flux_changes[k] = friction.flux_change(k, traction);
+                v[2 * k..2 * k + 2].copy_from_slice(&traction);
+            }
+        }
+        self.contact.slivers.complete(v);
+    }
+
+    fn factorise(&mut self, is_coupled: bool) {
+        let interface = Interface {
+            kept: &self.contact.slivers.kept,
+            answers: &self.answers,
+            gamma: self.gamma,
+            bristles: self.has_bristles().then_some((&self.stencils[1], &self.by_upstream)),
+            bound: &self.bound,
+        };
+        self.factors.factorise(&interface);
+        if is_coupled {
+            for k in self.contact.slivers.kept.iter().flat_map(Clone::clone) {
+                let weight = self.gamma * self.stencils[0][k].own();
+                let stiffening = self.contact.local[k].map(|row| row.map(|local| weight * local));
+                self.inverses[k] = inverse_2x2(self.answers[k].jacobian(&stiffening));
+            }
+        }
+        self.is_factorised = true;
+    }
+
+    /// The elements of the steady state with the traction p, without their heat, given also the
+    /// displacements at the cells relative to those where their material entered, in m.
+    pub fn elements(
+        &self,
+        patch: &Patch,
+        p: &[f64],
+        b: &[f64],
+        relative: &[f64],
+    ) -> Vec<Element> {
+        let mut displaced = relative.to_vec();
+        self.contact.calibration.add(p, &mut displaced);
+        let pairs = self.rigid_since_entry.iter().zip(&displaced);
+        let slid: Vec<f64> = pairs.map(|(rigid, displaced)| rigid - displaced).collect();
+        let mut elements = Vec::with_capacity(self.len());
+        for (number, strip) in patch.strips.iter().enumerate() {
+            for k in strip.cells.clone() {
+                elements.push(Element {
+                    index: patch.cells[k].index,
+                    traction: pair(p, k),
+                    saturation: saturation(pair(p, k), self.bound[k]),
+                    sliding: pair(&slid, k),
+                    stretch: pair(b, k).map(|b| -b / patch.cells[k].path_in.distance),
+                    track: self.track(patch, &slid, p, (number, k)),
+                    ..Element::default()
+                });
+            }
+        }
+        elements
+    }
+
+    /// The places of the path of an element to a cell of a strip from which the next slip follows,
+    /// the latest first, with the sliding since entry up to each cell, in m. Slivers at the leading
+    /// edge are none of them.
+    fn track(&self, patch: &Patch, slid: &[f64], p: &[f64], at: (usize, usize)) -> Places {
+        let (strip, k) = at;
+        let kept = self.contact.slivers.kept[strip].clone();
+        let here = patch.cells[k].since_entry.distance;
+        let entry = TrackPoint { distance: here, ..TrackPoint::default() };
+        let cells = (kept.start..=k).rev().filter(|cell| kept.contains(cell) || *cell == k);
+        let cells = cells.map(|j| TrackPoint {
+            distance: here - patch.cells[j].since_entry.distance,
+            sliding: pair(slid, j),
+            saturation: saturation(pair(p, j), self.bound[j]),
+        });
+        cells.chain([entry]).collect()
+    }
+
+    /// Gives the cells that have no equation of their own the traction that follows from the
+    /// others, in place.
+    pub fn complete(&self, p: &mut [f64]) {
+        self.contact.slivers.complete(p);
+    }
+
+    /// Gives such cells the coefficient of friction (dimensionless) that their traction obeys.
+    pub fn complete_friction(&self, coefficient: &mut [f64]) {
+        self.contact.slivers.copy(coefficient);
+    }
+
+    /// Replaces the slip velocity of the cells, at a rolling speed in m/s, by that of the law:
+    /// exactly zero where a cell sticks without bristles. The friction power, from mean slips over
+    /// the cells, is not.
+    pub fn take_slip(&self, b: &[f64], speed: f64, slip: &mut [[f64; 2]]) {
+        if matches!(self.path, Path::Total { .. }) {
+            return;
+        }
+        for k in self.contact.kept() {
+            let per_way = speed / self.stencils[0][k].way;
+            let slides = self.answers[k].is_sliding();
+            let sliding = if slides { self.sliding(b, k) } else { [0.0; 2] };
+            slip[k] = sliding.map(|s| per_way * s);
+        }
+        self.contact.slivers.copy(slip);
+    }
+
+    /// Sums along the strips of something that happens on the way into each cell.
+    fn since_entry(&self, on_the_way: &[f64]) -> Vec<f64> {
+        let mut sums = on_the_way.to_vec();
+        for k in 1..self.len() {
+            if !self.is_first[k] {
+                sums[2 * k] += sums[2 * k - 2];
+                sums[2 * k + 1] += sums[2 * k - 1];
+            }
+        }
+        sums
+    }
 }

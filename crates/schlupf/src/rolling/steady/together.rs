@@ -24,7 +24,7 @@ impl Setup {
         let is_warm = !self.earlier.is_empty();
         self.earlier.truncate(1);
         self.problem = problem.clone();
-        let [_, coarse] = COARSE_TOLERANCE;
+        let coarse = COARSE_TOLERANCE;
         let coarsest = self.levels.len() - 1;
         let mut outcome = Outcome::default();
         for depth in (0..self.levels.len()).rev() {

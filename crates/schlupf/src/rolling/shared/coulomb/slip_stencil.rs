@@ -63,6 +63,16 @@ impl SlipStencil {
         stencils
     }
 
+    /// The values themselves in place of their derivatives.
+    pub fn since_entry(patch: &Patch, kept: &[Range<usize>]) -> Vec<Self> {
+        let mut stencils = vec![Self::default(); patch.len()];
+        for k in kept.iter().flat_map(Clone::clone) {
+            let way = patch.cells[k].since_entry.distance;
+            stencils[k] = Self { weight: [0.0, 1.0, 0.0, 0.0, 0.0], way };
+        }
+        stencils
+    }
+
     /// At one of the cells of a strip, with their distances since entry (in m), with the share
     /// `ahead` (dimensionless) of that with a node downstream, except at the ends of the strip.
     fn at(distances: &[f64], n: usize, ahead: f64) -> Self {
