@@ -8,7 +8,7 @@ use crate::elasticity::half_space::HalfSpace;
 use crate::error::Error;
 use crate::heat::Heat;
 use crate::heat::partition::Partition;
-use crate::interface::contact_law::{ContactLaw, Incremental, Response, Slide};
+use crate::interface::contact_law::Incremental;
 use crate::interface::friction::Friction;
 use crate::interface::friction::constant::Constant;
 use crate::kalker_coefficients::creep_coefficients;

@@ -122,7 +122,7 @@ impl ContactConduction {
             inverse,
             downstream: Vec::new(),
             transform: RealTransform::new(filled, size),
-            interpolation: Interpolation::new(patch, 0.0),
+            interpolation: Interpolation::new(patch),
             index: patch.cells.iter().map(|cell| cell.index).collect(),
             joined: (0..cells).filter(half).collect(),
             bulk_flux: vec![0.0; 2 * cells],

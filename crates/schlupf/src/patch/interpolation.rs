@@ -1,7 +1,7 @@
 //! Interpolation from the centres of the grid's cells to points of the patch, and the transpose.
 
 use crate::grid::{Grid, VectorField};
-use crate::numerics::interpolation::{bilinear, cubic};
+use crate::numerics::interpolation::bilinear;
 
 use super::{Cell, Patch};
 
@@ -9,9 +9,9 @@ use super::{Cell, Patch};
 ///
 /// In a fully covered cell the point is the centre. In others it is the centroid of the covered
 /// part, with bilinear interpolation between four centres; forces are spread by the transpose, so
-/// that they act at the centroid and a symmetric compliance stays symmetric. At the leading edge,
-/// where the displacement changes rapidly, the interpolation along rolling is cubic, or a given
-/// mixture of cubic and linear.
+/// that they act at the centroid and a symmetric compliance stays symmetric. At the leading edge it
+/// is bilinear, too: the displacement has a kink there where material sticks from its entry on, and
+/// negative weights would let adjacent strips oscillate against each other.
 #[derive(Debug, Clone)]
 pub struct Interpolation {
     index: Vec<usize>,
@@ -22,9 +22,7 @@ pub struct Interpolation {
     partial: Vec<(usize, Stencil<4>)>,
     /// Entry point of the material of each cell, as an index into `entries`.
     entry_of: Vec<usize>,
-    entries: Vec<Stencil<8>>,
-    /// Derivative of the weights of the entries with respect to the cubic share.
-    entries_by_share: Vec<Stencil<8>>,
+    entries: Vec<Stencil<4>>,
 }
 
 /// A weighted sum of values on the grid.
@@ -35,12 +33,6 @@ struct Stencil<const N: usize> {
 }
 
 impl<const N: usize> Stencil<N> {
-    /// Linear combination of two sums with the same positions.
-    fn mixed(&self, other: &Self, [one, two]: [f64; 2]) -> Self {
-        let weight = std::array::from_fn(|k| one * self.weight[k] + two * other.weight[k]);
-        Self { index: self.index, weight }
-    }
-
     fn sum(&self, field: &VectorField) -> [f64; 2] {
         let of = |values: &[f64]| {
             self.index.iter().zip(self.weight).map(|(i, w)| w * values[*i]).sum::<f64>()
@@ -57,12 +49,10 @@ const LEAST_COVERED: f64 = 0.1;
 const CENTRED: f64 = 1e-9;
 
 impl Interpolation {
-    /// The weights of a patch. At the leading edge the interpolation is a mixture of the share
-    /// `cubic` (dimensionless) of cubic and the rest of linear interpolation.
-    pub fn new(patch: &Patch, cubic: f64) -> Self {
+    /// The weights of a patch.
+    pub fn new(patch: &Patch) -> Self {
         let grid = &patch.grid;
         let mut entries = Vec::new();
-        let mut entries_by_share = Vec::new();
         let mut entry_of = Vec::with_capacity(patch.len());
         for strip in &patch.strips {
             let mut last = f64::NAN;
@@ -70,9 +60,7 @@ impl Interpolation {
                 let x = cell.entry_x();
                 let is_new = (x - last).abs() > CENTRED * grid.spacing_x || last.is_nan();
                 if is_new {
-                    let [cubic_part, linear_part] = at_edge(grid, strip.row, [x, cell.y]);
-                    entries.push(cubic_part.mixed(&linear_part, [cubic, 1.0 - cubic]));
-                    entries_by_share.push(cubic_part.mixed(&linear_part, [1.0, -1.0]));
+                    entries.push(at_edge(grid, strip.row, [x, cell.y]));
                     last = x;
                 }
                 entry_of.push(entries.len() - 1);
@@ -85,7 +73,6 @@ impl Interpolation {
             partial: partial.filter_map(|(k, cell)| Some((k, centroid(grid, cell)?))).collect(),
             entry_of,
             entries,
-            entries_by_share,
         }
     }
 
@@ -102,7 +89,6 @@ impl Interpolation {
             partial: Vec::new(),
             entry_of: Vec::new(),
             entries: Vec::new(),
-            entries_by_share: Vec::new(),
         }
     }
 
@@ -149,22 +135,13 @@ impl Interpolation {
 
     /// Values where the material of each cell entered the contact (x then y component).
     pub fn gather_at_entries(&self, field: &VectorField, values: &mut [f64]) {
-        self.gather_entries(&self.entries, field, values);
-    }
-
-    /// Derivative of those values with respect to the cubic share.
-    pub fn gather_at_entries_by_share(&self, field: &VectorField, values: &mut [f64]) {
-        self.gather_entries(&self.entries_by_share, field, values);
-    }
-
-    fn gather_entries(&self, entries: &[Stencil<8>], field: &VectorField, values: &mut [f64]) {
         values.fill(0.0);
         let mut last = None;
         for (value, &entry) in values.chunks_exact_mut(2).zip(&self.entry_of) {
             // Neighbours mostly share their entry.
             let at = match last {
                 Some((number, at)) if number == entry => at,
-                _ => entries[entry].sum(field),
+                _ => self.entries[entry].sum(field),
             };
             last = Some((entry, at));
             value.copy_from_slice(&at);
@@ -194,17 +171,16 @@ fn centroid(grid: &Grid, cell: &Cell) -> Option<Stencil<4>> {
     })
 }
 
-/// Cubic (Lagrange) and linear weights along x; both linear along y.
-fn at_edge(grid: &Grid, row: usize, [x, y]: [f64; 2]) -> [Stencil<8>; 2] {
-    let position = (x - grid.x(0)) / grid.spacing_x;
-    let (first, smooth) = cubic(position, grid.columns);
-    let hat = |column: usize| (1.0 - (position - column as f64).abs()).max(0.0);
-    let straight: [f64; 4] = std::array::from_fn(|k| hat(first + k));
+/// Bilinear weights at a point of the leading edge.
+fn at_edge(grid: &Grid, row: usize, [x, y]: [f64; 2]) -> Stencil<4> {
+    let position = ((x - grid.x(0)) / grid.spacing_x).clamp(0.0, (grid.columns - 1) as f64);
+    let i = (position as usize).min(grid.columns - 2);
     let (other, weight) = beside(row, (y - grid.y(row)) / grid.spacing_y, grid.rows);
-    [smooth, straight].map(|along| Stencil {
-        index: std::array::from_fn(|k| grid.index(first + k % 4, if k < 4 { row } else { other })),
-        weight: std::array::from_fn(|k| along[k % 4] * if k < 4 { 1.0 - weight } else { weight }),
-    })
+    let corners = [(i, row), (i + 1, row), (i, other), (i + 1, other)];
+    Stencil {
+        index: corners.map(|(i, j)| grid.index(i, j)),
+        weight: bilinear([position - i as f64, weight]),
+    }
 }
 
 #[cfg(test)]
@@ -230,12 +206,12 @@ mod tests {
     fn linear_fields_are_exact_and_spreading_is_the_transpose() {
         let patch = patch();
         let grid = patch.grid;
-        let interpolation = Interpolation::new(&patch, 1.0);
+        let interpolation = Interpolation::new(&patch);
         let mut field = VectorField::zeros(grid.len());
         for j in 0..grid.rows {
             for i in 0..grid.columns {
                 field.x[grid.index(i, j)] = 3.0 * grid.x(i) - 2.0 * grid.y(j);
-                field.y[grid.index(i, j)] = grid.x(i).powi(2);
+                field.y[grid.index(i, j)] = grid.x(i);
             }
         }
         let mut values = vec![0.0; 2 * patch.len()];
@@ -247,8 +223,6 @@ mod tests {
             assert_relative_eq!(values[2 * k], exact, epsilon = 1e-15, max_relative = 1e-12);
             let exact = 3.0 * cell.entry_x() - 2.0 * cell.y;
             assert_relative_eq!(at_entries[2 * k], exact, epsilon = 1e-15, max_relative = 1e-9);
-            let square = cell.entry_x().powi(2);
-            assert_relative_eq!(at_entries[2 * k + 1], square, max_relative = 1e-9);
         }
         let p: Vec<f64> = (0..2 * patch.len()).map(|k| ((k * 7) % 11) as f64 - 4.0).collect();
         let mut spread = VectorField::zeros(grid.len());

@@ -14,7 +14,6 @@
 //! Where the load changes, the edges of the patch move: [`super::moving_edge`].
 
 use crate::grid::{Grid, VectorField};
-use crate::interface::contact_law::Slide;
 use crate::kinematics::Kinematics;
 use crate::numerics::vector::dot;
 use crate::patch::{Cell, Patch, Strip};
@@ -28,11 +27,10 @@ use super::past::{Departure, Past};
 /// State that an element brings into its new cell.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Arrival {
-    /// Its history; the increment and the turn are added later.
-    pub slide: Slide,
-    /// Length of its last path (in m) and the elastic part of the sliding along it divided by that
-    /// length (dimensionless); if it has come from a cell.
-    pub stretch: Option<(f64, [f64; 2])>,
+    /// Sliding since entry before the step, in m.
+    pub sliding: [f64; 2],
+    /// Traction on the rail over μ pₙ before the step, dimensionless.
+    pub saturation: [f64; 2],
     /// Places that it has passed, with their distances from the cell, the latest first.
     pub places: Places,
     /// The known part of the displacement with which A p of its new cell is compared, in m.
@@ -127,12 +125,8 @@ impl Place<'_> {
         let compared =
             |c: usize| in_contact * entered[c] + departure.displacement[c] - departure.at_entry[c];
         Arrival {
-            slide: Slide {
-                traction: element.saturation,
-                distance: element.sliding,
-                ..Slide::default()
-            },
-            stretch: Some((departure.way, element.stretch)),
+            sliding: element.sliding,
+            saturation: element.saturation,
             places: passed(element, way),
             displacement: [compared(0), compared(1)],
             way,

@@ -89,15 +89,11 @@ pub(super) fn on_patch(patch: &Patch, elements: &[Element]) -> Vec<Element> {
         .collect()
 }
 
-/// A single grid over the largest patch, and the peak pressure there, in Pa.
-pub(super) fn grid_over_history(
-    transient: &Transient,
-    options: &Options,
-) -> Result<(Grid, f64), Error> {
+/// A single grid over the largest patch.
+pub(super) fn grid_over_history(transient: &Transient, options: &Options) -> Result<Grid, Error> {
     let largest = transient.history.largest_load();
     let contact: NormalContact = transient.problem.normal.normal_contact(largest)?;
-    let grid = Grid::across(&contact.extent(), options.cells_x, options.cells_y);
-    Ok((grid, contact.summary.peak_pressure))
+    Ok(Grid::across(&contact.extent(), options.cells_x, options.cells_y))
 }
 
 /// Maximum number of time steps of a history.

@@ -6,7 +6,6 @@ use crate::equilibrium::{Limits, Newton, Outcome, measure};
 use crate::error::{Error, require_finite};
 use crate::grid::VectorField;
 use crate::history::History;
-use crate::interface::contact_law::Slide;
 use crate::kinematics::Kinematics;
 use crate::numerics::vector::norm;
 use crate::prescribed_forces::PrescribedForces;
@@ -16,7 +15,6 @@ use crate::quantity::Quantity;
 use crate::reference_point::AtPatch;
 use crate::rolling::shared::contact::{DiscreteContact, Former};
 use crate::rolling::shared::passage::{Passage, speed_of};
-use crate::rolling::shared::turn::{Way, with_turn};
 use crate::solution::{FieldsAt, Instant, Solution, Work};
 use crate::state::{Element, State};
 use crate::summary::{
@@ -36,7 +34,7 @@ use super::shift::{AT_REST, Shift};
 use super::step::Step;
 use super::step_power::{Start, StepPower};
 use super::step_response::Prescribed;
-use super::stick_slip_step::{StickSlip, calibrate};
+use super::stick_slip_step::{StickSlip, Track, calibrate};
 
 /// Solves a problem by marching: to the end of its history, or to the steady state.
 ///
@@ -120,18 +118,13 @@ pub fn shift(
 /// ends.
 const HOPELESS: usize = 10;
 
-/// The share of stick and slip in steady rolling from which a march puts the bristles in series
-/// with a slider, dimensionless.
-const IN_SERIES: f64 = 0.5;
-
 /// Everything that changes from step to step.
 struct March<'a> {
     problem: &'a Problem,
     history: &'a History,
     options: &'a Options,
     contact: DiscreteContact,
-    /// If the law is Coulomb's, or its bristles are in series with a slider.
-    stick_slip: Option<StickSlip>,
+    stick_slip: StickSlip,
     /// If forces are prescribed.
     control: Option<ForceControl>,
     /// The first step that did not end with the prescribed forces: what, and its end in s.
@@ -179,19 +172,11 @@ impl<'a> March<'a> {
     fn new(transient: &'a Transient, options: &'a Options) -> Result<Self, Error> {
         let Transient { problem, history, initial_state } = transient;
         let [start, _] = history.span();
-        let (grid, peak_pressure) = grid_over_history(transient, options)?;
+        let grid = grid_over_history(transient, options)?;
         let normal = problem.normal.normal_contact(history.load(start))?;
         let mut contact = DiscreteContact::new(problem, &normal, grid)?;
-        contact.require_rows(problem)?;
-        let creepage_x = history.largest_creepage_x(&problem.kinematics);
-        let fastest = Problem {
-            kinematics: Kinematics { creepage_x, ..problem.kinematics },
-            ..problem.clone()
-        };
-        let share = contact.stick_share_under(&fastest, peak_pressure);
-        let is_in_series = share.value >= IN_SERIES;
-        let stick_slip =
-            is_in_series.then(|| StickSlip::of(problem, &normal, &mut contact)).transpose()?;
+        contact.require_rows()?;
+        let stick_slip = StickSlip::of(problem, &normal, &mut contact)?;
         let state = match initial_state {
             Some(state) => fitting(state, &grid)?,
             None => State::at_rest(&contact.patch),
@@ -294,8 +279,7 @@ impl<'a> March<'a> {
             distance,
             contact: &mut self.contact,
             displacement: &self.displacement,
-            law: self.problem.contact_law.as_ref(),
-            stick_slip: self.stick_slip.as_mut(),
+            stick_slip: &mut self.stick_slip,
             bound: &bound,
             elements: &mut self.elements,
         };
@@ -338,9 +322,7 @@ impl<'a> March<'a> {
         self.problem.normal.prepare(Some(load), &within(watch, self.progress()))?;
         let normal = self.problem.normal.normal_contact(Some(load))?;
         let former = self.contact.set_normal(&normal)?;
-        if let Some(stick_slip) = &mut self.stick_slip {
-            *stick_slip = StickSlip::of(self.problem, &normal, &mut self.contact)?;
-        }
+        self.stick_slip = StickSlip::of(self.problem, &normal, &mut self.contact)?;
         Ok(Some(former))
     }
 
@@ -415,7 +397,6 @@ impl<'a> March<'a> {
             traction: self.now.traction_at(k),
             saturation: moved.saturation,
             sliding: moved.sliding,
-            stretch: self.stretch(k, arrivals[k].way, moved.increment),
             track: moved.track,
             ..Element::default()
         };
@@ -433,17 +414,15 @@ impl<'a> March<'a> {
         watch: Watch,
     ) -> Result<Vec<Moved>, Error> {
         let (limits, watch) = (self.limits(), within(watch, self.progress()));
-        let (prescribed, slides) = self.histories(arrivals);
+        let prescribed = self.prescribed(arrivals);
         let motions = [&self.motion_before, &self.now.over_step];
         let places = places_passed(&self.contact.patch, arrivals, motions);
         let step = Step {
             contact: &mut self.contact,
-            law: self.problem.contact_law.as_ref(),
-            stick_slip: self.stick_slip.as_mut(),
+            stick_slip: &mut self.stick_slip,
             bound,
             prescribed,
-            slides,
-            places,
+            tracks: arrivals.iter().zip(places).map(Track::of).collect(),
             largest: self.largest_traction,
         };
         let traction = &mut self.now.traction;
@@ -457,26 +436,16 @@ impl<'a> March<'a> {
         Ok(moved)
     }
 
-    /// What is known of a step when the elements have arrived, and their histories.
-    fn histories(&self, arrivals: &[Arrival]) -> (Prescribed, Vec<Slide>) {
+    /// What is known of a step when the elements have arrived.
+    fn prescribed(&self, arrivals: &[Arrival]) -> Prescribed {
         let mut prescribed = Prescribed::default();
-        let mut slides = Vec::with_capacity(arrivals.len());
         for (cell, arrival) in self.contact.patch.cells.iter().zip(arrivals) {
             let rigid = rigid_slip(cell, arrival.way, &self.now.over_step);
             prescribed.sliding.extend((0..2).map(|c| rigid[c] + arrival.displacement[c]));
             prescribed.in_contact.push(arrival.in_contact);
             prescribed.in_place.push(arrival.in_place);
-            let turn = cell.half_turn(&self.now.over_step, arrival.way);
-            let way = Way { distance: arrival.way, rigid, turn };
-            slides.push(with_turn(arrival.slide, &way, arrival.stretch));
         }
-        (prescribed, slides)
-    }
-
-    /// Elastic part of the sliding along a path (in m) into a cell, divided by its length.
-    fn stretch(&self, k: usize, way: f64, slid: [f64; 2]) -> [f64; 2] {
-        let rigid = rigid_slip(&self.contact.patch.cells[k], way, &self.now.over_step);
-        [0, 1].map(|c| if way > 0.0 { (slid[c] - rigid[c]) / way } else { 0.0 })
+        prescribed
     }
 
     fn limits(&self) -> Limits {
@@ -508,9 +477,7 @@ impl<'a> March<'a> {
     fn record(&self, ways: impl Iterator<Item = f64>) -> Past {
         let mut past =
             Past::of(&self.contact, [&self.displacement, &self.displacement_of_bodies], ways);
-        if let Some(stick_slip) = &self.stick_slip {
-            calibrate(&mut past, stick_slip, &self.contact.patch, &self.now.traction);
-        }
+        calibrate(&mut past, &self.stick_slip, &self.contact.patch, &self.now.traction);
         past
     }
 
@@ -533,10 +500,8 @@ impl<'a> March<'a> {
         self.change = self.change.max(largest_change(&old_scaled_rise, &self.now.scaled_rise));
         let patch = &self.contact.patch;
         remember(self.problem, &self.now, patch, &mut self.elements, &brought);
-        if let Some(stick_slip) = &self.stick_slip {
-            stick_slip.contact.slivers.copy(&mut self.now.friction);
-            stick_slip.take_slip(&self.moved, self.now.kinematics.speed, &mut self.now.slip);
-        }
+        self.stick_slip.contact.slivers.copy(&mut self.now.friction);
+        self.stick_slip.take_slip(&self.moved, self.now.kinematics.speed, &mut self.now.slip);
     }
 
     /// Adds up the work and records the forces of the step.

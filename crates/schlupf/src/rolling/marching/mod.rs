@@ -6,7 +6,6 @@
 mod change;
 mod moved;
 mod step_response;
-mod time_step;
 mod past;
 mod stick_slip_step;
 mod step;

@@ -7,7 +7,6 @@
 use crate::equilibrium::{Limits, Newton, Outcome};
 use crate::error::Error;
 use crate::grid::VectorField;
-use crate::interface::contact_law::{ContactLaw, Slide};
 use crate::kinematics::Kinematics;
 use crate::progress::Watch;
 use crate::rolling::shared::contact::DiscreteContact;
@@ -15,7 +14,7 @@ use crate::state::{Element, Places};
 
 use super::step::Step;
 use super::step_response::Prescribed;
-use super::stick_slip_step::StickSlip;
+use super::stick_slip_step::{StickSlip, Track};
 
 /// Speed and creepages of bodies that do not roll.
 pub(super) const AT_REST: Kinematics =
@@ -28,8 +27,7 @@ pub(super) struct Shift<'a> {
     pub contact: &'a mut DiscreteContact,
     /// A p of the previous traction on the whole grid, in m.
     pub displacement: &'a VectorField,
-    pub law: &'a dyn ContactLaw,
-    pub stick_slip: Option<&'a mut StickSlip>,
+    pub stick_slip: &'a mut StickSlip,
     /// μ pₙ of each cell, in Pa.
     pub bound: &'a [f64],
     /// The elements in the order of the patch.
@@ -48,24 +46,20 @@ impl Shift<'_> {
     ) -> Result<Outcome, Error> {
         let mut before = vec![0.0; p.len()];
         self.contact.interpolation.gather(self.displacement, &mut before);
-        if let Some(stick_slip) = &self.stick_slip {
-            stick_slip.contact.calibration.add_at_cells(p, &mut before);
-        }
+        self.stick_slip.contact.calibration.add_at_cells(p, &mut before);
         let sliding = before.chunks_exact(2);
         let sliding = sliding.flat_map(|u| [0, 1].map(|c| self.distance[c] + u[c])).collect();
         let cells = self.elements.len();
         let prescribed =
             Prescribed { sliding, in_contact: vec![1.0; cells], in_place: vec![false; cells] };
-        let past = |element: &Element| Slide {
-            traction: element.saturation,
-            distance: element.sliding,
-            ..Slide::default()
+        let past = |element: &Element| Track {
+            saturation: element.saturation,
+            sliding: element.sliding,
+            ..Track::default()
         };
         let step = Step {
-            slides: self.elements.iter().map(past).collect(),
-            places: vec![Places::default(); cells],
+            tracks: self.elements.iter().map(past).collect(),
             contact: self.contact,
-            law: self.law,
             stick_slip: self.stick_slip,
             bound: self.bound,
             prescribed,

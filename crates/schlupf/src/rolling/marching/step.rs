@@ -2,28 +2,22 @@
 
 use crate::equilibrium::{Limits, Newton, Outcome};
 use crate::error::Error;
-use crate::interface::contact_law::{ContactLaw, Slide};
 use crate::progress::Watch;
 use crate::rolling::shared::contact::DiscreteContact;
-use crate::state::Places;
 
 use super::moved::Moved;
 use super::step_response::{Prescribed, StepResponse};
 use super::stick_slip_step::{StickSlip, StickSlipStep, Track};
-use super::time_step::TimeStep;
 
 /// The data of an equilibrium.
 pub(super) struct Step<'a> {
     pub contact: &'a mut DiscreteContact,
-    pub law: &'a dyn ContactLaw,
-    /// In place of the law, if that is Coulomb's or its bristles are in series with it.
-    pub stick_slip: Option<&'a mut StickSlip>,
+    pub stick_slip: &'a mut StickSlip,
     /// μ pₙ of each cell, in Pa.
     pub bound: &'a [f64],
     pub prescribed: Prescribed,
-    /// History of the material of each cell, and with stick and slip the places that it has passed.
-    pub slides: Vec<Slide>,
-    pub places: Vec<Places>,
+    /// History of the material of each cell.
+    pub tracks: Vec<Track>,
     /// Measures residuals relative to a traction (‖p‖₂ in Pa) if that of this step is smaller: a
     /// decaying traction need not be known more accurately than it was.
     pub largest: f64,
@@ -42,20 +36,9 @@ impl Step<'_> {
         limits: &Limits,
         watch: Watch,
     ) -> Result<(Outcome, Vec<Moved>), Error> {
-        let Self { contact, law, stick_slip, bound, prescribed, slides, places, largest } = self;
+        let Self { contact, stick_slip, bound, prescribed, tracks, largest } = self;
         let response = StepResponse::new(contact, &prescribed);
-        let Some(stick_slip) = stick_slip else {
-            let mut step = TimeStep::new(response, law, bound, slides).measured_against(largest);
-            let outcome = newton.solve(&mut step, p, limits, watch)?.outcome;
-            return Ok((outcome, step.moved()));
-        };
         stick_slip.admit(p, bound);
-        let track = |(slide, places): (&Slide, _)| Track {
-            sliding: slide.distance,
-            saturation: slide.traction,
-            places,
-        };
-        let tracks = slides.iter().zip(places).map(track).collect();
         let mut step = StickSlipStep::new(response, stick_slip, bound, tracks, largest);
         let mut whole = Outcome::default();
         for softer in SOFTER {

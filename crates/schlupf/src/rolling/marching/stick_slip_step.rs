@@ -11,6 +11,7 @@
 
 use crate::equilibrium::{self, Directions, Equilibrium};
 use crate::error::Error;
+use crate::interface::contact_law::Path;
 use crate::normal::NormalContact;
 use crate::numerics::vector::norm;
 use crate::patch::Patch;
@@ -18,11 +19,12 @@ use crate::problem::Problem;
 use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::coulomb::{
-    CoulombContact, Discretisation, Matrix, Series, Slope, Stretch, reduced, saturation, through,
+    Answer, Bristles, CoulombContact, Discretisation, Matrix, reduced, saturation, through,
 };
 use crate::rolling::shared::passage::pair;
 use crate::state::{Places, TrackPoint};
 
+use super::arrival::Arrival;
 use super::moved::Moved;
 use super::past::Past;
 use super::step_response::{Prescribed, StepResponse};
@@ -30,8 +32,7 @@ use super::step_response::{Prescribed, StepResponse};
 /// Stick and slip on a patch, kept from step to step.
 pub(super) struct StickSlip {
     pub contact: CoulombContact,
-    /// 1/k_c of the bristles in series with it, in m; zero if there are none.
-    length: f64,
+    path: Path,
     directions: Directions,
     /// λ of the cells, and which material entered in place: the linear response of the directions.
     of: (Vec<f64>, Vec<bool>),
@@ -44,10 +45,9 @@ impl StickSlip {
         normal: &NormalContact,
         contact: &mut DiscreteContact,
     ) -> Result<Self, Error> {
-        CoulombContact::interpolate(problem, contact);
         Ok(Self {
             contact: CoulombContact::new(problem, normal, contact, Discretisation::Exact)?,
-            length: problem.contact_law.relaxation().map_or(0.0, f64::recip),
+            path: problem.contact_law.path(),
             directions: Directions::default(),
             of: Default::default(),
         })
@@ -64,6 +64,9 @@ impl StickSlip {
 
     /// Replaces the slip velocity of the cells by that of the last step, at a rolling speed in m/s.
     pub fn take_slip(&self, moved: &[Moved], speed: f64, slip: &mut [[f64; 2]]) {
+        if matches!(self.path, Path::Total { .. }) {
+            return;
+        }
         for k in self.contact.kept() {
             slip[k] = moved[k].slip.map(|s| speed * s);
         }
@@ -72,25 +75,17 @@ impl StickSlip {
 }
 
 /// How the sliding at a cell follows from its change in the step: weight · change + known. What
-/// stretches the bristles follows in the same way from the traction.
+/// the bristles do follows in the same way from the saturation.
 #[derive(Debug, Clone, Default)]
 struct PathSlip {
+    /// Dimensionless.
+    weight: f64,
     /// In m.
     known: [f64; 2],
+    /// Dimensionless.
+    inherited: [f64; 2],
     /// Way from the nearest place, in m.
     way: f64,
-    series: Series,
-}
-
-impl PathSlip {
-    /// Adds an earlier place with its weight.
-    fn add(&mut self, weight: f64, place: &TrackPoint) {
-        for c in 0..2 {
-            self.known[c] += weight * place.sliding[c];
-            self.series.saturation[c] += weight * place.saturation[c];
-        }
-        self.series.excess += weight * Stretch::of(place.saturation, 1.0).excess;
-    }
 }
 
 /// Earlier places of the path of the material in a cell.
@@ -105,20 +100,26 @@ pub(super) struct Track {
 }
 
 impl Track {
+    /// Of material that has arrived, with the places from which its slip follows.
+    pub fn of((arrival, places): (&Arrival, Places)) -> Self {
+        Self { sliding: arrival.sliding, saturation: arrival.saturation, places }
+    }
+
     fn slip(&self) -> PathSlip {
-        let Self { sliding, saturation, places } = self;
+        let Self { sliding, places, .. } = self;
         let weights = through(places.iter().map(|place| place.distance));
-        let series = Series { weight: weights[0], ..Series::default() };
-        let mut slip = PathSlip { series, ..PathSlip::default() };
         let Some(nearest) = places.first() else {
             // All of the change is in the step.
-            slip.add(-1.0, &TrackPoint { saturation: *saturation, ..TrackPoint::default() });
-            return slip;
+            return PathSlip { weight: 1.0, ..PathSlip::default() };
         };
-        slip.way = nearest.distance;
-        slip.known = sliding.map(|s| weights[0] * s);
+        let known = sliding.map(|s| weights[0] * s);
+        let way = nearest.distance;
+        let mut slip = PathSlip { weight: weights[0], known, way, ..PathSlip::default() };
         for (weight, place) in weights[1..].iter().zip(places.iter()) {
-            slip.add(*weight, place);
+            for c in 0..2 {
+                slip.known[c] += weight * place.sliding[c];
+                slip.inherited[c] += weight * place.saturation[c];
+            }
         }
         slip
     }
@@ -133,7 +134,7 @@ pub(super) struct StickSlipStep<'a> {
     bound: Vec<f64>,
     tracks: Vec<Track>,
     slips: Vec<PathSlip>,
-    slopes: Vec<Slope>,
+    answers: Vec<Answer>,
     /// Inverse of the local Jacobian of each cell.
     inverses: Vec<Matrix>,
     /// Largest ‖p‖₂ of the previous steps, in Pa.
@@ -159,7 +160,7 @@ impl<'a> StickSlipStep<'a> {
         Self {
             gamma: response.contact.cell_stiffness(),
             slips: tracks.iter().map(Track::slip).collect(),
-            slopes: vec![Slope::default(); tracks.len()],
+            answers: vec![Answer::default(); tracks.len()],
             inverses: vec![Matrix::default(); tracks.len()],
             response,
             law,
@@ -176,9 +177,9 @@ impl<'a> StickSlipStep<'a> {
 
     /// Sliding at a cell, in m.
     fn sliding(&self, u: &[f64], k: usize) -> [f64; 2] {
-        let PathSlip { known, series, .. } = &self.slips[k];
+        let PathSlip { known, weight, .. } = &self.slips[k];
         let change = self.change(u, k);
-        [0, 1].map(|c| series.weight * change[c] + known[c])
+        [0, 1].map(|c| weight * change[c] + known[c])
     }
 
     /// Change of the sliding since entry in the step, in m.
@@ -187,17 +188,45 @@ impl<'a> StickSlipStep<'a> {
         [0, 1].map(|c| sliding[2 * k + c] - u[2 * k + c])
     }
 
-    /// The traction that follows from that of a cell and its sliding, in Pa, with its derivatives.
-    fn answer(&self, p: &[f64], u: &[f64], k: usize) -> ([f64; 2], Slope) {
-        let sliding = self.sliding(u, k);
-        let pull = [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
-        self.slips[k].series.traction(pull, self.bound[k], self.gamma * self.law.length)
+    /// What the law answers to the traction of a cell (in Pa) and its sliding. In one step without
+    /// a way, as in all of a law in the total displacement, it slides straight.
+    fn answer(&self, p: &[f64], u: &[f64], k: usize) -> Answer {
+        let (bound, track) = (self.bound[k], &self.tracks[k]);
+        let pull = |sliding: [f64; 2]| [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
+        match self.law.path {
+            Path::Total { stiffness } => {
+                let change = self.change(u, k);
+                let sliding = [0, 1].map(|c| track.sliding[c] + change[c]);
+                Answer::straight(pull(sliding), bound, [0.0; 2], self.gamma / stiffness)
+            }
+            Path::Incremental { stiffness } if stiffness.is_infinite() => {
+                Answer::to(pull(self.sliding(u, k)), bound, &Bristles::default())
+            }
+            Path::Incremental { stiffness } if track.places.is_empty() => {
+                let sliding = self.sliding(u, k);
+                Answer::straight(pull(sliding), bound, track.saturation, self.gamma / stiffness)
+            }
+            Path::Incremental { stiffness } => {
+                let PathSlip { inherited, weight, .. } = &self.slips[k];
+                let compliance = self.gamma / stiffness;
+                let (bristles, _) = Bristles::that_inherit(*inherited, *weight, compliance);
+                Answer::to(pull(self.sliding(u, k)), bound, &bristles)
+            }
+        }
+    }
+
+    /// Weight of the change of a cell in what its law sees, dimensionless.
+    fn weight(&self, k: usize) -> f64 {
+        match self.law.path {
+            Path::Total { .. } => 1.0,
+            Path::Incremental { .. } => self.slips[k].weight,
+        }
     }
 
     fn inverse(&self, k: usize) -> Matrix {
-        let weight = self.gamma * self.slips[k].series.weight;
+        let weight = self.gamma * self.weight(k);
         let stiffening = self.law.contact.local[k].map(|row| row.map(|entry| weight * entry));
-        inverse_2x2(self.slopes[k].jacobian(&stiffening))
+        inverse_2x2(self.answers[k].jacobian(&stiffening))
     }
 
     /// What the material of the cells has done in the step that ends with the traction p.
@@ -210,7 +239,7 @@ impl<'a> StickSlipStep<'a> {
             // Slivers at the leading edge say nothing of their own.
             let here = (!self.law.contact.slivers.leads[k]).then_some(here);
             let way = self.slips[k].way;
-            let slides = self.slopes[k].is_sliding() || self.law.length > 0.0;
+            let slides = self.answers[k].is_sliding();
             let slip = if slides && way > 0.0 { self.sliding(u, k) } else { [0.0; 2] };
             Moved {
                 saturation,
@@ -239,7 +268,7 @@ impl Equilibrium for StickSlipStep<'_> {
 
     fn defect(&mut self, p: &[f64], u: &[f64]) -> f64 {
         let square = |k: usize| {
-            let (onto, _) = self.answer(p, u, k);
+            let onto = self.answer(p, u, k).traction;
             (p[2 * k] - onto[0]).powi(2) + (p[2 * k + 1] - onto[1]).powi(2)
         };
         self.law.contact.kept().map(square).sum::<f64>().sqrt()
@@ -249,11 +278,10 @@ impl Equilibrium for StickSlipStep<'_> {
         residual.fill(0.0);
         for strip in 0..self.law.contact.slivers.kept.len() {
             for k in self.law.contact.slivers.kept[strip].clone() {
-                let (onto, slope) = self.answer(p, u, k);
-                self.slopes[k] = slope;
+                self.answers[k] = self.answer(p, u, k);
                 self.inverses[k] = self.inverse(k);
                 for c in 0..2 {
-                    residual[2 * k + c] = p[2 * k + c] - onto[c];
+                    residual[2 * k + c] = p[2 * k + c] - self.answers[k].traction[c];
                 }
             }
         }
@@ -262,9 +290,9 @@ impl Equilibrium for StickSlipStep<'_> {
     fn tangent_product(&mut self, v: &[f64], response: &[f64], product: &mut [f64]) {
         product.fill(0.0);
         for k in self.law.contact.kept() {
-            let weight = self.gamma * self.slips[k].series.weight;
+            let weight = self.gamma * self.weight(k);
             let pulled = [0, 1].map(|c| v[2 * k + c] - weight * response[2 * k + c]);
-            let answer = times(&self.slopes[k].by_pull, pulled);
+            let answer = times(&self.answers[k].by_pull, pulled);
             for c in 0..2 {
                 product[2 * k + c] = v[2 * k + c] - answer[c];
             }

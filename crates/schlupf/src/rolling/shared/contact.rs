@@ -3,10 +3,10 @@
 use crate::elasticity::Compliance;
 use crate::error::Error;
 use crate::grid::{Grid, VectorField};
-use crate::interface::contact_law::Slide;
+use crate::interface::contact_law::Path;
 use crate::normal::{NormalContact, NormalSummary};
-use crate::numerics::vector::{dot, norm};
-use crate::patch::{Cell, Interpolation, Patch};
+use crate::numerics::vector::dot;
+use crate::patch::{Interpolation, Patch};
 use crate::problem::Problem;
 
 /// A patch with the compliance between its cells.
@@ -25,9 +25,6 @@ pub(crate) struct DiscreteContact {
     cell_stiffness: f64,
     /// See [`Self::row_compliances`]; without regard to where in the cell its point is.
     row: Row,
-    estimates: Option<Estimates>,
-    /// The cubic share of the interpolation, if it is not to follow the contact law.
-    cubic_share: Option<f64>,
 }
 
 /// Displacement of the cells at a distance of 0, 1, … columns in a row under a unit traction on one
@@ -73,75 +70,6 @@ pub(crate) struct Former {
     pub interpolation: Interpolation,
 }
 
-/// Estimates of the compliance of the whole patch, used by marching.
-#[derive(Debug, Clone, Copy)]
-struct Estimates {
-    patch_compliance: [f64; 2],
-    safe_stiffness: f64,
-}
-
-/// Ratio of the bristle stiffness to that of a cell up to which the interpolation is cubic, and
-/// above which it is linear; dimensionless.
-const CUBIC_RANGE: [f64; 2] = [250.0, 1250.0];
-
-/// How far bristles are taken to be in series with Coulomb's law, which is accurate where they are
-/// stiff, and not to be followed from cell to cell, which is accurate where they are soft.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct StickShare {
-    /// Dimensionless, from zero to one.
-    pub value: f64,
-    /// Its derivative by the logarithm of the stiffness of the bristles, dimensionless.
-    pub by_stiffness: f64,
-}
-
-/// Ratios of the bristle stiffness to that of a cell between which that share grows,
-/// dimensionless.
-const STIFF: [f64; 2] = [30.0, 60.0];
-
-/// Longitudinal creepage (dimensionless) above which the whole patch slides, and heat is all that
-/// matters: it is found sooner from cell to cell.
-const FASTEST: f64 = 0.5;
-
-/// Ratios of the bristle stiffness to that of a cell, and to that of a strip of the patch (that of
-/// a cell over its number of cells), from which a patch that sticks is like one under Coulomb's
-/// law; dimensionless.
-const FIRM: [f64; 2] = [5.0, 360.0];
-
-/// What the motion pulls at a cell, over the largest bound, below which all but the edges sticks;
-/// dimensionless.
-const SLOW: f64 = 0.03;
-
-impl StickShare {
-    const COULOMB: Self = Self { value: 1.0, by_stiffness: 0.0 };
-
-    /// Whether bristles may be in series with stick and slip. Friction that depends on the slip
-    /// speed goes with bristles: where it falls, Newton's method often fails with stick and slip.
-    fn is_for(problem: &Problem) -> bool {
-        let friction = &problem.friction;
-        let follows_slip = friction.law.follows_slip_speed() || friction.memory.is_some();
-        let is_fast = problem.kinematics.creepage_x.abs() > FASTEST;
-        problem.contact_law.relaxation().is_some() && !is_fast && !follows_slip
-    }
-
-    /// Of a problem with a peak pressure (in Pa) and the stiffness of a cell, in Pa/m.
-    pub fn of(problem: &Problem, peak_pressure: f64, cell_stiffness: f64) -> Self {
-        if problem.contact_law.is_coulomb() {
-            return Self::COULOMB;
-        }
-        if !Self::is_for(problem) {
-            return Self::default();
-        }
-        let [low, high] = STIFF;
-        let range = (high / low).ln();
-        let ratio = bristles(problem) * peak_pressure / cell_stiffness;
-        let place = ((ratio / low).ln() / range).clamp(0.0, 1.0);
-        Self {
-            value: place * place * (3.0 - 2.0 * place),
-            by_stiffness: 6.0 * place * (1.0 - place) / range,
-        }
-    }
-}
-
 impl DiscreteContact {
     /// The normal contact of a problem on a grid that covers it.
     pub fn new(problem: &Problem, normal: &NormalContact, grid: Grid) -> Result<Self, Error> {
@@ -161,8 +89,6 @@ impl DiscreteContact {
             bristles: bristles(problem),
             cell_stiffness: 0.0,
             row: Row::default(),
-            estimates: None,
-            cubic_share: None,
         };
         contact.settle();
         Ok(contact)
@@ -180,69 +106,30 @@ impl DiscreteContact {
 
     /// Sets other friction and contact laws on the same contact.
     pub fn set_laws(&mut self, problem: &Problem) {
-        let bristles = bristles(problem);
-        if bristles != self.bristles {
-            self.bristles = bristles;
-            self.interpolate();
-        }
+        self.bristles = bristles(problem);
     }
 
     /// Sets weights and stiffness for a new patch.
     fn settle(&mut self) {
         self.interpolation = Interpolation::uncoupled(&self.patch);
-        self.estimates = None;
         self.row = self.measure_row();
         let [x, y] = self.row[0];
         self.cell_stiffness = if x + y > 0.0 { 2.0 / (x + y) } else { f64::INFINITY };
         self.interpolate();
     }
 
-    /// Interpolates alike whatever the contact law, with the cubic share, dimensionless.
-    pub fn fix_interpolation(&mut self, cubic_share: f64) {
-        self.cubic_share = Some(cubic_share);
-        self.interpolate();
-    }
-
     fn interpolate(&mut self) {
         if self.compliance.couples_cells() {
-            self.interpolation = Interpolation::new(&self.patch, self.cubic_share());
+            self.interpolation = Interpolation::new(&self.patch);
         }
     }
 
-    /// The cubic share of the interpolation at the leading edge.
-    ///
-    /// If the bristles of the contact law are so much stiffer than a cell that it sticks as a
-    /// whole, the displacement has a kink at the edge, and negative weights would let adjacent
-    /// strips oscillate against each other. Linear interpolation cannot; with softer bristles it is
-    /// half as accurate.
-    fn cubic_share(&self) -> f64 {
-        if let Some(share) = self.cubic_share {
-            return share;
-        }
-        let [all, none] = CUBIC_RANGE;
-        let stiffness = self.over_cells(self.bristles);
-        ((none / stiffness).ln() / (none / all).ln()).clamp(0.0, 1.0)
-    }
-
-    /// The share of stick and slip in the steady state of a problem.
-    pub fn stick_share(&self, problem: &Problem) -> StickShare {
-        self.stick_share_under(problem, self.normal.peak_pressure)
-    }
-
-    /// The same for another peak pressure, in Pa.
-    pub fn stick_share_under(&self, problem: &Problem, peak_pressure: f64) -> StickShare {
-        if problem.contact_law.is_coulomb() || self.suits_stick_and_slip() {
-            return StickShare::of(problem, peak_pressure, self.cell_stiffness());
-        }
-        StickShare::default()
-    }
-
-    /// Whether the grid is one for stick and slip under Coulomb's law.
+    /// Whether the equations of the grid have solutions.
     ///
     /// # Errors
     /// Too few cells across.
-    pub fn require_rows(&self, problem: &Problem) -> Result<(), Error> {
-        match self.fewest_rows().filter(|_| problem.contact_law.is_coulomb()) {
+    pub fn require_rows(&self) -> Result<(), Error> {
+        match self.fewest_rows() {
             Some(fewest) => Err(Error::TooFewAcross {
                 fewest,
                 columns: self.patch.grid.columns_within(),
@@ -252,12 +139,7 @@ impl DiscreteContact {
         }
     }
 
-    /// Whether bristles may be solved for stick and slip.
-    fn suits_stick_and_slip(&self) -> bool {
-        self.compliance.couples_cells() && self.fewest_rows().is_none()
-    }
-
-    /// Number of rows that stick and slip need, if the grid has fewer.
+    /// Number of rows that they need, if the grid has fewer.
     fn fewest_rows(&self) -> Option<usize> {
         if !self.compliance.couples_cells() {
             return None;
@@ -268,50 +150,6 @@ impl DiscreteContact {
         let largest = self.patch.sizes_of_parts().into_iter().map(ratio).fold(0.0, f64::max);
         let fewest = (grid.rows as f64 * (largest / WIDEST).sqrt()).ceil() as usize;
         (grid.rows < fewest).then_some(fewest)
-    }
-
-    /// Whether bristles are not soft, and a motion is so slow that the cells of a strip move each
-    /// other more than they slide.
-    pub fn is_held(&self, problem: &Problem) -> bool {
-        if !StickShare::is_for(problem) || !self.suits_stick_and_slip() {
-            return false;
-        }
-        let slip = |k: &Cell| {
-            let [x, y] = k.rigid_slip_in(&problem.kinematics);
-            x.hypot(y)
-        };
-        let farthest = self.patch.cells.iter().map(slip).fold(0.0, f64::max);
-        let bound = problem.friction.cold_coefficient() * self.normal.peak_pressure;
-        let longest = self.patch.strips.iter().map(|strip| strip.cells.len()).max().unwrap_or(0);
-        let over_cells = self.over_cells(bristles(problem));
-        let is_firm = over_cells > FIRM[0] && over_cells * longest as f64 > FIRM[1];
-        is_firm && farthest * self.cell_stiffness() < SLOW * bound
-    }
-
-    /// Ratio of the stiffness of bristles with μ0 k_c (in 1/m) to that of a cell, dimensionless.
-    fn over_cells(&self, bristles: f64) -> f64 {
-        bristles * self.normal.peak_pressure / self.cell_stiffness()
-    }
-
-    /// Derivative of that share with respect to the logarithm of the ratio of bristle to cell
-    /// stiffness, dimensionless.
-    pub fn cubic_share_by_stiffness(&self) -> f64 {
-        let [all, none] = CUBIC_RANGE;
-        let share = self.cubic_share();
-        let is_fixed = self.cubic_share.is_some();
-        if !is_fixed && share > 0.0 && share < 1.0 && self.compliance.couples_cells() {
-            -(none / all).ln().recip()
-        } else {
-            0.0
-        }
-    }
-
-    /// Derivative of the logarithm of a cell's stiffness with respect to that of the patch size,
-    /// dimensionless; if the elasticity knows it.
-    pub fn cell_stiffness_by_size(&mut self) -> Option<f64> {
-        let (p, middle) = self.lone_cell();
-        let grown = self.product_by_size(&p)?.mean_of_cell(middle, &p);
-        Some(-grown * self.cell_stiffness())
     }
 
     /// Traction of 1 Pa in both directions on the middle cell, and the index of that cell.
@@ -409,26 +247,6 @@ impl DiscreteContact {
         self.compliance.edge_displacement(&self.workspace.traction)
     }
 
-    /// Ratio of displacement to traction of the patch as a whole, for each component, in m/Pa.
-    pub fn patch_compliance(&mut self) -> [f64; 2] {
-        self.estimates().patch_compliance
-    }
-
-    /// 1/‖A‖ or slightly less, in Pa/m; for rigid bodies as [`Self::cell_stiffness`].
-    pub fn safe_stiffness(&mut self) -> f64 {
-        let stiffness = self.estimates().safe_stiffness;
-        if stiffness.is_finite() { stiffness } else { self.like_rigid() }
-    }
-
-    fn estimates(&mut self) -> Estimates {
-        let estimates = self.estimates.unwrap_or_else(|| Estimates {
-            patch_compliance: self.estimate_patch_compliance(),
-            safe_stiffness: self.estimate_safe_stiffness(),
-        });
-        self.estimates = Some(estimates);
-        estimates
-    }
-
     /// Whether displacements decay within the patch.
     pub fn is_short_ranged(&self) -> bool {
         self.compliance.is_short_ranged()
@@ -447,39 +265,6 @@ impl DiscreteContact {
     /// Ratio of displacement to traction of that cell, in m/Pa; zero for rigid bodies.
     pub fn cell_compliance(&self) -> f64 {
         self.cell_stiffness.recip()
-    }
-
-    /// Under tractions proportional to the pressure.
-    fn estimate_patch_compliance(&mut self) -> [f64; 2] {
-        let p: Vec<f64> = self.patch.cells.iter().flat_map(|c| [c.pressure; 2]).collect();
-        let mut u = vec![0.0; p.len()];
-        self.product(&p).at_cells(&mut u);
-        [0, 1].map(|c| {
-            let of = |v: &[f64], w: &[f64]| -> f64 {
-                v.iter().zip(w).skip(c).step_by(2).map(|(v, w)| v * w).sum()
-            };
-            of(&p, &u) / of(&p, &p)
-        })
-    }
-
-    /// By power iteration.
-    fn estimate_safe_stiffness(&mut self) -> f64 {
-        let mut v: Vec<f64> = self.patch.cells.iter().flat_map(|c| [c.pressure; 2]).collect();
-        let mut u = v.clone();
-        let mut largest = 0.0;
-        for _ in 0..POWER_ITERATIONS {
-            let length = norm(&v);
-            for v in &mut v {
-                *v /= length;
-            }
-            self.product(&v).at_cells(&mut u);
-            largest = norm(&u);
-            if largest == 0.0 {
-                return f64::INFINITY;
-            }
-            std::mem::swap(&mut v, &mut u);
-        }
-        (SAFETY * largest).recip()
     }
 }
 
@@ -502,19 +287,6 @@ impl Displaced<'_> {
     /// Where the material of each cell entered, in m. The layer enters unsheared.
     pub fn at_entries(&self, u: &mut [f64]) {
         self.interpolation.gather_at_entries(&self.workspace.displacement, u);
-    }
-
-    /// Derivative of those with respect to the cubic share of the interpolation at the leading
-    /// edge.
-    pub fn at_entries_by_share(&self, u: &mut [f64]) {
-        self.interpolation.gather_at_entries_by_share(&self.workspace.displacement, u);
-    }
-
-    /// Mean of both components in a cell, in m.
-    fn mean_of_cell(&self, k: usize, like: &[f64]) -> f64 {
-        let mut u = vec![0.0; like.len()];
-        self.at_cells(&mut u);
-        0.5 * (u[2 * k] + u[2 * k + 1])
     }
 
     /// Elastic energy ½ Σ p·(A p) ΔA, in J.
@@ -547,11 +319,6 @@ pub(crate) fn differences(from: &VectorField, columns: usize, to: &mut VectorFie
     }
 }
 
-const POWER_ITERATIONS: usize = 10;
-
-/// Safety factor, because the power iteration converges from below.
-const SAFETY: f64 = 1.1;
-
 /// Ratio of the stiffness of rigid bodies to the initial stiffness of the bristles, dimensionless:
 /// the remaining rigid slip is then an explicit recursion down the strips, to the tolerance of a
 /// Newton step.
@@ -574,9 +341,6 @@ fn touching_patch(normal: &NormalContact, grid: Grid) -> Result<Patch, Error> {
 /// Cold coefficient of friction times the initial slope of the contact law, in 1/m; infinite for
 /// Coulomb's law.
 fn bristles(problem: &Problem) -> f64 {
-    if problem.contact_law.is_coulomb() {
-        return f64::INFINITY;
-    }
-    let slope = problem.contact_law.respond(&Slide::default()).by_increment[0][0];
-    problem.friction.cold_coefficient() * slope
+    let (Path::Incremental { stiffness } | Path::Total { stiffness }) = problem.contact_law.path();
+    problem.friction.cold_coefficient() * stiffness
 }

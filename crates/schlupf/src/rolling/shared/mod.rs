@@ -2,7 +2,6 @@
 
 pub(crate) mod contact;
 pub(crate) mod cell;
-pub(crate) mod turn;
 pub(crate) mod passage;
 pub(in crate::rolling) mod coulomb;
 pub(crate) mod warnings;

@@ -74,7 +74,7 @@ pub(super) fn nested(
         let grid = Grid::across(&normal.extent(), cells[0], cells[1]);
         tell(watch, Progress::count(Stage::Steady, 0))?;
         let level = Level::new(problem, normal, grid, discretisation)?;
-        levels.first().unwrap_or(&level).contact.require_rows(problem)?;
+        levels.first().unwrap_or(&level).contact.require_rows()?;
         if let Some(finer) = levels.last_mut() {
             let transfer = Transfer::new(&finer.contact.patch, &level.contact.patch);
             let (carried, known) = (vec![0.0; level.size()], vec![0.0; level.size()]);
@@ -101,7 +101,6 @@ impl Level {
         let mut contact = DiscreteContact::new(problem, normal, grid)?;
         let unknowns = 2 * contact.patch.len();
         let zeros = || vec![0.0; unknowns];
-        contact.fix_interpolation(0.0);
         let strips = StripLaw::new(problem, normal, &mut contact, discretisation)?;
         Ok(Self {
             strips,

@@ -282,7 +282,7 @@ impl<'a> Derivatives<'a> {
             for c in 0..2 {
                 direct.cause.rigid[2 * k + c] += rigid[c];
                 direct.cause.rigid[2 * k + c] *= load_exponent;
-                        direct.friction.slip[k][c] *= load_exponent;
+                direct.friction.slip[k][c] *= load_exponent;
             }
             if let Some(changes) = &changes {
                 let [way, _, slip] = cell.row_by_size(&changes[k]);

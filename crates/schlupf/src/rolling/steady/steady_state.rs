@@ -153,10 +153,7 @@ impl Direct {
     /// No change in any of `cells` cells.
     pub fn nothing(cells: usize) -> Self {
         Self {
-            cause: Cause {
-                rigid: vec![0.0; 2 * cells],
-                stiffness: 0.0,
-            },
+            cause: Cause { rigid: vec![0.0; 2 * cells], stiffness: 0.0 },
             response: Vec::new(),
             bound: vec![0.0; cells],
             friction: FrictionCause::nothing(cells),

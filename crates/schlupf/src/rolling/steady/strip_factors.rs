@@ -108,12 +108,7 @@ impl StripFactors {
     }
 
     /// Of a cell with `upstream` cells before it, from the blocks of its slip.
-    fn factorise_row(
-        &mut self,
-        (k, upstream): (usize, usize),
-        mut row: Row<Block>,
-        slope: Block,
-    ) {
+    fn factorise_row(&mut self, (k, upstream): (usize, usize), mut row: Row<Block>, slope: Block) {
         row[LOWER] = row[LOWER].plus(-1.0, slope).plus(1.0, Block::ONE);
         for at in LOWER - LOWER.min(upstream)..LOWER {
             let above = self.upper[k + at - LOWER];
@@ -181,10 +176,11 @@ impl Interface<'_> {
     /// Takes what the traction of cell `k` owes to those upstream off its row.
     fn add_bristles(&self, row: &mut Row<Block>, k: usize) {
         let Some((stencils, by_upstream)) = self.bristles else { return };
-        let block = Block::of(&by_upstream[k].map(|row| row.map(|by| by / self.bound[k])));
-        for (j, weight) in stencils[k].cells(k).filter(|(j, _)| *j != k) {
+        let upstream = stencils[k].cells(k).filter(|(j, _)| *j != k && self.bound[*j] > 0.0);
+        for (j, weight) in upstream {
+            let by = by_upstream[k].map(|row| row.map(|by| weight * by / self.bound[j]));
             if let Some(at) = row.get_mut((LOWER + j).wrapping_sub(k)) {
-                *at = at.plus(-(weight * self.bound[k] / self.bound[j]) as f32, block);
+                *at = at.plus(-1.0, Block::of(&by));
             }
         }
     }

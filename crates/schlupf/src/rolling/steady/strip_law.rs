@@ -73,9 +73,6 @@ pub(super) struct Cause {
     pub stiffness: f64,
 }
 
-/// Largest part of c to τ: the stencil overshoots where q has a kink.
-const MOST_INHERITED: f64 = 1.0;
-
 impl StripLaw {
     /// The strips of a patch; [`Self::set_problem`] sets motion and laws.
     ///
@@ -214,7 +211,8 @@ impl StripLaw {
         let pull = [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
         let stiffness = match self.path {
             Path::Total { stiffness } => {
-                let answer = Answer::in_total(pull, self.bound[k], self.gamma / stiffness);
+                let compliance = self.gamma / stiffness;
+                let answer = Answer::straight(pull, self.bound[k], [0.0; 2], compliance);
                 return (answer, Matrix::default());
             }
             Path::Incremental { stiffness } if stiffness.is_infinite() => {
@@ -225,39 +223,24 @@ impl StripLaw {
         };
         let compliance = self.gamma / stiffness;
         let (own, c) = self.upstream(saturation, k);
-        let size = c[0].hypot(c[1]);
-        let most = MOST_INHERITED * own;
-        let share = if size > most { most / size } else { 1.0 };
-        let inherited = c.map(|c| compliance * share * c);
-        let bristles = Bristles { own: compliance * own, inherited };
+        let (bristles, by_c) = Bristles::that_inherit(c, own, compliance);
         let answer = Answer::to(pull, self.bound[k], &bristles);
-        let mut by_c = [[compliance, 0.0], [0.0, compliance]];
-        if size > most {
-            let n = c.map(|c| c / size);
-            let mixed = -compliance * share * n[0] * n[1];
-            by_c = [
-                [compliance * share * n[1] * n[1], mixed],
-                [mixed, compliance * share * n[0] * n[0]],
-            ];
-        }
         (answer, product_2x2(&answer.by_inherited, &by_c))
     }
 
-    fn take_saturation(&mut self, p: &[f64]) {
-        for k in self.contact.slivers.kept.iter().flat_map(Clone::clone) {
-            for c in 0..2 {
-                self.saturation[2 * k + c] = p[2 * k + c] / self.bound[k];
-            }
+    /// Tractions (in Pa) over μ pₙ.
+    fn saturate(bound: &[f64], p: &[f64], saturation: &mut [f64]) {
+        let pairs = p.chunks_exact(2).zip(saturation.chunks_exact_mut(2));
+        for (bound, (p, saturation)) in bound.iter().zip(pairs) {
+            let over = if *bound > 0.0 { bound.recip() } else { 0.0 };
+            saturation.copy_from_slice(&[over * p[0], over * p[1]]);
         }
     }
 
     /// The residual that defines the tolerance, in Pa.
     pub fn defect(&self, p: &[f64], b: &[f64]) -> f64 {
-        let over = |(at, p): (usize, &f64)| {
-            let bound = self.bound[at / 2];
-            if bound > 0.0 { p / bound } else { 0.0 }
-        };
-        let saturation: Vec<f64> = p.iter().enumerate().map(over).collect();
+        let mut saturation = vec![0.0; p.len()];
+        Self::saturate(&self.bound, p, &mut saturation);
         let square = |k: usize| {
             let (Answer { traction, .. }, _) = self.answer((p, b), &saturation, k);
             (p[2 * k] - traction[0]).powi(2) + (p[2 * k + 1] - traction[1]).powi(2)
@@ -268,7 +251,7 @@ impl StripLaw {
     /// F(p), in Pa; prepares the tangent.
     pub fn residual(&mut self, p: &[f64], b: &[f64], residual: &mut [f64]) {
         residual.fill(0.0);
-        self.take_saturation(p);
+        Self::saturate(&self.bound, p, &mut self.saturation);
         for strip in 0..self.contact.slivers.kept.len() {
             for k in self.contact.slivers.kept[strip].clone() {
                 let (answer, by_upstream) = self.answer((p, b), &self.saturation, k);
@@ -330,8 +313,8 @@ impl StripLaw {
             let raised = change.bound.map_or(0.0, |bound| bound[k]);
             for c in 0..2 {
                 let at = 2 * k + c;
-                self.changes[at] =
-                    (change.traction[at] - self.saturation[at] * raised) / self.bound[k];
+                let changed = change.traction[at] - self.saturation[at] * raised;
+                self.changes[at] = if self.bound[k] > 0.0 { changed / self.bound[k] } else { 0.0 };
             }
         }
         for k in self.contact.kept() {
@@ -386,13 +369,7 @@ impl StripLaw {
 
     /// The elements of the steady state with the traction p, without their heat, given also the
     /// displacements at the cells relative to those where their material entered, in m.
-    pub fn elements(
-        &self,
-        patch: &Patch,
-        p: &[f64],
-        b: &[f64],
-        relative: &[f64],
-    ) -> Vec<Element> {
+    pub fn elements(&self, patch: &Patch, p: &[f64], b: &[f64], relative: &[f64]) -> Vec<Element> {
         let mut displaced = relative.to_vec();
         self.contact.calibration.add(p, &mut displaced);
         let pairs = self.rigid_since_entry.iter().zip(&displaced);

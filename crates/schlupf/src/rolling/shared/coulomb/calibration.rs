@@ -168,7 +168,7 @@ impl Exact {
         let grid = Grid::across(&grid.extent(), across[0], across[1]);
         let patch = Patch::new(normal, grid);
         let mut compliance = problem.elasticity.compliance(&grid)?;
-        let spread = Interpolation::new(&patch, 0.0);
+        let spread = Interpolation::new(&patch);
         let mut traction = VectorField::zeros(grid.len());
         let under = [0, 1].map(|direction| {
             let of = |pressure: f64| if direction == 0 { [pressure, 0.0] } else { [0.0, pressure] };

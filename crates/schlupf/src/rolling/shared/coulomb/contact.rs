@@ -8,7 +8,7 @@ use crate::rolling::shared::contact::{DiscreteContact, Row, at_distance};
 
 use super::Discretisation;
 use super::calibration::{Calibration, Missing, Symmetric};
-use super::reduction::Matrix;
+use super::resolvent::Matrix;
 use super::slivers::{Slivers, Worth};
 
 /// Largest part of the cell's own compliance by which a calibration reduces it in the
@@ -24,16 +24,7 @@ pub(in crate::rolling) struct CoulombContact {
 }
 
 impl CoulombContact {
-    /// Makes a contact interpolate as the calibration of its displacement requires, whose numbers
-    /// are those of one interpolation. Where there are bristles, they keep adjacent strips from
-    /// oscillating against each other.
-    pub fn interpolate(problem: &Problem, contact: &mut DiscreteContact) {
-        if !problem.contact_law.is_coulomb() {
-            contact.fix_interpolation(1.0);
-        }
-    }
-
-    /// Of a problem, on a contact that interpolates as [`Self::interpolate`] makes it.
+    /// Of a problem, on its discretised contact.
     ///
     /// # Errors
     /// Rigid bodies, for which nothing determines the traction where they stick.
@@ -45,7 +36,8 @@ impl CoulombContact {
     ) -> Result<Self, Error> {
         let row = contact.row_compliances();
         let [own, ..] = row;
-        if own[0] <= 0.0 || own[1] <= 0.0 {
+        let is_rigid = own[0] <= 0.0 || own[1] <= 0.0;
+        if is_rigid && problem.contact_law.is_coulomb() {
             return Err(Error::CoulombOfRigidBodies {});
         }
         let missing = Missing::new(problem, normal, contact)?;
@@ -70,6 +62,9 @@ impl CoulombContact {
 fn worth(k: usize, patch: &Patch, missing: &Missing, row: &Row) -> Worth {
     let cell = &patch.cells[k];
     let [own, ..] = row;
+    if own[0] <= 0.0 || own[1] <= 0.0 {
+        return Worth { missing: 0.0, slid: 1.0 };
+    }
     let at_entry = at_distance(row, cell.since_entry.distance / patch.grid.spacing_x);
     let smaller = |of: [f64; 2]| of[0].min(of[1]);
     let over = |missing: &[Symmetric], c: usize| missing[k][c] / (own[c] * cell.pressure);

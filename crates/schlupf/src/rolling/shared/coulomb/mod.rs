@@ -9,10 +9,7 @@
 mod slivers;
 mod calibration;
 mod slip_stencil;
-mod reduction;
 mod resolvent;
-mod stretch;
-mod series;
 mod contact;
 
 /// How exactly the equations of sticking cells are posed.
@@ -48,8 +45,7 @@ impl Discretisation {
 
 pub(in crate::rolling) use calibration::Calibration;
 pub(in crate::rolling) use contact::CoulombContact;
-pub(in crate::rolling) use reduction::{Slope, reduced};
-pub(in crate::rolling) use resolvent::{Answer, Bristles, Matrix, product_2x2, saturation};
-pub(in crate::rolling) use series::Series;
+pub(in crate::rolling) use resolvent::{
+    Answer, Bristles, Matrix, product_2x2, reduced, saturation,
+};
 pub(in crate::rolling) use slip_stencil::{SlipStencil, slide, through};
-pub(in crate::rolling) use stretch::{Growth, Stretch};

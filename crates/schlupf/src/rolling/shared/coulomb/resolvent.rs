@@ -42,6 +42,21 @@ pub(in crate::rolling) struct Bristles {
     pub inherited: [f64; 2],
 }
 
+impl Bristles {
+    /// From c, τ and γ/k_c (in Pa), with the derivative of what is inherited by c, in Pa. The
+    /// stencil overshoots where q has a kink: |c| counts up to τ.
+    pub fn that_inherit(c: [f64; 2], own: f64, compliance: f64) -> (Self, Matrix) {
+        let size = length(c);
+        let share = if size > own { own / size } else { 1.0 };
+        let inherited = c.map(|c| compliance * share * c);
+        let scale = compliance * share;
+        let n = c.map(|c| if size > own { c / size } else { 0.0 });
+        let by_c =
+            [0, 1].map(|r| [0, 1].map(|c| scale * (if r == c { 1.0 } else { 0.0 } - n[r] * n[c])));
+        (Self { own: compliance * own, inherited }, by_c)
+    }
+}
+
 /// The traction of a cell, and its derivatives.
 #[derive(Debug, Clone, Copy, Default)]
 pub(in crate::rolling) struct Answer {
@@ -85,9 +100,8 @@ impl Answer {
         let traction = [0, 1].map(|c| share * (pull[c] - inherited[c]));
         let part = traction.map(|p| p / whole);
         let block = |own: f64, slides: f64| {
-            [0, 1].map(|r| {
-                [0, 1].map(|c| (if r == c { own } else { 0.0 }) - part[r] * slides * n[c])
-            })
+            [0, 1]
+                .map(|r| [0, 1].map(|c| (if r == c { own } else { 0.0 }) - part[r] * slides * n[c]))
         };
         let by_bound = (dot(inherited) - sliding) * steepness;
         let by_own = (dot(pull) - sliding) * steepness;
@@ -97,43 +111,42 @@ impl Answer {
             sliding,
             by_pull: block(share, free * steepness),
             by_inherited: block(-share, bound * steepness),
-            by_bound: [0, 1].map(|c| {
-                (1.0 - share) * (pull[c] - inherited[c]) / whole - part[c] * by_bound
-            }),
+            by_bound: [0, 1]
+                .map(|c| (1.0 - share) * (pull[c] - inherited[c]) / whole - part[c] * by_bound),
             by_stiffness: [0, 1].map(|c| share * inherited[c] + part[c] * (own - stiffer)),
         }
     }
 
-    /// Of the law in the total displacement: p = μpₙ (1 − exp(−k_c |S|)) S/|S|, with the pull p + γ
-    /// S and γ/k_c (in Pa).
-    pub fn in_total(pull: [f64; 2], bound: f64, compliance: f64) -> Self {
-        let size = length(pull);
-        // Concave, and negative where Newton's method begins.
-        let mut sliding = (size - bound).max(0.0);
-        for _ in 0..STEPS {
-            let left = (-sliding / compliance).exp();
-            let rest = size - bound * (1.0 - left) - sliding;
-            let step = rest / (1.0 + bound * left / compliance);
-            sliding += step;
-            if step.abs() <= ACCURACY * sliding {
-                break;
-            }
-        }
-        let left = (-sliding / compliance).exp();
-        let softness = (1.0 + bound * left / compliance).recip();
-        let n = pull.map(|q| if size > 0.0 { q / size } else { 0.0 });
-        let along = 1.0 - softness;
-        let across = if size > 0.0 { 1.0 - sliding / size } else { along };
-        let by_pull = [0, 1].map(|r| {
-            [0, 1].map(|c| (if r == c { across } else { 0.0 }) + (along - across) * n[r] * n[c])
-        });
-        let stiffer = bound * left * sliding / compliance * softness;
+    /// Of a point that slides straight by s from a saturation q before, p = μpₙ (e q + (1 − e) s/|s|)
+    /// with e = exp(−k_c |s|), under the pull p + γ s and with γ/k_c (in Pa).
+    pub fn straight(pull: [f64; 2], bound: f64, before: [f64; 2], compliance: f64) -> Self {
+        let Straight { sliding, left, rest } = straight(pull, bound, before, compliance);
+        let size = length(rest);
+        let n = rest.map(|rest| if size > 0.0 { rest / size } else { 0.0 });
+        let dot = |v: [f64; 2]| n[0] * v[0] + n[1] * v[1];
+        let growth = bound * left / compliance;
+        let steepness = (1.0 + growth * (1.0 - dot(before))).recip();
+        let turn = if size > 0.0 { sliding / size } else { steepness };
+        // The traction is the pull less m n.
+        let by = |sliding: f64, rest: [f64; 2]| {
+            let rest = [0, 1].map(|c| rest[c] + growth * before[c] * sliding);
+            let along = dot(rest);
+            [0, 1].map(|c| -n[c] * sliding - turn * (rest[c] - along * n[c]))
+        };
+        let column = |pull: [f64; 2]| {
+            let moved = by(dot(pull) * steepness, pull);
+            [pull[0] + moved[0], pull[1] + moved[1]]
+        };
+        let [[xx, yx], [xy, yy]] = [column([1.0, 0.0]), column([0.0, 1.0])];
+        let raised = -(1.0 - left + left * dot(before)) * steepness;
+        let faded = growth * sliding;
+        let stiffer = -faded * (1.0 - dot(before)) * steepness;
         Self {
-            traction: pull.map(|q| across * q),
+            traction: [0, 1].map(|c| pull[c] - sliding * n[c]),
             sliding,
-            by_pull,
-            by_bound: n.map(|n| n * (1.0 - left) * softness),
-            by_stiffness: n.map(|n| n * stiffer),
+            by_pull: [[xx, xy], [yx, yy]],
+            by_bound: by(raised, before.map(|q| -left * q)),
+            by_stiffness: by(stiffer, before.map(|q| faded * q)),
             ..Self::default()
         }
     }
@@ -169,7 +182,11 @@ fn sliding(pull: [f64; 2], bound: f64, bristles: &Bristles) -> f64 {
         let along = [0, 1].map(|c| (own + at) * pull[c] + bound * inherited[c]);
         let size = length(along);
         let excess = at * (bound + own + at) - size;
-        if excess > 0.0 { high = at } else { low = at }
+        if excess > 0.0 {
+            high = at
+        } else {
+            low = at
+        }
         let n = along.map(|along| if size > 0.0 { along / size } else { 0.0 });
         let slope = bound + own + 2.0 * at - (n[0] * pull[0] + n[1] * pull[1]);
         let next = at - excess / slope;
@@ -183,6 +200,153 @@ fn sliding(pull: [f64; 2], bound: f64, bristles: &Bristles) -> f64 {
     at
 }
 
+/// How a point slides straight: m in Pa, e, and the pull less what is left of the traction before,
+/// in Pa.
+struct Straight {
+    sliding: f64,
+    left: f64,
+    rest: [f64; 2],
+}
+
+fn straight(pull: [f64; 2], bound: f64, before: [f64; 2], compliance: f64) -> Straight {
+    let at = |sliding: f64| {
+        let left = (-sliding / compliance).exp();
+        let rest = [0, 1].map(|c| pull[c] - bound * left * before[c]);
+        Straight { sliding, left, rest }
+    };
+    let size = length(pull);
+    let (mut low, mut high) = ((size - bound).max(0.0), size + bound);
+    let mut now = at(low);
+    for _ in 0..STEPS {
+        let Straight { sliding, left, rest } = now;
+        let length = length(rest);
+        let excess = bound * (1.0 - left) + sliding - length;
+        if excess > 0.0 {
+            high = sliding
+        } else {
+            low = sliding
+        }
+        let along = if length > 0.0 { rest[0] * before[0] + rest[1] * before[1] } else { 0.0 };
+        let along = if length > 0.0 { along / length } else { 0.0 };
+        let next = sliding - excess / (1.0 + bound * left / compliance * (1.0 - along));
+        let next = if next >= low && next <= high { next } else { 0.5 * (low + high) };
+        let is_near = (next - sliding).abs() <= ACCURACY * next;
+        now = at(next);
+        if is_near {
+            break;
+        }
+    }
+    now
+}
+
 pub(in crate::rolling) fn product_2x2(a: &Matrix, b: &Matrix) -> Matrix {
     a.map(|row| [row[0] * b[0][0] + row[1] * b[1][0], row[0] * b[0][1] + row[1] * b[1][1]])
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+
+    const H: f64 = 1e-6;
+
+    /// Central differences of an answer by each of its arguments.
+    fn differences(at: impl Fn([f64; 2], f64, [f64; 2], f64) -> Answer) -> [[f64; 2]; 6] {
+        let difference = |plus: Answer, minus: Answer| {
+            [0, 1].map(|c| (plus.traction[c] - minus.traction[c]) / (2.0 * H))
+        };
+        let along = |c: usize, h: f64| [0, 1].map(|k| if k == c { h } else { 0.0 });
+        let by_pull = |c| {
+            difference(at(along(c, H), 0.0, [0.0; 2], 0.0), at(along(c, -H), 0.0, [0.0; 2], 0.0))
+        };
+        let by_inherited = |c| {
+            difference(at([0.0; 2], 0.0, along(c, H), 0.0), at([0.0; 2], 0.0, along(c, -H), 0.0))
+        };
+        let by_bound = difference(at([0.0; 2], H, [0.0; 2], 0.0), at([0.0; 2], -H, [0.0; 2], 0.0));
+        let by_stiffness =
+            difference(at([0.0; 2], 0.0, [0.0; 2], H), at([0.0; 2], 0.0, [0.0; 2], -H));
+        [by_pull(0), by_pull(1), by_inherited(0), by_inherited(1), by_bound, by_stiffness]
+    }
+
+    fn assert_derivatives(answer: &Answer, found: [[f64; 2]; 6]) {
+        let [x, y, inherited_x, inherited_y, by_bound, by_stiffness] = found;
+        for r in 0..2 {
+            for (exact, found) in [
+                (answer.by_pull[r][0], x[r]),
+                (answer.by_pull[r][1], y[r]),
+                (answer.by_inherited[r][0], inherited_x[r]),
+                (answer.by_inherited[r][1], inherited_y[r]),
+                (answer.by_bound[r], by_bound[r]),
+                (answer.by_stiffness[r], by_stiffness[r]),
+            ] {
+                assert_relative_eq!(exact, found, epsilon = 1e-7, max_relative = 1e-6);
+            }
+        }
+    }
+
+    /// The law holds for the sliding that is found, τ q + c = k_c (v − |v| q), and derivatives are
+    /// those of central differences, from soft bristles to none.
+    #[test]
+    fn the_law_holds_in_a_cell() {
+        for pull in [[0.3, -0.2], [0.3, -0.8], [-2.0, 1.0], [1e-6, 0.0]] {
+            for (own, c) in
+                [(3.0, [0.2, 0.4]), (0.1, [-0.6, 0.3]), (1e-6, [0.5, -0.5]), (0.0, [0.0; 2])]
+            {
+                let bound = 0.5;
+                let at = |pulled: [f64; 2], raised: f64, inherited: [f64; 2], stiffer: f64| {
+                    let softer = (-stiffer).exp();
+                    let bristles = Bristles {
+                        own: softer * own,
+                        inherited: [0, 1].map(|k| softer * own * c[k] + inherited[k]),
+                    };
+                    let pull = [0, 1].map(|k| pull[k] + pulled[k]);
+                    Answer::to(pull, bound + raised, &bristles)
+                };
+                let answer = at([0.0; 2], 0.0, [0.0; 2], 0.0);
+                let p = answer.traction;
+                assert!(length(p) < bound * (1.0 + 1e-9));
+                let slid = [0, 1].map(|k| pull[k] - p[k]);
+                assert_relative_eq!(length(slid), answer.sliding, epsilon = 1e-12);
+                for k in 0..2 {
+                    let kept = own * p[k] / bound + own * c[k];
+                    let stretched = slid[k] - answer.sliding * p[k] / bound;
+                    assert_relative_eq!(kept, stretched, epsilon = 1e-10);
+                }
+                if own == 0.0 || own > 1e-3 {
+                    let mut found = differences(at);
+                    if own == 0.0 {
+                        // Nothing is inherited without bristles.
+                        [found[2], found[3]] =
+                            [0, 1].map(|c| answer.by_inherited.map(|row| row[c]));
+                    }
+                    assert_derivatives(&answer, found);
+                }
+            }
+        }
+    }
+
+    /// The same of straight paths: p/(μ pₙ) relaxes to the direction of sliding.
+    #[test]
+    fn the_law_holds_along_a_straight_path() {
+        for pull in [[0.3, -0.2], [-2.0, 1.0], [1e-3, 2e-3]] {
+            for (compliance, before) in [(3.0, [0.2, 0.4]), (0.1, [0.0; 2]), (0.05, [-0.9, 0.3])] {
+                let bound = 0.5;
+                let at = |pulled: [f64; 2], raised: f64, _: [f64; 2], stiffer: f64| {
+                    let pull = [0, 1].map(|k| pull[k] + pulled[k]);
+                    Answer::straight(pull, bound + raised, before, compliance * (-stiffer).exp())
+                };
+                let answer = at([0.0; 2], 0.0, [0.0; 2], 0.0);
+                let slid = [0, 1].map(|k| pull[k] - answer.traction[k]);
+                assert_relative_eq!(length(slid), answer.sliding, epsilon = 1e-12);
+                let left = (-answer.sliding / compliance).exp();
+                for k in 0..2 {
+                    let along = slid[k] / answer.sliding;
+                    let law = bound * (left * before[k] + (1.0 - left) * along);
+                    assert_relative_eq!(answer.traction[k], law, epsilon = 1e-11);
+                }
+                assert_derivatives(&answer, differences(at));
+            }
+        }
+    }
 }

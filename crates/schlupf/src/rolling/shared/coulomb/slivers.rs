@@ -88,24 +88,6 @@ impl Slivers {
         }
     }
 
-    /// Writes by how much the traction of each sliver is not that, in Pa.
-    pub fn depart(&self, p: &[f64], departure: &mut [f64]) {
-        for Sliver { cell, after, ratio } in &self.all {
-            for c in 0..2 {
-                departure[2 * cell + c] = p[2 * cell + c] - ratio * p[2 * after + c];
-            }
-        }
-    }
-
-    /// Adds the values of the slivers, x and y of each cell in turn.
-    pub fn add(&self, values: &[f64], to: &mut [f64]) {
-        for Sliver { cell, .. } in &self.all {
-            for c in 0..2 {
-                to[2 * cell + c] += values[2 * cell + c];
-            }
-        }
-    }
-
     /// Gives every sliver its value of something proportional to the pressure.
     pub fn complete_scalar(&self, values: &mut [f64]) {
         for Sliver { cell, after, ratio } in &self.all {
