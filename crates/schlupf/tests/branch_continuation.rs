@@ -44,7 +44,7 @@ impl Equations {
         let patch = Patch::new(&normal, Grid::across(&normal.extent(), across, across));
         let grid = patch.grid;
         // Bristles so soft that the interpolation at the leading edge is all cubic.
-        let interpolation = Interpolation::new(&patch, 1.0);
+        let interpolation = Interpolation::new(&patch);
         let mut compliance = case.elasticity.compliance(&grid).unwrap();
         let cells = patch.len();
         let is_first: Vec<bool> =
