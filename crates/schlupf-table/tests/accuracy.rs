@@ -4,7 +4,6 @@ use std::f64::consts::PI;
 use std::path::Path;
 
 use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::interface::contact_law::Coulomb;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::kinematics::Kinematics;
 use schlupf::material::Material;

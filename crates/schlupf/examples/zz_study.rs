@@ -33,10 +33,10 @@ fn main() {
         let start = std::time::Instant::now();
         for row in rows.iter().step_by(every) {
             let n = |i: usize| row[i].parse::<f64>().unwrap();
-            let law: Arc<dyn ContactLaw> = if k.is_infinite() {
-                Arc::new(Coulomb)
+            let law: ContactLaw = if k.is_infinite() {
+                ContactLaw::Coulomb
             } else {
-                Arc::new(Incremental::new(k).unwrap())
+                Incremental::new(k).unwrap().into()
             };
             let solve = |cells: usize| {
                 let mut problem = Problem::builder()

@@ -6,7 +6,7 @@ use crate::elasticity::Elasticity;
 use crate::elasticity::calibrated_layer::CalibratedLayer;
 use crate::error::Error;
 use crate::heat::Heat;
-use crate::interface::contact_law::{ContactLaw, Incremental};
+use crate::interface::contact_law::ContactLaw;
 use crate::interface::friction::temperature_linear::TemperatureLinear;
 use crate::interface::friction::{Friction, FrictionLaw};
 use crate::interface::third_body::ThirdBodyLayer;
@@ -51,7 +51,7 @@ pub struct ProblemBuilder {
     normal: Option<Arc<dyn PressureSource>>,
     elasticity: Option<Arc<dyn Elasticity>>,
     layer: Option<ThirdBodyLayer>,
-    contact_law: Option<Arc<dyn ContactLaw>>,
+    contact_law: ContactLaw,
     friction: Option<Arc<dyn FrictionLaw>>,
     reference_temperature: Option<f64>,
     heat: Heat,
@@ -70,7 +70,7 @@ impl Default for ProblemBuilder {
             normal: None,
             elasticity: None,
             layer: None,
-            contact_law: None,
+            contact_law: ContactLaw::default(),
             friction: None,
             reference_temperature: None,
             heat: Heat::default(),
@@ -169,9 +169,9 @@ impl ProblemBuilder {
         self
     }
 
-    /// Contact law, replacing [`Incremental::default`].
-    pub fn contact_law(mut self, law: impl ContactLaw + 'static) -> Self {
-        self.contact_law = Some(Arc::new(law));
+    /// Contact law, replacing [`ContactLaw::default`].
+    pub fn contact_law(mut self, law: impl Into<ContactLaw>) -> Self {
+        self.contact_law = law.into();
         self
     }
 
@@ -225,7 +225,7 @@ impl ProblemBuilder {
             normal,
             elasticity,
             layer: self.layer,
-            contact_law: self.contact_law.unwrap_or_else(|| Arc::new(Incremental::default())),
+            contact_law: self.contact_law,
             friction: Friction::new(friction, reference_temperature),
             heat: self.heat,
         };

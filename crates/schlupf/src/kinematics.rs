@@ -103,12 +103,6 @@ impl Kinematics {
         Self { creepage_x, creepage_y, ..*self }
     }
 
-    /// Difference of the rigid slip over a distance (in m) between the downstream end of the
-    /// distance and its middle; in m.
-    pub fn half_turn(&self, distance: f64) -> [f64; 2] {
-        [0.0, -0.5 * self.spin * distance * distance]
-    }
-
     /// Derivatives of ln(v0/(ωR)) with respect to ξ and η, dimensionless.
     pub fn contact_time_ratio_by_creepage(&self) -> [f64; 2] {
         let along = (1.0 - self.creepage_y.powi(2)).sqrt();

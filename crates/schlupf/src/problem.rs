@@ -40,7 +40,7 @@ pub struct Problem {
     /// The layer between the surfaces, if there is one.
     pub layer: Option<ThirdBodyLayer>,
     /// Dependence of the traction of a point on its sliding, Eq. (8).
-    pub contact_law: Arc<dyn ContactLaw>,
+    pub contact_law: ContactLaw,
     /// Coefficient of friction, Eq. (23).
     pub friction: Friction,
     /// Frictional heating, Eqs. (17)–(22).

@@ -31,11 +31,7 @@ pub struct Element {
     pub saturation: [f64; 2],
     /// Sliding distance since entry, in m.
     pub sliding: [f64; 2],
-    /// Elastic part of the sliding on the path into the cell, divided by the length of that path,
-    /// dimensionless.
-    pub stretch: [f64; 2],
-    /// Earlier places of its path, the latest first; empty where bristles are followed from cell to
-    /// cell.
+    /// Earlier places of its path, the latest first.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_empty"))]
     pub track: Places,
     /// Temperature rise times effusivity in the cell, in W √s/m².

@@ -31,7 +31,7 @@ fn force(axis_ratio: f64, stiffness: f64, [xi, eta, spin]: [f64; 3], across: usi
     let rolling = Problem {
         normal: Arc::new(Ellipse::from_peak_pressure(a, b, 1e9).unwrap()),
         elasticity: half_space(),
-        contact_law: Arc::new(Incremental::new(stiffness).unwrap()),
+        contact_law: Incremental::new(stiffness).unwrap().into(),
         ..problem(rolling(xi, eta, spin / mean))
     };
     let solution = schlupf::rolling::steady::solve(&rolling, &cells(across), &unwatched).unwrap();

@@ -79,7 +79,7 @@ fn problems() -> Vec<Problem> {
     // The paper's models.
     let mut paper = Problem { elasticity: Arc::clone(&layer.elasticity), ..hot.clone() };
     paper.heat.model = Some(Arc::new(ConstantSource));
-    paper.contact_law = Arc::new(TotalDisplacement::new(5e6).unwrap());
+    paper.contact_law = TotalDisplacement::new(5e6).unwrap().into();
     vec![layer, half_space, hot, paper]
 }
 

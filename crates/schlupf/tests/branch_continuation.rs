@@ -230,7 +230,7 @@ fn falling(creepage: f64, stiffness: f64, half_speed: f64) -> Problem {
     let mut falling = problem(rolling(creepage, 0.0, 0.0));
     falling.kinematics.speed = SPEED;
     falling.elasticity = layer();
-    falling.contact_law = Arc::new(Incremental::new(stiffness).unwrap());
+    falling.contact_law = Incremental::new(stiffness).unwrap().into();
     let law = Linear(SlipTerms::new(COLD, KINETIC, half_speed, None).unwrap());
     falling.friction.law = Arc::new(law);
     falling

@@ -17,7 +17,7 @@ use schlupf::{Options, Problem, Solution, Status, rolling, unwatched};
 fn falling(creepage: f64, half_speed: f64) -> Problem {
     let mut falling = problem(rolling(creepage, 0.0, 0.0));
     falling.kinematics.speed = 15.0;
-    falling.contact_law = Arc::new(Incremental::new(1e8).unwrap());
+    falling.contact_law = Incremental::new(1e8).unwrap().into();
     let law = Linear(SlipTerms::new(0.4, 0.05, half_speed, None).unwrap());
     falling.friction.law = Arc::new(law);
     falling

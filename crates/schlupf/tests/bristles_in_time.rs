@@ -10,7 +10,7 @@ use common::{cells, follow, from_state, half_space, layer, problem, rolling, sol
 use schlupf::elasticity::Elasticity;
 use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
 use schlupf::history::History;
-use schlupf::interface::contact_law::{ContactLaw, Coulomb, Incremental};
+use schlupf::interface::contact_law::{ContactLaw, Incremental};
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::rolling::marching::march;
@@ -19,7 +19,7 @@ use schlupf::{Error, Options, Problem, Solution, Status, Transient, unwatched};
 
 fn bristly(elasticity: Arc<dyn Elasticity>, stiffness: f64, motion: [f64; 3]) -> Problem {
     let [xi, eta, spin] = motion;
-    let contact_law = Arc::new(Incremental::new(stiffness).unwrap());
+    let contact_law = Incremental::new(stiffness).unwrap().into();
     Problem { elasticity, contact_law, ..problem(rolling(xi, eta, spin)) }
 }
 
@@ -125,15 +125,15 @@ fn marching_goes_on_from_a_steady_state() {
 /// takes hardly more products than under Coulomb's law.
 #[test]
 fn time_steps_take_no_more_work_than_under_coulombs_law() {
-    let products = |law: Arc<dyn ContactLaw>, is_fast: bool| {
+    let products = |law: ContactLaw, is_fast: bool| {
         let history = if is_fast { swinging(0.7, 12e-3, 15e-3) } else { constant(12e-3) };
         let work = solve_over(&transients::reference(law), history, &cells(40)).work;
         work.operator_products / work.steps as f64
     };
     for is_fast in [false, true] {
-        let coulomb = products(Arc::new(Coulomb), is_fast);
+        let coulomb = products(ContactLaw::Coulomb, is_fast);
         for stiffness in [1e8, 1e10] {
-            let stiff = products(Arc::new(Incremental::new(stiffness).unwrap()), is_fast);
+            let stiff = products(Incremental::new(stiffness).unwrap().into(), is_fast);
             println!("{is_fast} {stiffness:e}: {stiff:.1} products a step, Coulomb {coulomb:.1}");
             assert!(stiff < 1.3 * coulomb, "{is_fast} {stiffness:e}: {stiff} {coulomb}");
         }
@@ -145,8 +145,7 @@ fn time_steps_take_no_more_work_than_under_coulombs_law() {
 /// own, to the error of the grid.
 #[test]
 fn a_layer_on_a_grid_that_the_patch_leaves() {
-    let laws: [Arc<dyn ContactLaw>; 2] =
-        [Arc::new(Coulomb), Arc::new(Incremental::new(2e8).unwrap())];
+    let laws: [ContactLaw; 2] = [ContactLaw::Coulomb, Incremental::new(2e8).unwrap().into()];
     for law in laws {
         let falling = Problem { elasticity: layer(), ..transients::reference(law) };
         let history = History {

@@ -174,7 +174,7 @@ fn kalker_1982_the_bed_has_the_forces_of_the_linear_theory() {
         let stick = schlupf::Problem {
             normal: Arc::new(Ellipse::from_peak_pressure(a, b, 1e9).unwrap()),
             elasticity: Arc::new(bed),
-            contact_law: Arc::new(Incremental::new(1e9).unwrap()),
+            contact_law: Incremental::new(1e9).unwrap().into(),
             ..problem(rolling(1e-6, 2e-6, 0.0))
         };
         let force = rolling::steady::solve(&stick, &cells(40), &unwatched).unwrap().force;

@@ -97,7 +97,7 @@ fn solve(
     let mut coulomb = problem(rolling(creepage, 0.0, 0.0));
     coulomb.normal = normal;
     coulomb.elasticity = elasticity;
-    coulomb.contact_law = Arc::new(Incremental::new(stiffness).unwrap());
+    coulomb.contact_law = Incremental::new(stiffness).unwrap().into();
     coulomb.friction.law = Arc::new(Constant::new(CYLINDERS.friction_coefficient).unwrap());
     let options = Options { cells_x, cells_y, slip_threshold: 0.99, ..Options::default() };
     let solution = schlupf::rolling::steady::solve(&coulomb, &options, &unwatched).unwrap();

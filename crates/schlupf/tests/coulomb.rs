@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use common::{cells, half_space, problem, rolling};
-use schlupf::interface::contact_law::{ContactLaw, Coulomb, Incremental, Response, Slide};
+use schlupf::interface::contact_law::{ContactLaw, Incremental};
 use schlupf::interface::friction::constant::Constant;
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::rolling::steady::SteadySolver;
@@ -64,7 +64,7 @@ fn coulomb([a, b]: [f64; 2], [xi, eta, spin]: [f64; 3]) -> Problem {
     let mut problem = problem(rolling(xi, eta, spin));
     problem.normal = Arc::new(Ellipse::from_load(a, b, 52_359.878).unwrap());
     problem.elasticity = half_space();
-    problem.contact_law = Arc::new(Coulomb);
+    problem.contact_law = ContactLaw::Coulomb;
     problem.friction.law = Arc::new(Constant::new(0.3).unwrap());
     problem
 }
@@ -241,7 +241,7 @@ fn stiff_bristles_take_no_more_work() {
 }
 
 fn bristly(ratio: f64, motion: [f64; 3], stiffness: f64) -> Problem {
-    let contact_law = Arc::new(Incremental::new(stiffness).unwrap());
+    let contact_law = Incremental::new(stiffness).unwrap().into();
     Problem { contact_law, ..coulomb(semi_axes(ratio), motion) }
 }
 

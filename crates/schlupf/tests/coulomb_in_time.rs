@@ -15,7 +15,7 @@ use schlupf::elasticity::rigid::Rigid;
 use schlupf::elasticity::winkler::Winkler;
 use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
 use schlupf::history::History;
-use schlupf::interface::contact_law::Coulomb;
+use schlupf::interface::contact_law::ContactLaw;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::material::Material;
@@ -25,7 +25,7 @@ use schlupf::rolling::marching::{march, shift};
 use schlupf::{Error, Options, Problem, Solution, Status, Transient, unwatched};
 
 fn reference() -> Problem {
-    transients::reference(Arc::new(Coulomb))
+    transients::reference(ContactLaw::Coulomb)
 }
 
 fn run(history: History, across: usize) -> Solution {
@@ -33,7 +33,7 @@ fn run(history: History, across: usize) -> Solution {
 }
 
 fn coulomb(elasticity: Arc<dyn Elasticity>, [xi, eta, spin]: [f64; 3]) -> Problem {
-    Problem { elasticity, contact_law: Arc::new(Coulomb), ..problem(rolling(xi, eta, spin)) }
+    Problem { elasticity, contact_law: ContactLaw::Coulomb, ..problem(rolling(xi, eta, spin)) }
 }
 
 fn at_once(problem: &Problem, options: &Options) -> Solution {

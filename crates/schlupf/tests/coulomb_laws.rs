@@ -12,7 +12,7 @@ use schlupf::elasticity::winkler::Winkler;
 use schlupf::heat::Heat;
 use schlupf::heat::duhamel::Duhamel;
 use schlupf::heat::partition::Partition;
-use schlupf::interface::contact_law::{ContactLaw, Coulomb, Incremental};
+use schlupf::interface::contact_law::{ContactLaw, Incremental};
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::exponential::Exponential;
 use schlupf::interface::friction::memory::FrictionMemory;
@@ -35,7 +35,7 @@ const MOTION: [f64; 3] = [0.0015, 0.001, 0.4];
 fn coulomb([xi, eta, spin]: [f64; 3]) -> Problem {
     Problem {
         elasticity: half_space(),
-        contact_law: Arc::new(Coulomb),
+        contact_law: ContactLaw::Coulomb,
         ..problem(rolling(xi, eta, spin))
     }
 }
@@ -97,7 +97,7 @@ fn friction_laws_and_heat() {
                 let solution = solve(&warm, &cells(24));
                 check_invariants(&solution);
                 assert!(solution.work.operator_products < 40.0, "{law:?} {:?}", solution.work);
-                let stiff: Arc<dyn ContactLaw> = Arc::new(Incremental::new(1e9).unwrap());
+                let stiff: ContactLaw = Incremental::new(1e9).unwrap().into();
                 let stiff = solve(&Problem { contact_law: stiff, ..warm }, &cells(24));
                 let gap = gap(&solution, &stiff);
                 assert!(gap < 0.015, "{law:?} {size}: {gap}");
@@ -295,7 +295,7 @@ fn cells_that_are_too_wide_are_refused() {
             assert_eq!(refused.unwrap_err(), refusal);
 
             let mut stiff = problem;
-            stiff.contact_law = Arc::new(Incremental::new(1e8).unwrap());
+            stiff.contact_law = Incremental::new(1e8).unwrap().into();
             let followed = solve(&stiff, &on(count));
             assert!(followed.warnings.is_empty(), "{:?}", followed.warnings);
             assert!(gap(&followed, &square) < 0.05, "{b}: {}", gap(&followed, &square));

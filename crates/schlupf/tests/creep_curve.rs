@@ -34,7 +34,7 @@ const BEDDING: f64 = 1e13;
 fn winkler() -> Problem {
     let mut winkler = problem(rolling(0.0, 0.0, 0.0));
     winkler.elasticity = Arc::new(Winkler::new(BEDDING, BEDDING).unwrap());
-    winkler.contact_law = Arc::new(Incremental::new(1e10).unwrap());
+    winkler.contact_law = Incremental::new(1e10).unwrap().into();
     winkler
 }
 
@@ -115,7 +115,7 @@ fn kalker_1967_initial_slopes() {
     let mut smooth = problem(rolling(0.0, 0.0, 0.0));
     smooth.normal = Arc::new(Ellipse::from_peak_pressure(5e-3, 5e-3, 1e9).unwrap());
     smooth.elasticity = Arc::new(HalfSpace::new(&Material::STEEL, &Material::STEEL).unwrap());
-    smooth.contact_law = Arc::new(Incremental::new(1e10).unwrap());
+    smooth.contact_law = Incremental::new(1e10).unwrap().into();
     let exact = creep_coefficients(1.0, Material::STEEL.poisson_ratio).unwrap();
     let on = |cells_across: usize, end: Creepages| {
         let path = Path::new(Creepages::default(), end).unwrap();

@@ -17,7 +17,7 @@ use schlupf::Error;
 use schlupf::elasticity::Elasticity;
 use schlupf::elasticity::winkler::Winkler;
 use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
-use schlupf::interface::contact_law::{ContactLaw, Coulomb, Incremental};
+use schlupf::interface::contact_law::{ContactLaw, Incremental};
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::kinematics::Kinematics;
@@ -99,12 +99,12 @@ fn curved(creepage_x: f64, creepage_y: f64) -> Problem {
     }
 }
 
-fn with_law(base: &Problem, contact_law: Arc<dyn ContactLaw>) -> Problem {
+fn with_law(base: &Problem, contact_law: ContactLaw) -> Problem {
     Problem { contact_law, ..base.clone() }
 }
 
-fn incremental(stiffness: f64) -> Arc<dyn ContactLaw> {
-    Arc::new(Incremental::new(stiffness).unwrap())
+fn incremental(stiffness: f64) -> ContactLaw {
+    Incremental::new(stiffness).unwrap().into()
 }
 
 fn hot(mut base: Problem) -> Problem {
@@ -139,7 +139,7 @@ fn combined(one: &Resultant, factor: f64, other: &Resultant, times: f64) -> Resu
 /// What differs for the full method: laws, elasticity, heat.
 fn kinds() -> [(&'static str, Problem); 5] {
     let base = || curved(1e-3, -2e-3);
-    let stiff: Arc<dyn ContactLaw> = Arc::new(Coulomb);
+    let stiff: ContactLaw = ContactLaw::Coulomb;
     let uncoupled: Arc<dyn Elasticity> = Arc::new(Winkler::new(2e13, 1e13).unwrap());
     [
         ("soft bristles", base()),
@@ -263,7 +263,7 @@ fn the_power_balance_closes_row_by_row() {
 #[test]
 fn wear_numbers_are_those_of_the_rows() {
     let base = curved(2e-3, -1e-3);
-    for problem in [with_law(&base, Arc::new(Coulomb)), base] {
+    for problem in [with_law(&base, ContactLaw::Coulomb), base] {
         let solution = solve(&problem, &cells(24));
         let (motion, fields) = (solution.kinematics, &solution.fields);
         let mut parts = [0.0; 3];
@@ -289,7 +289,7 @@ fn wear_numbers_are_those_of_the_rows() {
 /// of its row, in the full method and in FASTSIM with one flexibility, and so do the forces.
 #[test]
 fn fastsim_slides_as_the_full_method() {
-    let problem = with_law(&curved(0.15, 0.08), Arc::new(Coulomb));
+    let problem = with_law(&curved(0.15, 0.08), ContactLaw::Coulomb);
     let brush = Brush { flexibilities: Flexibilities::One, bound: TractionBound::Elliptic };
     let full = solve(&problem, &cells(24));
     let mut solver = Method::Fast(FastMethod::Fastsim(brush)).solver(&cells(24));

@@ -9,7 +9,7 @@ use schlupf::damage::{
 };
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::heat::Heat;
-use schlupf::interface::contact_law::Coulomb;
+use schlupf::interface::contact_law::ContactLaw;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::material::Material;
 use schlupf::method::{Brush, FastMethod, Method, TractionBound};
@@ -262,7 +262,7 @@ fn a_sliding_passage_has_closed_forms() {
     let problem = Problem::builder().creepage_x(creepage).build().unwrap();
     let contact = Ellipse::from_peak_pressure(a, b, 0.9e9).unwrap();
     let mut problem = Problem { normal: Arc::new(contact), heat: Heat::none(), ..problem };
-    problem.contact_law = Arc::new(Coulomb);
+    problem.contact_law = ContactLaw::Coulomb;
     problem.friction.law = Arc::new(Constant::new(friction).unwrap());
     let steel = Material::STEEL;
     problem.elasticity = Arc::new(HalfSpace::new(&steel, &steel).unwrap());

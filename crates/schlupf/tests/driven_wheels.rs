@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::error::ForceError;
-use schlupf::interface::contact_law::Coulomb;
 use schlupf::interface::friction::Friction;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::polach::Polach;

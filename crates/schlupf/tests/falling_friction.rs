@@ -56,7 +56,7 @@ fn sliding_rigid_bodies_have_the_friction_of_their_slip_speed() {
     let second = Some(SecondTerm { coefficient: 0.08, half_speed: 0.6 });
     let mut sliding = problem(rolling(0.02, 0.0, 0.0));
     sliding.elasticity = Arc::new(Rigid);
-    sliding.contact_law = Arc::new(Incremental::new(1e9).unwrap());
+    sliding.contact_law = Incremental::new(1e9).unwrap().into();
     sliding.friction.law = Arc::new(Exponential(SlipTerms::new(0.4, 0.2, 0.3, second).unwrap()));
     let solution = at_once(&sliding, &cells(16));
     assert_relative_eq!(solution.traction_coefficient, 0.2 + 0.03 + 0.04, max_relative = 1e-9);

@@ -27,7 +27,7 @@ fn full_slide(stiffness: f64, cells_x: usize, cells_y: usize) -> Solution {
     let young_modulus = 2.0 * 82e9 * (1.0 + 0.28);
     let steel = Material { young_modulus, poisson_ratio: 0.28, ..Material::STEEL };
     slide.elasticity = Arc::new(HalfSpace::new(&steel, &steel).unwrap());
-    slide.contact_law = Arc::new(Incremental::new(stiffness).unwrap());
+    slide.contact_law = Incremental::new(stiffness).unwrap().into();
     slide.friction.law = Arc::new(Constant::new(0.3).unwrap());
     slide.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
     let options = Options { cells_x, cells_y, ..Options::default() };

@@ -37,7 +37,7 @@ fn remembering(problem: Problem, distance: f64, least_speed: f64) -> Problem {
 fn sliding() -> Problem {
     let mut sliding = problem(rolling(0.02, 0.0, 0.0));
     sliding.elasticity = Arc::new(Rigid);
-    sliding.contact_law = Arc::new(Incremental::new(1e9).unwrap());
+    sliding.contact_law = Incremental::new(1e9).unwrap().into();
     sliding.friction.law = Arc::new(Exponential(SlipTerms::new(0.4, 0.2, 0.3, None).unwrap()));
     sliding
 }

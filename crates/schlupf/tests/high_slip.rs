@@ -26,7 +26,7 @@ fn uniform_slip(law: Arc<dyn FrictionLaw>, reference: f64) -> Problem {
     let mut slide = problem(rolling(1.0 / 30.0, 0.0, 0.0));
     slide.normal = Arc::new(Ellipse::from_load(5.88e-3, 10.54e-3, 100e3).unwrap());
     slide.elasticity = Arc::new(Rigid);
-    slide.contact_law = Arc::new(Incremental::new(1e9).unwrap());
+    slide.contact_law = Incremental::new(1e9).unwrap().into();
     slide.friction.law = law;
     slide.friction.reference_temperature = reference;
     slide.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
@@ -91,7 +91,7 @@ fn locomotive(law: Arc<dyn FrictionLaw>) -> Problem {
     wheel.kinematics.speed = 10.0;
     wheel.normal = Arc::new(Ellipse::from_load(6.304e-3, 12.61e-3, 106.7e3).unwrap());
     wheel.elasticity = half_space();
-    wheel.contact_law = Arc::new(Incremental::new(1e8).unwrap());
+    wheel.contact_law = Incremental::new(1e8).unwrap().into();
     wheel.friction.law = law;
     wheel.friction.reference_temperature = 0.0;
     wheel.wheel.bulk_temperature = 0.0;

@@ -37,7 +37,7 @@ fn locomotive(law: Arc<dyn FrictionLaw>, stiffness: f64) -> Problem {
     problem.kinematics.speed = 20.0;
     problem.normal = Arc::new(Ellipse::from_load(6.304e-3, 12.61e-3, 106.7e3).unwrap());
     problem.elasticity = half_space();
-    problem.contact_law = Arc::new(Incremental::new(stiffness).unwrap());
+    problem.contact_law = Incremental::new(stiffness).unwrap().into();
     problem.friction = Friction::new(law, 20.0);
     problem.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     problem

@@ -9,7 +9,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use common::{cells, half_space, problem, rolling};
-use schlupf::interface::contact_law::Coulomb;
+use schlupf::interface::contact_law::ContactLaw;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::material::{Material, contact_modulus};
@@ -122,7 +122,7 @@ fn contacts_of_wheels_on_rails_are_found_directly() {
 
 fn coulomb(given: Problem) -> Problem {
     let mut problem = Problem { elasticity: half_space(), ..given };
-    problem.contact_law = Arc::new(Coulomb);
+    problem.contact_law = ContactLaw::Coulomb;
     problem.friction.law = Arc::new(Constant::new(0.3).unwrap());
     problem
 }

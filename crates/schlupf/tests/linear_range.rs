@@ -66,10 +66,10 @@ fn relative_difference(one: [f64; 3], other: [f64; 3]) -> f64 {
 fn forces_are_proportional_down_to_the_smallest_creepage() {
     let bodies: [Arc<dyn Elasticity>; 3] =
         [layer(), half_space(), Arc::new(Winkler::new(2e13, 2e13).unwrap())];
-    let laws: [Arc<dyn ContactLaw>; 3] = [
-        Arc::new(Incremental::new(5e6).unwrap()),
-        Arc::new(Incremental::new(1e8).unwrap()),
-        Arc::new(TotalDisplacement::new(5e6).unwrap()),
+    let laws: [ContactLaw; 3] = [
+        Incremental::new(5e6).unwrap().into(),
+        Incremental::new(1e8).unwrap().into(),
+        TotalDisplacement::new(5e6).unwrap().into(),
     ];
     for elasticity in &bodies {
         for law in &laws {
@@ -140,7 +140,7 @@ fn marching_at_the_smallest_creepage() {
                 let mut small = problem(moving(direction, size));
                 small.elasticity = Arc::clone(&elasticity);
                 // Soft against so large cells: both find the state with the same equations.
-                small.contact_law = Arc::new(Incremental::new(2e6).unwrap());
+                small.contact_law = Incremental::new(2e6).unwrap().into();
                 let (marched, steady) = (solve(&small, &cells(8)), at_once(&small, &cells(8)));
                 [marched, steady].map(|solution| per_size(&solution.force, size))
             };
@@ -176,7 +176,7 @@ fn rigid_bodies_are_found_at_once() {
             for direction in DIRECTIONS {
                 let mut cold = problem(moving(direction, size));
                 cold.elasticity = Arc::new(Rigid);
-                cold.contact_law = Arc::new(Incremental::new(stiffness).unwrap());
+                cold.contact_law = Incremental::new(stiffness).unwrap().into();
                 for rigid in [cold.clone(), hot(cold)] {
                     let work = at_once(&rigid, &cells(12)).work;
                     assert!(work.newton_iterations <= 5, "{stiffness:e} {size:e} {work:?}");

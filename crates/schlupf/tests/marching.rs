@@ -26,7 +26,7 @@ fn kalker_1982_winkler_strips_with_coulomb_friction() {
     for creepage in [0.0005, 0.001, 0.003] {
         let mut stiff = problem(rolling(creepage, 0.0, 0.0));
         stiff.elasticity = Arc::new(Winkler::new(2e13, 2e13).unwrap());
-        stiff.contact_law = Arc::new(Incremental::new(1e9).unwrap());
+        stiff.contact_law = Incremental::new(1e9).unwrap().into();
         let force = solve(&stiff, &cells(40)).normalised.x;
         let ratio = 2e13 * creepage * 6e-3 / (0.4 * 1e9);
         let exact = winkler_strip::force_over_limit(ratio);
@@ -205,7 +205,7 @@ fn a_narrow_margin_warns() {
 fn stiff_contact_laws_converge() {
     for stiffness in [1e4, 1e6, 1e8, 1e10] {
         let mut stiff = problem(rolling(0.002, 0.001, 0.8));
-        stiff.contact_law = Arc::new(Incremental::new(stiffness).unwrap());
+        stiff.contact_law = Incremental::new(stiffness).unwrap().into();
         let solution = solve(&stiff, &cells(16));
         let per_step = solution.work.newton_iterations as f64 / solution.work.steps as f64;
         assert!(per_step < 12.0, "k_c {stiffness}: {:?}", solution.work);

@@ -8,7 +8,7 @@ use schlupf::creep_curve::{Creepages, Path, Sampling, trace};
 use schlupf::error::ForceError;
 use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
 use schlupf::history::History;
-use schlupf::interface::contact_law::{Coulomb, Incremental, TotalDisplacement};
+use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
 use schlupf::interface::friction::polach::Polach;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::friction::{Friction, constant::Constant};
@@ -58,7 +58,7 @@ fn contact() -> Problem {
     Problem {
         normal: Arc::new(Ellipse::from_peak_pressure(6e-3, 6e-3, 1e9).unwrap()),
         elasticity: common::half_space(),
-        contact_law: Arc::new(Coulomb),
+        contact_law: ContactLaw::Coulomb,
         friction: Friction::new(Arc::new(Constant::new(FRICTION).unwrap()), 20.0),
         ..common::problem(Kinematics::free_rolling(30.0))
     }
@@ -136,7 +136,7 @@ fn the_motion_has_the_forces_when_it_is_given() {
     let falling = Arc::new(Polach::new(0.4, 0.5, 0.6).unwrap());
     let falling = Problem { friction: Friction::new(falling, 20.0), ..bristles.clone() };
     let total =
-        Problem { contact_law: Arc::new(TotalDisplacement::new(5e6).unwrap()), ..bristles.clone() };
+        Problem { contact_law: TotalDisplacement::new(5e6).unwrap().into(), ..bristles.clone() };
     let hot = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
     let heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
     let hot = Problem { friction: Friction::new(hot, 20.0), heat, ..bristles.clone() };
@@ -187,7 +187,7 @@ fn bristles_of_any_stiffness() {
     let mut problem = contact();
     let limit = limit(&problem);
     for stiffness in [1e7, 2e7, 2.5e7, 3e7, 4e7, 6e7, 1e8, 1e9] {
-        problem.contact_law = Arc::new(Incremental::new(stiffness).unwrap());
+        problem.contact_law = Incremental::new(stiffness).unwrap().into();
         for (x, y, spin) in [(-0.5, None, 0.0), (-0.3, Some(0.4), 0.3), (-0.9, Some(0.0), 0.3)] {
             problem.kinematics = Kinematics { spin, ..Kinematics::free_rolling(30.0) };
             problem.prescribed = forces(x * limit, y.map(|y| y * limit));
@@ -537,7 +537,7 @@ fn forces_over_time_end_in_the_steady_creepage() {
         normal: Arc::clone(&bristles.normal),
         ..contact()
     };
-    let stiff = Arc::new(Incremental::new(1e8).unwrap());
+    let stiff = Incremental::new(1e8).unwrap().into();
     let stiff = Problem { contact_law: stiff, ..coulomb.clone() };
     for (name, problem) in [("bristles", bristles), ("coulomb", coulomb), ("stiff", stiff)] {
         let load = problem.normal.normal_contact(None).unwrap().summary.load;

@@ -133,7 +133,7 @@ fn moved(problem: &Problem, set: impl Fn(&mut schlupf::kinematics::Kinematics)) 
 }
 
 fn incremental(problem: &Problem, stiffness: f64) -> Problem {
-    Problem { contact_law: Arc::new(Incremental::new(stiffness).unwrap()), ..problem.clone() }
+    Problem { contact_law: Incremental::new(stiffness).unwrap().into(), ..problem.clone() }
 }
 
 fn constant(problem: &Problem, coefficient: f64) -> Problem {
@@ -261,7 +261,7 @@ fn with_friction_that_remembers() {
 #[test]
 fn with_the_law_in_total_displacement() {
     let total = |problem: &Problem, stiffness: f64| Problem {
-        contact_law: Arc::new(TotalDisplacement::new(stiffness).unwrap()),
+        contact_law: TotalDisplacement::new(stiffness).unwrap().into(),
         ..problem.clone()
     };
     let base = total(&base(), 5e6);

@@ -96,7 +96,7 @@ fn kalker_1982_lateral_creepage_against_spin() {
     assert_relative_eq!(normalised(&case, parabolic(), 160).y, -0.646, epsilon = 0.005);
     assert_relative_eq!(normalised(&case, elliptic(), 160).y, -0.596, epsilon = 0.003);
     case.elasticity = half_space();
-    case.contact_law = Arc::new(Incremental::new(1e10).unwrap());
+    case.contact_law = Incremental::new(1e10).unwrap().into();
     let full = solve(&case, &cells(80)).normalised;
     println!("half-space: {full:?}");
     assert_relative_eq!(full.y, -0.624, epsilon = 0.003);
@@ -337,7 +337,7 @@ fn one_flexibility_is_a_winkler_bedding() {
         let total = parts.iter().map(|(creepage, _)| creepage * creepage).sum::<f64>().sqrt();
         let mean = parts.iter().map(|(creepage, part)| creepage.abs() * part).sum::<f64>() / total;
         case.elasticity = Arc::new(Winkler::new(1.0 / mean, 1.0 / mean).unwrap());
-        case.contact_law = Arc::new(Incremental::new(1e10).unwrap());
+        case.contact_law = Incremental::new(1e10).unwrap().into();
         let laws: [Arc<dyn FrictionLaw>; 2] =
             [Arc::new(Constant::new(0.3).unwrap()), Arc::new(Polach::new(0.3, 0.4, 2.0).unwrap())];
         for (law, tolerance) in laws.into_iter().zip([1e-3, 0.015]) {
@@ -440,7 +440,7 @@ fn fastsim_with_heat_under_uniform_slip() {
 fn fastsim_with_heat_against_the_half_space() {
     let mut case = problem(rolling(0.0, 0.0, 0.0));
     case.elasticity = half_space();
-    case.contact_law = Arc::new(Incremental::new(1e8).unwrap());
+    case.contact_law = Incremental::new(1e8).unwrap().into();
     case.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
     case.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     let one = FastMethod::Fastsim(brush(Flexibilities::One, TractionBound::Elliptic));

@@ -10,7 +10,7 @@ use schlupf::elasticity::winkler::Winkler;
 use schlupf::heat::Heat;
 use schlupf::heat::duhamel::Duhamel;
 use schlupf::heat::partition::Partition;
-use schlupf::interface::contact_law::{ContactLaw, Coulomb, Incremental, TotalDisplacement};
+use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::normal::tabulated::{PressureTable, Tabulated};
 use schlupf::rolling::marching::march;
@@ -34,8 +34,8 @@ fn the_steady_state_is_the_end_of_marching() {
         Arc::new(Winkler::new(2e13, 2e13).unwrap()),
         Arc::new(Rigid),
     ];
-    let laws: [Arc<dyn ContactLaw>; 2] =
-        [Arc::new(Incremental::new(5e6).unwrap()), Arc::new(TotalDisplacement::new(5e6).unwrap())];
+    let laws: [ContactLaw; 2] =
+        [Incremental::new(5e6).unwrap().into(), TotalDisplacement::new(5e6).unwrap().into()];
     for elasticity in &elasticities {
         for law in &laws {
             let mut both = problem(rolling(0.001, 0.0015, 0.3));
@@ -168,9 +168,8 @@ fn of_four_solutions(base: &Problem, options: &Options, growth: f64) -> [f64; 4]
 /// hardly changes.
 #[test]
 fn the_second_solution_is_as_warm_as_the_third() {
-    let bristles =
-        |stiffness: f64| -> Arc<dyn ContactLaw> { Arc::new(Incremental::new(stiffness).unwrap()) };
-    let laws: [Arc<dyn ContactLaw>; 3] = [bristles(5e6), bristles(1e8), Arc::new(Coulomb)];
+    let bristles = |stiffness: f64| -> ContactLaw { Incremental::new(stiffness).unwrap().into() };
+    let laws: [ContactLaw; 3] = [bristles(5e6), bristles(1e8), ContactLaw::Coulomb];
     for (elasticity, laws) in [(common::layer(), &laws[..2]), (half_space(), &laws[..])] {
         for (law, across) in laws.iter().flat_map(|law| [(law, 20), (law, 40)]) {
             for (xi, eta, spin) in MOTIONS {
@@ -229,7 +228,7 @@ fn kalker_1967_full_stick_is_well_posed() {
         let slope = |stiffness: f64, cells_across: usize| {
             let mut sticking = problem(rolling(3e-6, 0.0, 0.0));
             sticking.elasticity = Arc::clone(&elasticity);
-            sticking.contact_law = Arc::new(Incremental::new(stiffness).unwrap());
+            sticking.contact_law = Incremental::new(stiffness).unwrap().into();
             let solution = at_once(&sticking, &cells(cells_across));
             assert!(solution.power.unwrap().friction > 0.0);
             -solution.normalised.x / 3e-6
@@ -256,7 +255,7 @@ fn the_power_balance_always_closes() {
     hot.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
     hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     let mut total = base.clone();
-    total.contact_law = Arc::new(TotalDisplacement::new(5e6).unwrap());
+    total.contact_law = TotalDisplacement::new(5e6).unwrap().into();
     let mut uncoupled = base.clone();
     uncoupled.elasticity = Arc::new(Winkler::new(2e13, 2e13).unwrap());
     let mut half = base.clone();

@@ -8,7 +8,7 @@ use schlupf::elasticity::Elasticity;
 use schlupf::heat::Heat;
 use schlupf::heat::duhamel::Duhamel;
 use schlupf::heat::partition::Partition;
-use schlupf::interface::contact_law::{ContactLaw, Coulomb, Incremental, TotalDisplacement};
+use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::exponential::Exponential;
 use schlupf::interface::friction::memory::FrictionMemory;
@@ -35,7 +35,7 @@ fn heated(mut problem: Problem, coefficient: f64) -> Problem {
 }
 
 /// Steel on the half-space: a, b (in m), p0 (in Pa), k_c (in 1/m).
-fn steel(kinematics: Kinematics, [a, b, p0]: [f64; 3], law: Arc<dyn ContactLaw>) -> Problem {
+fn steel(kinematics: Kinematics, [a, b, p0]: [f64; 3], law: ContactLaw) -> Problem {
     let mut steel = problem(kinematics);
     steel.normal = Arc::new(Ellipse::from_peak_pressure(a, b, p0).unwrap());
     steel.elasticity = half_space();
@@ -43,12 +43,12 @@ fn steel(kinematics: Kinematics, [a, b, p0]: [f64; 3], law: Arc<dyn ContactLaw>)
     steel
 }
 
-fn incremental(stiffness: f64) -> Arc<dyn ContactLaw> {
-    Arc::new(Incremental::new(stiffness).unwrap())
+fn incremental(stiffness: f64) -> ContactLaw {
+    Incremental::new(stiffness).unwrap().into()
 }
 
-fn total(stiffness: f64) -> Arc<dyn ContactLaw> {
-    Arc::new(TotalDisplacement::new(stiffness).unwrap())
+fn total(stiffness: f64) -> ContactLaw {
+    TotalDisplacement::new(stiffness).unwrap().into()
 }
 
 /// A wheel that spins up to ten thousand times too fast. Friction has all but vanished where the
@@ -146,8 +146,8 @@ fn from_sliding_to_sticking() {
     const STATE: [f64; 3] = [5e-3, 5e-3, 1e9];
     let sliding = [rolling(0.03, 0.0, 0.0), rolling(0.0, 0.03, 0.0), rolling(0.01, 0.01, 2.0)];
     let sticking = [rolling(1e-5, 0.0, 0.0), rolling(0.0, -1e-4, 0.0), rolling(0.0, 0.0, 0.002)];
-    let laws: [Arc<dyn ContactLaw>; 4] =
-        [Arc::new(Coulomb), incremental(1e9), incremental(1e8), incremental(5e6)];
+    let laws: [ContactLaw; 4] =
+        [ContactLaw::Coulomb, incremental(1e9), incremental(1e8), incremental(5e6)];
     for law in laws {
         for at in sliding {
             for next in sticking {

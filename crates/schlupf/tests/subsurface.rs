@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use common::{cells, half_space, problem, rolling};
 use schlupf::grid::{Extent, Grid};
-use schlupf::interface::contact_law::Coulomb;
+use schlupf::interface::contact_law::ContactLaw;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::method::{Brush, FastMethod, Method};
 use schlupf::normal::ellipse::Ellipse;
@@ -26,7 +26,7 @@ fn ellipse([a, b]: [f64; 2], poisson_ratio: f64, creepage_x: f64) -> Problem {
     }
     problem.normal = Arc::new(Ellipse::from_peak_pressure(a, b, P0).unwrap());
     problem.elasticity = half_space();
-    problem.contact_law = Arc::new(Coulomb);
+    problem.contact_law = ContactLaw::Coulomb;
     problem.friction.law = Arc::new(Constant::new(0.3).unwrap());
     problem
 }

@@ -16,7 +16,7 @@ use schlupf::identification::{
     Component, Condition, DataPoint, Parameter, RollingContactModel, fit,
 };
 use schlupf::interface::InterfaceConstant;
-use schlupf::interface::contact_law::{ContactLaw, Coulomb, Incremental};
+use schlupf::interface::contact_law::{ContactLaw, Incremental};
 use schlupf::interface::friction::FrictionLaw;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::constants::FrictionConstant;
@@ -39,7 +39,7 @@ fn locomotive(law: Arc<dyn FrictionLaw>, creepage_x: f64) -> Problem {
     let mut wheel = problem(Kinematics { speed: 10.0, ..rolling(creepage_x, 0.0, 0.0) });
     wheel.normal = Arc::new(Ellipse::from_load(6.304e-3, 12.61e-3, LOAD).unwrap());
     wheel.elasticity = half_space();
-    wheel.contact_law = Arc::new(Coulomb);
+    wheel.contact_law = ContactLaw::Coulomb;
     wheel.friction.law = law;
     wheel
 }
@@ -150,8 +150,8 @@ fn spiryagin_polach_cole_2013_eurosprinter() {
 /// (G/h) ξ (a(y) − x), so that Fx = −(G/h) ξ 8/3 a² b, whatever the bodies, steady and marched.
 #[test]
 fn a_soft_layer_is_a_bed_of_springs() {
-    let stiff: Arc<dyn ContactLaw> = Arc::new(Incremental::new(1e10).unwrap());
-    let coulomb: Arc<dyn ContactLaw> = Arc::new(Coulomb);
+    let stiff: ContactLaw = Incremental::new(1e10).unwrap().into();
+    let coulomb: ContactLaw = ContactLaw::Coulomb;
     let (a, b, creepage) = (6e-3, 5e-3, 1e-6);
     let soft = ThirdBodyLayer::new(1.0, 1e9).unwrap();
     let exact = -creepage * 8.0 / 3.0 * a * a * b / soft.compliance();
@@ -186,7 +186,7 @@ fn the_fast_methods_know_the_layer() {
             let [xi, eta, spin] = motion;
             let mut contact = problem(rolling(xi, eta, spin));
             contact.elasticity = half_space();
-            contact.contact_law = Arc::new(Coulomb);
+            contact.contact_law = ContactLaw::Coulomb;
             contact.layer = Some(ThirdBodyLayer::new(thickness, modulus).unwrap());
             let full = found_by(Method::Full, &contact, &cells(40)).force;
             for method in [FastMethod::KalkerLinear, FastMethod::Fastsim(Brush::KALKER)] {
@@ -202,8 +202,7 @@ fn the_fast_methods_know_the_layer() {
 /// What creepage feeds in is dissipated by friction: the layer is elastic.
 #[test]
 fn the_powers_balance_with_a_layer() {
-    for law in [Arc::new(Coulomb) as Arc<dyn ContactLaw>, Arc::new(Incremental::new(5e6).unwrap())]
-    {
+    for law in [ContactLaw::Coulomb as ContactLaw, Incremental::new(5e6).unwrap().into()] {
         let mut contact = problem(rolling(4e-3, 2e-3, 0.3));
         contact.elasticity = half_space();
         contact.contact_law = law;
@@ -220,8 +219,7 @@ fn the_powers_balance_with_a_layer() {
 /// Derivatives by the creepages, with the layer, against central differences.
 #[test]
 fn derivatives_with_a_layer_are_those_of_differences() {
-    let laws: [Arc<dyn ContactLaw>; 2] =
-        [Arc::new(Coulomb), Arc::new(Incremental::new(5e6).unwrap())];
+    let laws: [ContactLaw; 2] = [ContactLaw::Coulomb, Incremental::new(5e6).unwrap().into()];
     for law in laws {
         let mut contact = problem(rolling(4e-3, 2e-3, 0.3));
         contact.elasticity = half_space();
@@ -248,10 +246,10 @@ fn derivatives_with_a_layer_are_those_of_differences() {
 #[test]
 fn the_derivative_by_the_load_with_a_layer() {
     let options = Options { sensitivity: true, tolerance: 1e-11, ..cells(16) };
-    let laws: [Arc<dyn ContactLaw>; 3] = [
-        Arc::new(Incremental::new(1e5).unwrap()),
-        Arc::new(Coulomb),
-        Arc::new(Incremental::new(1e9).unwrap()),
+    let laws: [ContactLaw; 3] = [
+        Incremental::new(1e5).unwrap().into(),
+        ContactLaw::Coulomb,
+        Incremental::new(1e9).unwrap().into(),
     ];
     let elastic = ThirdBodyLayer::new(1.25e-3, 8.2e9).unwrap();
     let flowing =
@@ -280,10 +278,10 @@ fn the_derivative_by_the_load_with_a_layer() {
 /// The derivative by the shear modulus of the layer, against central differences.
 #[test]
 fn the_derivative_by_the_layer() {
-    let laws: [Arc<dyn ContactLaw>; 3] = [
-        Arc::new(Coulomb),
-        Arc::new(Incremental::new(1e4).unwrap()),
-        Arc::new(Incremental::new(1e9).unwrap()),
+    let laws: [ContactLaw; 3] = [
+        ContactLaw::Coulomb,
+        Incremental::new(1e4).unwrap().into(),
+        Incremental::new(1e9).unwrap().into(),
     ];
     for law in laws {
         let mut contact = problem(rolling(4e-3, 2e-3, 0.3));
@@ -311,9 +309,9 @@ fn the_derivative_by_the_layer() {
 /// heat.
 #[test]
 fn the_derivatives_by_the_limit_of_the_layer() {
-    let coulomb: Arc<dyn ContactLaw> = Arc::new(Coulomb);
-    let soft: Arc<dyn ContactLaw> = Arc::new(Incremental::new(1e4).unwrap());
-    let rubs = |constants: [f64; 3], law: &Arc<dyn ContactLaw>, is_hot: bool| {
+    let coulomb: ContactLaw = ContactLaw::Coulomb;
+    let soft: ContactLaw = Incremental::new(1e4).unwrap().into();
+    let rubs = |constants: [f64; 3], law: &ContactLaw, is_hot: bool| {
         let [stress, hardening, mu] = constants;
         let mut contact = problem(rolling(0.03, 0.01, 0.3));
         contact.elasticity = half_space();

@@ -22,7 +22,7 @@ use schlupf::{Problem, Solution, Warning, unwatched};
 
 /// With bristles that are nearly rigid.
 fn reference() -> Problem {
-    transients::reference(Arc::new(Incremental::new(1e8).unwrap()))
+    transients::reference(Incremental::new(1e8).unwrap().into())
 }
 
 /// The reference is what CONTACT was given.
@@ -249,7 +249,7 @@ fn a_history_starts_with_a_shift() {
     assert!((force(1) - force(0)).abs() < 0.05, "{} {}", force(0), force(1));
     for stiffness in [5e6, 1e8, 1e9] {
         let problem =
-            Problem { contact_law: Arc::new(Incremental::new(stiffness).unwrap()), ..reference() };
+            Problem { contact_law: Incremental::new(stiffness).unwrap().into(), ..reference() };
         let history = History { shift: Some([0.015e-3, 0.0]), ..constant(60e-3) };
         let end = solve_over(&problem, history, &cells(40)).normalised.x;
         let steady = schlupf::rolling::steady::solve(&problem, &cells(40), &unwatched).unwrap();

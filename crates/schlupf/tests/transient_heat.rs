@@ -40,7 +40,7 @@ fn switched(
     let mut switched = problem(rolling(0.0, 0.0, 0.0));
     switched.normal = normal;
     switched.elasticity = Arc::new(Rigid);
-    switched.contact_law = Arc::new(Incremental::new(1e9).unwrap());
+    switched.contact_law = Incremental::new(1e9).unwrap().into();
     switched.friction.law = Arc::new(Constant::new(FRICTION).unwrap());
     switched.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
     let history = History {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::error::WheelRailError;
-use schlupf::interface::contact_law::{ContactLaw, Coulomb, Incremental};
+use schlupf::interface::contact_law::{ContactLaw, Incremental};
 use schlupf::interface::friction::constant::Constant;
 use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::material::{Body, Material, contact_modulus};
@@ -75,7 +75,7 @@ fn wheel(pair: &Arc<Pair>, side: Side, position: Position) -> WheelOnRail {
 
 /// Solves with a law of contact, a coefficient of friction and options.
 fn solve_with<R>(
-    (law, friction, options): (&Arc<dyn ContactLaw>, f64, &Options),
+    (law, friction, options): (&ContactLaw, f64, &Options),
     work: impl FnOnce(&Tangential) -> R,
 ) -> R {
     let body = Body { material: STEEL, ..Body::STEEL };
@@ -97,8 +97,8 @@ fn solve_with<R>(
     work(&Tangential { problem: &problem, contact_modulus, solver: &solver, options })
 }
 
-fn bristles() -> Arc<dyn ContactLaw> {
-    Arc::new(Incremental::new(1e8).unwrap())
+fn bristles() -> ContactLaw {
+    Incremental::new(1e8).unwrap().into()
 }
 
 fn solve(wheel: &WheelOnRail) -> Result<WheelSolution, Error> {
@@ -190,7 +190,7 @@ fn shackleton_iwnicki_2008_manchester_benchmark() {
 /// The same rows by Coulomb's law itself, whose limit bristles approach: a few of each kind.
 #[test]
 fn shackleton_iwnicki_2008_by_coulombs_law() {
-    let law: Arc<dyn ContactLaw> = Arc::new(Coulomb);
+    let law: ContactLaw = ContactLaw::Coulomb;
     for row in manchester().iter().filter(|row| row.name.ends_with(['1', '4', '8'])) {
         let options = Options::default();
         let solution =
@@ -340,7 +340,7 @@ fn assert_mirrored(name: &str, right: &WheelSolution, left: &WheelSolution, tole
 #[test]
 fn both_sides_are_mirror_images() {
     let pair = benchmark(1.435);
-    let coulomb: Arc<dyn ContactLaw> = Arc::new(Coulomb);
+    let coulomb: ContactLaw = ContactLaw::Coulomb;
     for (lateral, yaw, roll) in
         [(0.0, 0.0, 0.0), (-3e-3, 4e-3, -2e-4), (5e-3, 3e-3, 1e-4), (-7e-3, -0.0168, -6.4e-3)]
     {

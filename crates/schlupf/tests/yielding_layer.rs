@@ -14,7 +14,7 @@ use schlupf::history::History;
 use schlupf::identification::{
     Component, Condition, DataPoint, Parameter, RollingContactModel, fit,
 };
-use schlupf::interface::contact_law::{ContactLaw, Coulomb, Incremental};
+use schlupf::interface::contact_law::{ContactLaw, Incremental};
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::third_body::{ThirdBodyLayer, YieldLimit};
 use schlupf::kinematics::Kinematics;
@@ -42,7 +42,7 @@ fn layer([stress, hardening]: [f64; 2]) -> ThirdBodyLayer {
 fn contact(limit: [f64; 2], elasticity: Arc<dyn Elasticity>, creepage_x: f64) -> Problem {
     let mut contact = problem(rolling(creepage_x, 0.0, 0.0));
     contact.elasticity = elasticity;
-    contact.contact_law = Arc::new(Coulomb);
+    contact.contact_law = ContactLaw::Coulomb;
     contact.layer = Some(layer(limit));
     contact
 }
@@ -237,8 +237,7 @@ const HOU: [[f64; 3]; 4] =
 /// rolling is the end of marching.
 #[test]
 fn plastic_work_is_dissipated_and_heats() {
-    let laws: [Arc<dyn ContactLaw>; 2] =
-        [Arc::new(Coulomb), Arc::new(Incremental::new(5e6).unwrap())];
+    let laws: [ContactLaw; 2] = [ContactLaw::Coulomb, Incremental::new(5e6).unwrap().into()];
     for ([stiffness, stress, hardening], law) in
         HOU.iter().flat_map(|hou| laws.iter().map(move |law| (*hou, law)))
     {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use schlupf::interface::contact_law::{ContactLaw, Coulomb, Incremental, TotalDisplacement};
+use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
 use schlupf::material::Material;
 
 use super::roughness::{self, OfRoughness};
@@ -15,14 +15,14 @@ const MODEL: &str = "contact_law.model";
 const STIFFNESS: &str = "contact_law.stiffness";
 
 /// How traction grows with sliding.
-pub fn contact_law(settings: &Settings, stiffness: f64) -> Result<Arc<dyn ContactLaw>, CaseError> {
+pub fn contact_law(settings: &Settings, stiffness: f64) -> Result<ContactLaw, CaseError> {
     let explain = |error| settings.explain(&error);
     Ok(match settings.chosen(MODEL)? {
-        ContactLawModel::Incremental => Arc::new(Incremental::new(stiffness).map_err(explain)?),
+        ContactLawModel::Incremental => Incremental::new(stiffness).map_err(explain)?.into(),
         ContactLawModel::TotalDisplacement => {
-            Arc::new(TotalDisplacement::new(stiffness).map_err(explain)?)
+            TotalDisplacement::new(stiffness).map_err(explain)?.into()
         }
-        ContactLawModel::Coulomb => Arc::new(Coulomb),
+        ContactLawModel::Coulomb => ContactLaw::Coulomb,
     })
 }
 

@@ -28,7 +28,7 @@ pub struct WheelSolver {
     /// How the bodies deform.
     pub deformation: Deformation,
     /// The contact law.
-    pub contact_law: Arc<dyn ContactLaw>,
+    pub contact_law: ContactLaw,
     /// All equations, or a fast method.
     pub method: Method,
     /// The driver that was asked for.
@@ -47,7 +47,7 @@ impl WheelSolver {
     pub fn find(&self, place: Option<f64>, watch: Watch) -> Result<Vec<WheelSolution>, Error> {
         let complete = |problem: Problem| {
             let elasticity = self.deformation.model(&*problem.normal, None)?;
-            let contact_law = Arc::clone(&self.contact_law);
+            let contact_law = self.contact_law;
             let problem = Problem { elasticity, contact_law, ..problem };
             problem.check().map(|()| problem)
         };

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use schlupf::interface::contact_law::{ContactLaw, Coulomb, Incremental};
+use schlupf::interface::contact_law::{ContactLaw, Incremental};
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::rolling::steady::SteadySolver;
 use schlupf::{Problem, Solution};
@@ -20,8 +20,8 @@ const SEMI_AXES: [[f64; 2]; 2] = [[6e-3, 5e-3], [11.2e-3, 2.24e-3]];
 
 /// A table of cold solutions without spin and with, and of points of a creep curve.
 pub fn table() -> String {
-    let stiff: Arc<dyn ContactLaw> = Arc::new(Incremental::new(1e8).unwrap());
-    let laws = [("Coulomb", Arc::new(Coulomb) as Arc<dyn ContactLaw>), ("k_c = 1e8/m", stiff)];
+    let stiff: ContactLaw = Incremental::new(1e8).unwrap().into();
+    let laws = [("Coulomb", ContactLaw::Coulomb as ContactLaw), ("k_c = 1e8/m", stiff)];
     let mut lines = vec![
         "Half-space without heat; cold: creepages 0.003 and 0.001, spin 0 and 0.2/m; warm: as above:\n\n\
          | law | a/b | cells across | cold: products | ms | with spin: products | ms | warm: products | ms |\n\

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::heat::Heat;
-use schlupf::interface::contact_law::{ContactLaw, Coulomb, Incremental};
+use schlupf::interface::contact_law::{ContactLaw, Incremental};
 use schlupf::interface::friction::constant::Constant;
 use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::material::{Body, contact_modulus};
@@ -22,8 +22,8 @@ const ROUNDS: usize = 3;
 /// As Markdown.
 pub fn table() -> String {
     let wheels = manchester();
-    let stiff: Arc<dyn ContactLaw> = Arc::new(Incremental::new(1e8).unwrap());
-    let laws = [("Coulomb", Arc::new(Coulomb) as Arc<dyn ContactLaw>), ("k_c = 1e8/m", stiff)];
+    let stiff: ContactLaw = Incremental::new(1e8).unwrap().into();
+    let laws = [("Coulomb", ContactLaw::Coulomb as ContactLaw), ("k_c = 1e8/m", stiff)];
     let mut lines = vec![format!(
         "{} wheels of the Manchester contact benchmark (S1002 on 60E1, 10 kN vertical force), search, \
          normal contact of 64² cells and friction of 24², one thread:\n\n\
@@ -54,7 +54,7 @@ pub fn table() -> String {
 }
 
 /// Rounds and products of all wheels.
-fn solve(wheels: &[WheelOnRail], law: &Arc<dyn ContactLaw>, heat: &Heat) -> [f64; 2] {
+fn solve(wheels: &[WheelOnRail], law: &ContactLaw, heat: &Heat) -> [f64; 2] {
     let elasticity = HalfSpace::new(&Body::STEEL.material, &Body::STEEL.material).unwrap();
     let problem = |kinematics: Kinematics, normal: Arc<dyn PressureSource>| {
         let builder = Problem::builder()

@@ -57,7 +57,7 @@ impl RollingContact {
             normal: Arc::new(ellipse),
             elasticity: Arc::new(bodies),
             layer: None,
-            contact_law: Arc::new(Incremental::new(STIFFNESS)?),
+            contact_law: Incremental::new(STIFFNESS)?.into(),
             friction: Friction::new(Arc::new(Constant::new(FRICTION)?), 20.0),
             heat: Heat { model: None, partition: Partition::Given(0.5) },
         };

@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use crate::error::{Error, FitError};
 use crate::interface::InterfaceConstant;
-use crate::interface::contact_law::Slide;
 use crate::interface::friction::constants::FrictionConstant;
 use crate::normal::PressureSource;
 use crate::parallel;
@@ -81,7 +80,7 @@ impl RollingContactModel {
             constants: Vec::new(),
             roughness_number: number,
             coefficient: problem.friction.cold_coefficient(),
-            stiffness: problem.contact_law.respond(&Slide::default()).by_increment[0][0],
+            stiffness: problem.contact_law.stiffness(),
             contacts: Vec::new(),
             work: Work::default(),
         };

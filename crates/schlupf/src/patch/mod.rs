@@ -153,17 +153,10 @@ impl Cell {
         self.since_entry.rigid_slip_in_row(kinematics, &self.row)
     }
 
-    /// Difference of the rigid slip over a distance (in m) between the downstream end of the
-    /// distance and its middle; in m.
-    pub fn half_turn(&self, kinematics: &Kinematics, distance: f64) -> [f64; 2] {
-        let spin = kinematics.spin + self.row.spin;
-        Kinematics { spin, ..*kinematics }.half_turn(distance)
-    }
-
     /// Derivatives with respect to the logarithm of all lengths of what the strip adds: to the slip
-    /// distance along the path into the cell and to its half turn (both in m), and to the slip over
-    /// the speed (dimensionless). `change` is that of the strip.
-    pub(crate) fn row_by_size(&self, change: &StripSlip) -> [[f64; 2]; 3] {
+    /// distance along the path into the cell (in m), and to the slip over the speed (dimensionless).
+    /// `change` is that of the strip.
+    pub(crate) fn row_by_size(&self, change: &StripSlip) -> [[f64; 2]; 2] {
         let Self { row, path_in, .. } = self;
         let longer = Travel {
             distance: path_in.distance,
@@ -171,9 +164,8 @@ impl Cell {
             moment_y: 2.0 * path_in.moment_y,
         };
         let way = sum(longer.row_slip(row), path_in.row_slip(change));
-        let turn = [0.0, -0.5 * (2.0 * row.spin + change.spin) * path_in.distance.powi(2)];
         let moved = StripSlip { creepages: [0.0; 2], ..*row }.at([self.x, self.y]);
-        [way, turn, sum(moved, change.at([self.x, self.y]))]
+        [way, sum(moved, change.at([self.x, self.y]))]
     }
 
     /// Pressure on the covered part, in Pa.

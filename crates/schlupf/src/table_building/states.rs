@@ -7,7 +7,7 @@ use crate::elasticity::half_space::HalfSpace;
 use crate::error::Error;
 use crate::heat::Heat;
 use crate::heat::partition::Partition;
-use crate::interface::contact_law::Coulomb;
+use crate::interface::contact_law::ContactLaw;
 use crate::interface::friction::Friction;
 use crate::interface::friction::constant::Constant;
 use crate::kinematics::{Kinematics, ReferencePoint};
@@ -74,7 +74,7 @@ impl StateSolver {
             normal: Arc::new(ellipse),
             elasticity: Arc::new(bodies),
             layer: None,
-            contact_law: Arc::new(Coulomb),
+            contact_law: ContactLaw::Coulomb,
             friction: Friction::new(Arc::new(Constant::new(FRICTION)?), 20.0),
             heat: Heat { model: None, partition: Partition::Given(0.5) },
         };

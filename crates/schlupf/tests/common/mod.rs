@@ -54,7 +54,7 @@ pub fn problem(kinematics: Kinematics) -> Problem {
         normal: Arc::new(Ellipse::from_peak_pressure(6e-3, 5e-3, 1e9).unwrap()),
         elasticity: layer(),
         layer: None,
-        contact_law: Arc::new(Incremental::new(5e6).unwrap()),
+        contact_law: Incremental::new(5e6).unwrap().into(),
         friction: Friction::new(Arc::new(Constant::new(0.4).unwrap()), 20.0),
         heat: Heat { model: None, partition: Partition::Given(0.5) },
     }

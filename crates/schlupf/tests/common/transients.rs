@@ -20,7 +20,7 @@ pub const LIMIT: f64 = 0.3 * LOAD;
 
 /// E = 210 GPa, ν = 0.28, a = b = 6 mm, p0 = 1 GPa, μ = 0.3, ξ = 0.0011: CONTACT's transients in
 /// `data/contact_transient.csv`. At 1 m/s a second is a metre.
-pub fn reference(contact_law: Arc<dyn ContactLaw>) -> Problem {
+pub fn reference(contact_law: ContactLaw) -> Problem {
     let steel = Material { young_modulus: 210e9, poisson_ratio: 0.28, ..Material::STEEL };
     let modulus = 0.5 * 210e9 / (1.0 - 0.28 * 0.28);
     let radius = 2.0 * 6e-3 * modulus / (0.5 * TAU * 1e9);

@@ -42,12 +42,7 @@ pub(super) fn fitting(state: &State, grid: &Grid) -> Result<State, Error> {
             && (0.0..f64::INFINITY).contains(&element.plastic_way)
             && element.heat.iter().all(is_heat)
             && is_track(&element.track)
-            && element
-                .traction
-                .iter()
-                .chain(&element.sliding)
-                .chain(&element.stretch)
-                .all(|v| v.is_finite())
+            && element.traction.iter().chain(&element.sliding).all(|v| v.is_finite())
     };
     check_grid(&state.grid, grid)?;
     if state.elements.is_empty() {

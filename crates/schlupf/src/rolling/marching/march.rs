@@ -220,7 +220,7 @@ impl<'a> March<'a> {
         march.now.scaled_rise = march.elements.iter().map(|e| e.scaled_rise).collect();
         march.largest_traction = norm(&march.now.traction);
         march.displace();
-        march.past = march.past_in_place();
+        march.past = march.record();
         Ok(march)
     }
 
@@ -286,7 +286,7 @@ impl<'a> March<'a> {
         self.outcome = shift.find(&mut self.newton, &mut self.now.traction, &limits, watch)?;
         self.largest_traction = self.largest_traction.max(norm(&self.now.traction));
         self.displace();
-        self.past = self.past_in_place();
+        self.past = self.record();
         self.work.newton_iterations += self.outcome.iterations;
         self.work.operator_products += self.outcome.products as f64;
         (self.now.kinematics, self.now.over_step) = (AT_REST, AT_REST);
@@ -401,7 +401,7 @@ impl<'a> March<'a> {
             ..Element::default()
         };
         self.elements = moved.iter().enumerate().map(element).collect();
-        self.past = self.record(arrivals.iter().map(|arrival| arrival.way));
+        self.past = self.record();
         self.moved = moved;
         Ok(())
     }
@@ -468,15 +468,9 @@ impl<'a> March<'a> {
         self.work.operator_products += 1.0;
     }
 
-    /// The record of an instant whose elements have moved by whole cells.
-    fn past_in_place(&self) -> Past {
-        self.record(self.contact.patch.cells.iter().map(|cell| cell.path_in.distance))
-    }
-
-    /// The record of the present instant, with the lengths of the paths into the cells, in m.
-    fn record(&self, ways: impl Iterator<Item = f64>) -> Past {
-        let mut past =
-            Past::of(&self.contact, [&self.displacement, &self.displacement_of_bodies], ways);
+    /// The record of the present instant.
+    fn record(&self) -> Past {
+        let mut past = Past::of(&self.contact, [&self.displacement, &self.displacement_of_bodies]);
         calibrate(&mut past, &self.stick_slip, &self.contact.patch, &self.now.traction);
         past
     }

@@ -9,10 +9,8 @@ pub(super) struct Moved {
     pub saturation: [f64; 2],
     /// Sliding distance since entry, in m.
     pub sliding: [f64; 2],
-    /// Its change in the step, in m.
-    pub increment: [f64; 2],
-    /// Earlier places of the path, the latest first, with stick and slip.
+    /// Earlier places of the path, the latest first.
     pub track: Places,
-    /// With stick and slip, its slip velocity over the rolling speed, dimensionless.
+    /// Slip velocity over the rolling speed, dimensionless.
     pub slip: [f64; 2],
 }

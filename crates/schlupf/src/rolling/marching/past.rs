@@ -18,8 +18,6 @@ pub(super) struct Departure {
     pub entry_x: f64,
     /// Middle of its strip along rolling, in m.
     pub middle: f64,
-    /// Length of the path into the cell, in m.
-    pub way: f64,
 }
 
 /// The patch at the previous instant.
@@ -33,13 +31,8 @@ pub(super) struct Past {
 }
 
 impl Past {
-    /// The record of an instant with a displacement, and that of the bodies alone. `ways` are the
-    /// lengths of the paths into the cells, in m.
-    pub fn of(
-        contact: &DiscreteContact,
-        [field, of_bodies]: [&VectorField; 2],
-        ways: impl Iterator<Item = f64>,
-    ) -> Self {
+    /// The record of an instant with a displacement, and that of the bodies alone.
+    pub fn of(contact: &DiscreteContact, [field, of_bodies]: [&VectorField; 2]) -> Self {
         let patch = &contact.patch;
         let mut displacement = vec![0.0; 2 * patch.len()];
         let mut at_entry = displacement.clone();
@@ -49,7 +42,7 @@ impl Past {
         let reaches: Vec<Reach> = patch.strips.iter().map(|s| Reach::of(patch, s)).collect();
         let strips = patch.strips.iter().zip(&reaches);
         let middles = strips.flat_map(|(strip, reach)| strip.cells.clone().map(|_| reach.middle));
-        for (k, (way, middle)) in ways.zip(middles).enumerate() {
+        for (k, middle) in middles.enumerate() {
             let cell = &patch.cells[k];
             let departure = Departure {
                 displacement: pair(&displacement, k),
@@ -57,7 +50,6 @@ impl Past {
                 x: cell.x,
                 entry_x: cell.entry_x(),
                 middle,
-                way,
             };
             cells[cell.index] = Some((k, departure));
         }

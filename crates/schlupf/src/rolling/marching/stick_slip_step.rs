@@ -11,7 +11,7 @@
 
 use crate::equilibrium::{self, Directions, Equilibrium};
 use crate::error::Error;
-use crate::interface::contact_law::Path;
+use crate::interface::contact_law::ContactLaw;
 use crate::normal::NormalContact;
 use crate::numerics::vector::norm;
 use crate::patch::Patch;
@@ -32,7 +32,7 @@ use super::step_response::{Prescribed, StepResponse};
 /// Stick and slip on a patch, kept from step to step.
 pub(super) struct StickSlip {
     pub contact: CoulombContact,
-    path: Path,
+    interface: ContactLaw,
     directions: Directions,
     /// λ of the cells, and which material entered in place: the linear response of the directions.
     of: (Vec<f64>, Vec<bool>),
@@ -47,7 +47,7 @@ impl StickSlip {
     ) -> Result<Self, Error> {
         Ok(Self {
             contact: CoulombContact::new(problem, normal, contact, Discretisation::Exact)?,
-            path: problem.contact_law.path(),
+            interface: problem.contact_law,
             directions: Directions::default(),
             of: Default::default(),
         })
@@ -64,7 +64,7 @@ impl StickSlip {
 
     /// Replaces the slip velocity of the cells by that of the last step, at a rolling speed in m/s.
     pub fn take_slip(&self, moved: &[Moved], speed: f64, slip: &mut [[f64; 2]]) {
-        if matches!(self.path, Path::Total { .. }) {
+        if matches!(self.interface, ContactLaw::TotalDisplacement(_)) {
             return;
         }
         for k in self.contact.kept() {
@@ -193,22 +193,21 @@ impl<'a> StickSlipStep<'a> {
     fn answer(&self, p: &[f64], u: &[f64], k: usize) -> Answer {
         let (bound, track) = (self.bound[k], &self.tracks[k]);
         let pull = |sliding: [f64; 2]| [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
-        match self.law.path {
-            Path::Total { stiffness } => {
+        let compliance = self.gamma / self.law.interface.stiffness();
+        match self.law.interface {
+            ContactLaw::TotalDisplacement(_) => {
                 let change = self.change(u, k);
                 let sliding = [0, 1].map(|c| track.sliding[c] + change[c]);
-                Answer::straight(pull(sliding), bound, [0.0; 2], self.gamma / stiffness)
+                Answer::straight(pull(sliding), bound, [0.0; 2], compliance)
             }
-            Path::Incremental { stiffness } if stiffness.is_infinite() => {
+            ContactLaw::Coulomb => {
                 Answer::to(pull(self.sliding(u, k)), bound, &Bristles::default())
             }
-            Path::Incremental { stiffness } if track.places.is_empty() => {
-                let sliding = self.sliding(u, k);
-                Answer::straight(pull(sliding), bound, track.saturation, self.gamma / stiffness)
+            ContactLaw::Incremental(_) if track.places.is_empty() => {
+                Answer::straight(pull(self.sliding(u, k)), bound, track.saturation, compliance)
             }
-            Path::Incremental { stiffness } => {
+            ContactLaw::Incremental(_) => {
                 let PathSlip { inherited, weight, .. } = &self.slips[k];
-                let compliance = self.gamma / stiffness;
                 let (bristles, _) = Bristles::that_inherit(*inherited, *weight, compliance);
                 Answer::to(pull(self.sliding(u, k)), bound, &bristles)
             }
@@ -217,9 +216,9 @@ impl<'a> StickSlipStep<'a> {
 
     /// Weight of the change of a cell in what its law sees, dimensionless.
     fn weight(&self, k: usize) -> f64 {
-        match self.law.path {
-            Path::Total { .. } => 1.0,
-            Path::Incremental { .. } => self.slips[k].weight,
+        match self.law.interface {
+            ContactLaw::TotalDisplacement(_) => 1.0,
+            ContactLaw::Coulomb | ContactLaw::Incremental(_) => self.slips[k].weight,
         }
     }
 
@@ -244,7 +243,6 @@ impl<'a> StickSlipStep<'a> {
             Moved {
                 saturation,
                 sliding,
-                increment,
                 track: here.into_iter().chain(track.places.iter().copied()).collect(),
                 slip: slip.map(|s| if s == 0.0 { 0.0 } else { s / way }),
             }

@@ -3,7 +3,6 @@
 use crate::elasticity::Compliance;
 use crate::error::Error;
 use crate::grid::{Grid, VectorField};
-use crate::interface::contact_law::Path;
 use crate::normal::{NormalContact, NormalSummary};
 use crate::numerics::vector::dot;
 use crate::patch::{Interpolation, Patch};
@@ -341,6 +340,5 @@ fn touching_patch(normal: &NormalContact, grid: Grid) -> Result<Patch, Error> {
 /// Cold coefficient of friction times the initial slope of the contact law, in 1/m; infinite for
 /// Coulomb's law.
 fn bristles(problem: &Problem) -> f64 {
-    let (Path::Incremental { stiffness } | Path::Total { stiffness }) = problem.contact_law.path();
-    problem.friction.cold_coefficient() * stiffness
+    problem.friction.cold_coefficient() * problem.contact_law.stiffness()
 }

@@ -10,7 +10,6 @@
 use crate::equilibrium::{Equilibrium, Gmres};
 use crate::error::Error;
 use crate::interface::InterfaceConstant;
-use crate::interface::contact_law::Slide;
 use crate::interface::friction::constants::FrictionConstant;
 use crate::interface::third_body::YieldLimit;
 use crate::kinematics::Kinematics;
@@ -218,7 +217,7 @@ impl<'a> Derivatives<'a> {
     }
 
     fn by_stiffness(&mut self) -> Option<Resultant> {
-        let stiffness = self.problem.contact_law.respond(&Slide::default()).by_increment[0][0];
+        let stiffness = self.problem.contact_law.stiffness();
         let mut direct = Direct::nothing(self.levels[0].strips.len());
         direct.cause.stiffness = 1.0;
         Some(scaled(&self.by(&direct)?, stiffness.recip()))
@@ -285,7 +284,7 @@ impl<'a> Derivatives<'a> {
                 direct.friction.slip[k][c] *= load_exponent;
             }
             if let Some(changes) = &changes {
-                let [way, _, slip] = cell.row_by_size(&changes[k]);
+                let [way, slip] = cell.row_by_size(&changes[k]);
                 for c in 0..2 {
                     direct.cause.rigid[2 * k + c] += load_exponent * way[c];
                     direct.friction.slip[k][c] += load_exponent * kinematics.speed * slip[c];

@@ -5,7 +5,7 @@
 //! upstream in its strip.
 
 use crate::error::Error;
-use crate::interface::contact_law::Path;
+use crate::interface::contact_law::ContactLaw;
 use crate::normal::NormalContact;
 use crate::numerics::vector::norm;
 use crate::patch::{Cell, Patch};
@@ -25,7 +25,7 @@ use super::strip_factors::{Interface, StripFactors};
 /// The equations F(p) = 0 of the cells, given b = B p: the linear response of the bodies to the
 /// traction p on the rail. Vectors have the x and y component of each cell in turn.
 pub(super) struct StripLaw {
-    path: Path,
+    law: ContactLaw,
     gamma: f64,
     /// μ pₙ of each cell, in Pa.
     bound: Vec<f64>,
@@ -87,15 +87,16 @@ impl StripLaw {
         let contact = CoulombContact::new(problem, normal, discrete, discretisation)?;
         let row = discrete.row_compliances();
         let patch = &discrete.patch;
-        let path = problem.contact_law.path();
         let ratio = normal.summary.semi_axis_x / normal.summary.semi_axis_y;
         let kept = &contact.slivers.kept;
-        let stencils = match path {
-            Path::Incremental { .. } => [
+        let stencils = match problem.contact_law {
+            ContactLaw::Coulomb | ContactLaw::Incremental(_) => [
                 SlipStencil::of(patch, kept, ratio, discretisation),
                 SlipStencil::of(patch, kept, ratio, Discretisation::Robust),
             ],
-            Path::Total { .. } => [(); 2].map(|()| SlipStencil::since_entry(patch, kept)),
+            ContactLaw::TotalDisplacement(_) => {
+                [(); 2].map(|()| SlipStencil::since_entry(patch, kept))
+            }
         };
         let cells = patch.len();
         let mut is_first = vec![false; cells];
@@ -103,7 +104,7 @@ impl StripLaw {
             is_first[strip.cells.start] = true;
         }
         Ok(Self {
-            path,
+            law: problem.contact_law,
             gamma: 0.0,
             bound: vec![0.0; cells],
             factors: StripFactors::new(patch, &contact, &stencils[0], &row),
@@ -125,7 +126,7 @@ impl StripLaw {
     /// Switches to another motion and other laws of the same kind, with γ in Pa/m.
     pub fn set_problem(&mut self, problem: &Problem, patch: &Patch, gamma: f64) {
         self.gamma = gamma;
-        self.path = problem.contact_law.path();
+        self.law = problem.contact_law;
         let since_entry =
             patch.cells.iter().flat_map(|cell| cell.rigid_slip_since_entry(&problem.kinematics));
         self.rigid_since_entry = since_entry.collect();
@@ -173,23 +174,21 @@ impl StripLaw {
     /// dimensionless.
     pub fn rigid_saturation(&self) -> Vec<[f64; 2]> {
         let mut all = vec![[0.0; 2]; self.len()];
+        let stiffness = self.law.stiffness();
         for k in self.contact.kept() {
             let s = pair(&self.rigid, k);
             let length = s[0].hypot(s[1]);
-            all[k] = match self.path {
-                Path::Incremental { stiffness } => {
-                    let stencil = &self.stencils[1][k];
-                    let mut free = s;
-                    for (j, weight) in stencil.cells(k).filter(|(j, _)| *j < k) {
-                        free = [0, 1].map(|c| free[c] - weight * all[j][c] / stiffness);
-                    }
-                    let whole = stencil.own() / stiffness + length;
-                    free.map(|s| if whole > 0.0 { s / whole } else { 0.0 })
+            all[k] = if self.is_total() {
+                let share = -(-stiffness * length).exp_m1();
+                s.map(|s| if length > 0.0 { share * s / length } else { 0.0 })
+            } else {
+                let stencil = &self.stencils[1][k];
+                let mut free = s;
+                for (j, weight) in stencil.cells(k).filter(|(j, _)| *j < k) {
+                    free = [0, 1].map(|c| free[c] - weight * all[j][c] / stiffness);
                 }
-                Path::Total { stiffness } => {
-                    let share = -(-stiffness * length).exp_m1();
-                    s.map(|s| if length > 0.0 { share * s / length } else { 0.0 })
-                }
+                let whole = stencil.own() / stiffness + length;
+                free.map(|s| if whole > 0.0 { s / whole } else { 0.0 })
             };
         }
         all
@@ -209,19 +208,18 @@ impl StripLaw {
     fn answer(&self, (p, b): (&[f64], &[f64]), saturation: &[f64], k: usize) -> (Answer, Matrix) {
         let sliding = self.sliding(b, k);
         let pull = [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
-        let stiffness = match self.path {
-            Path::Total { stiffness } => {
-                let compliance = self.gamma / stiffness;
-                let answer = Answer::straight(pull, self.bound[k], [0.0; 2], compliance);
-                return (answer, Matrix::default());
-            }
-            Path::Incremental { stiffness } if stiffness.is_infinite() => {
+        let compliance = self.gamma / self.law.stiffness();
+        match self.law {
+            ContactLaw::Coulomb => {
                 let answer = Answer::to(pull, self.bound[k], &Bristles::default());
                 return (answer, Matrix::default());
             }
-            Path::Incremental { stiffness } => stiffness,
-        };
-        let compliance = self.gamma / stiffness;
+            ContactLaw::TotalDisplacement(_) => {
+                let answer = Answer::straight(pull, self.bound[k], [0.0; 2], compliance);
+                return (answer, Matrix::default());
+            }
+            ContactLaw::Incremental(_) => {}
+        }
         let (own, c) = self.upstream(saturation, k);
         let (bristles, by_c) = Bristles::that_inherit(c, own, compliance);
         let answer = Answer::to(pull, self.bound[k], &bristles);
@@ -303,8 +301,12 @@ impl StripLaw {
         }
     }
 
+    fn is_total(&self) -> bool {
+        matches!(self.law, ContactLaw::TotalDisplacement(_))
+    }
+
     fn has_bristles(&self) -> bool {
-        matches!(self.path, Path::Incremental { stiffness } if stiffness.is_finite())
+        matches!(self.law, ContactLaw::Incremental(_))
     }
 
     /// Adds what changes upstream do through the bristles.
@@ -369,7 +371,7 @@ impl StripLaw {
 
     /// The elements of the steady state with the traction p, without their heat, given also the
     /// displacements at the cells relative to those where their material entered, in m.
-    pub fn elements(&self, patch: &Patch, p: &[f64], b: &[f64], relative: &[f64]) -> Vec<Element> {
+    pub fn elements(&self, patch: &Patch, p: &[f64], relative: &[f64]) -> Vec<Element> {
         let mut displaced = relative.to_vec();
         self.contact.calibration.add(p, &mut displaced);
         let pairs = self.rigid_since_entry.iter().zip(&displaced);
@@ -382,7 +384,6 @@ impl StripLaw {
                     traction: pair(p, k),
                     saturation: saturation(pair(p, k), self.bound[k]),
                     sliding: pair(&slid, k),
-                    stretch: pair(b, k).map(|b| -b / patch.cells[k].path_in.distance),
                     track: self.track(patch, &slid, p, (number, k)),
                     ..Element::default()
                 });
@@ -423,7 +424,7 @@ impl StripLaw {
     /// exactly zero where a cell sticks without bristles. The friction power, from mean slips over
     /// the cells, is not.
     pub fn take_slip(&self, b: &[f64], speed: f64, slip: &mut [[f64; 2]]) {
-        if matches!(self.path, Path::Total { .. }) {
+        if self.is_total() {
             return;
         }
         for k in self.contact.kept() {
