@@ -188,8 +188,8 @@ impl<'a> StickSlipStep<'a> {
         [0, 1].map(|c| sliding[2 * k + c] - u[2 * k + c])
     }
 
-    /// What the law answers to the traction of a cell (in Pa) and its sliding. In one step without
-    /// a way, as in all of a law in the total displacement, it slides straight.
+    /// What the law answers to the traction of a cell (in Pa) and its sliding. From a single
+    /// earlier place, and under a law in the total displacement, it slides straight.
     fn answer(&self, p: &[f64], u: &[f64], k: usize) -> Answer {
         let (bound, track) = (self.bound[k], &self.tracks[k]);
         let pull = |sliding: [f64; 2]| [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
@@ -203,8 +203,9 @@ impl<'a> StickSlipStep<'a> {
             ContactLaw::Coulomb => {
                 Answer::to(pull(self.sliding(u, k)), bound, &Bristles::default())
             }
-            ContactLaw::Incremental(_) if track.places.is_empty() => {
-                Answer::straight(pull(self.sliding(u, k)), bound, track.saturation, compliance)
+            ContactLaw::Incremental(_) if track.places.len() < 2 => {
+                let before = track.places.first().map_or(track.saturation, |from| from.saturation);
+                Answer::straight(pull(self.sliding(u, k)), bound, before, compliance)
             }
             ContactLaw::Incremental(_) => {
                 let PathSlip { inherited, weight, .. } = &self.slips[k];

@@ -35,8 +35,9 @@ pub(super) struct StripLaw {
     factors: StripFactors,
     /// Whether factors and inverses are those of the last residual.
     is_factorised: bool,
-    /// Whether a cell is the first of its strip.
+    /// Whether a cell is the first of its strip, and the first one with an equation of its own.
     is_first: Vec<bool>,
+    enters: Vec<bool>,
     /// Rigid sliding since entry, and over the way into each cell, in m.
     rigid_since_entry: Vec<f64>,
     rigid: Vec<f64>,
@@ -100,8 +101,10 @@ impl StripLaw {
         };
         let cells = patch.len();
         let mut is_first = vec![false; cells];
-        for strip in &patch.strips {
+        let mut enters = is_first.clone();
+        for (strip, kept) in patch.strips.iter().zip(&contact.slivers.kept) {
             is_first[strip.cells.start] = true;
+            enters[kept.start] = true;
         }
         Ok(Self {
             law: problem.contact_law,
@@ -111,6 +114,7 @@ impl StripLaw {
             stencils,
             is_factorised: false,
             is_first,
+            enters,
             rigid_since_entry: vec![0.0; 2 * cells],
             rigid: vec![0.0; 2 * cells],
             saturation: vec![0.0; 2 * cells],
@@ -178,17 +182,19 @@ impl StripLaw {
         for k in self.contact.kept() {
             let s = pair(&self.rigid, k);
             let length = s[0].hypot(s[1]);
-            all[k] = if self.is_total() {
+            all[k] = if self.is_straight(k) {
                 let share = -(-stiffness * length).exp_m1();
                 s.map(|s| if length > 0.0 { share * s / length } else { 0.0 })
             } else {
-                let stencil = &self.stencils[1][k];
-                let mut free = s;
-                for (j, weight) in stencil.cells(k).filter(|(j, _)| *j < k) {
-                    free = [0, 1].map(|c| free[c] - weight * all[j][c] / stiffness);
+                let mut c = [0.0; 2];
+                for (j, weight) in self.stencils[1][k].cells(k).filter(|(j, _)| *j < k) {
+                    c = [0, 1].map(|n| c[n] + weight * all[j][n]);
                 }
-                let whole = stencil.own() / stiffness + length;
-                free.map(|s| if whole > 0.0 { s / whole } else { 0.0 })
+                let own = self.stencils[1][k].own();
+                let (Bristles { own, inherited }, _) =
+                    Bristles::that_inherit(c, own, stiffness.recip());
+                let whole = own + length;
+                [0, 1].map(|n| if whole > 0.0 { (s[n] - inherited[n]) / whole } else { 0.0 })
             };
         }
         all
@@ -209,16 +215,13 @@ impl StripLaw {
         let sliding = self.sliding(b, k);
         let pull = [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
         let compliance = self.gamma / self.law.stiffness();
-        match self.law {
-            ContactLaw::Coulomb => {
-                let answer = Answer::to(pull, self.bound[k], &Bristles::default());
-                return (answer, Matrix::default());
-            }
-            ContactLaw::TotalDisplacement(_) => {
-                let answer = Answer::straight(pull, self.bound[k], [0.0; 2], compliance);
-                return (answer, Matrix::default());
-            }
-            ContactLaw::Incremental(_) => {}
+        if self.law.is_coulomb() {
+            let answer = Answer::to(pull, self.bound[k], &Bristles::default());
+            return (answer, Matrix::default());
+        }
+        if self.is_straight(k) {
+            let answer = Answer::straight(pull, self.bound[k], [0.0; 2], compliance);
+            return (answer, Matrix::default());
         }
         let (own, c) = self.upstream(saturation, k);
         let (bristles, by_c) = Bristles::that_inherit(c, own, compliance);
@@ -303,6 +306,12 @@ impl StripLaw {
 
     fn is_total(&self) -> bool {
         matches!(self.law, ContactLaw::TotalDisplacement(_))
+    }
+
+    /// Whether the path from the entry to a cell is taken for straight: to the first cell, and under
+    /// a law in the total displacement.
+    fn is_straight(&self, k: usize) -> bool {
+        self.is_total() || self.enters[k]
     }
 
     fn has_bristles(&self) -> bool {
