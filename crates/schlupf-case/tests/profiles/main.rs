@@ -1,6 +1,7 @@
 //! Profiles as they are measured: axes, order of points, units, formats and origins.
 
 mod formats;
+mod order;
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
