@@ -4,8 +4,8 @@
 //! where an earlier one was is a second pass and left out. Where the line turns back twice or more
 //! within a few points its order is lost, and they are sorted along the shortest tree that connects
 //! them (Prim 1957): on points of a line this is the line itself. The runs are then joined by the
-//! shortest tree that keeps them whole. Where that branches although no order was lost, as where an
-//! outline folds back on itself at a rolled lip or has few points, the order of the file stands.
+//! shortest tree that keeps them whole. Where that branches, as where an outline folds back on itself
+//! at a rolled lip or has few points, the order of the file stands if the line does not cross itself.
 
 use std::collections::HashSet;
 use std::ops::Range;
@@ -23,12 +23,12 @@ pub const LONGEST_TWIG: f64 = 5e-4;
 /// Fewest points of a loop, whose ends are at most its largest step apart.
 const FEWEST_OF_LOOP: usize = 5;
 
-/// Length of the line in the order of the file over that of the tree up to which that order stands,
+/// Length of a step in the order of the file over that of another one up to which that order stands,
 /// dimensionless.
 const AS_SHORT: f64 = 1.01;
 
 /// Fewest points of one pass of a measurement, and of an overlap of two.
-const FEWEST_OF_PASS: usize = 5;
+const FEWEST_OF_PASS: usize = 10;
 const FEWEST_OF_OVERLAP: usize = 3;
 
 /// Distance of two passes over the same part, in m.
@@ -224,7 +224,7 @@ fn line(points: &[Row]) -> Result<Vec<usize>, NoLine> {
     let tree = Tree::new(&rows, &is_step);
     let mut line = tree.longest_path();
     if let Some(branch) = tree.beside(&line) {
-        if steps(&rows).sum::<f64>() > AS_SHORT * tree.length() {
+        if crosses_itself(&rows) {
             return Err(NoLine::Branches(rows[branch]));
         }
         line = (0..rows.len()).collect();
@@ -234,6 +234,22 @@ fn line(points: &[Row]) -> Result<Vec<usize>, NoLine> {
         Some(turns) => Err(NoLine::Branches(along[turns[0]])),
         None => Ok(line.into_iter().map(|k| order[k]).collect()),
     }
+}
+
+/// Whether a line crosses itself.
+fn crosses_itself(points: &[Row]) -> bool {
+    // Twice the area of the triangle of three points, in m².
+    let area = |p: &Row, q: &Row, r: &Row| {
+        let [to_q, to_r] = [q, r].map(|to| [0, 1].map(|c| to.place[c] - p.place[c]));
+        to_q[0] * to_r[1] - to_q[1] * to_r[0]
+    };
+    let is_between = |one: &[Row], two: &[Row]| {
+        area(&one[0], &one[1], &two[0]) * area(&one[0], &one[1], &two[1]) < 0.0
+    };
+    points.windows(2).enumerate().any(|(k, one)| {
+        let mut later = points[k + 1..].windows(2);
+        later.any(|two| is_between(one, two) && is_between(two, one))
+    })
 }
 
 /// The points in the order of the file, sorted where that turns back as far as what is around tells
@@ -284,8 +300,9 @@ fn first_passes(points: &[Row], changes: &mut Vec<Change>) -> Vec<Row> {
     for (j, later) in runs.iter().enumerate() {
         for earlier in &runs[..j] {
             let there = &points[earlier.clone()];
+            let usual = median_step(there);
             let near = later.clone().filter(|k| !is_left_out[*k]).filter_map(|k| {
-                let (distance, place) = beside(there, &points[k])?;
+                let (distance, place) = beside(there, usual, &points[k])?;
                 Some((k, distance, place))
             });
             let near: Vec<(usize, f64, usize)> = near.collect();
@@ -330,16 +347,15 @@ fn runs(points: &[Row], is_long: &[bool]) -> Vec<Range<usize>> {
 }
 
 /// Distance of a point from a run (in m) and the nearest point of that, if it was passed there: up
-/// to half of its usual step beyond its ends.
-fn beside(run: &[Row], point: &Row) -> Option<(f64, usize)> {
-    let half_step = 0.5 * median_step(run);
+/// to one of its usual steps beyond its ends.
+fn beside(run: &[Row], usual: f64, point: &Row) -> Option<(f64, usize)> {
     let to_step = |(k, pair): (usize, &[Row])| {
         let vector = |to: &Row| [0, 1].map(|c| to.place[c] - pair[0].place[c]);
         let (along, to) = (vector(&pair[1]), vector(point));
         let length = along[0].hypot(along[1]);
         let place = (to[0] * along[0] + to[1] * along[1]) / length;
         let is_end = [k == 0, k + 2 == run.len()];
-        let [before, after] = is_end.map(|is_end| if is_end { half_step } else { 0.0 });
+        let [before, after] = is_end.map(|is_end| if is_end { usual } else { 0.0 });
         let near = place.clamp(-before, length + after);
         let off = [0, 1].map(|c| to[c] - near / length * along[c]);
         let is_beyond = place < -before && is_end[0] || place > length + after && is_end[1];
@@ -389,11 +405,6 @@ impl Tree {
             next = new;
         }
         Self { beside }
-    }
-
-    /// Its length, in m.
-    fn length(&self) -> f64 {
-        0.5 * self.beside.iter().flatten().map(|(_, length)| length).sum::<f64>()
     }
 
     /// Distances along the tree from some points (in m), and from where each is reached.
