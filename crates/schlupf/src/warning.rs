@@ -449,7 +449,22 @@ messages! {
         1e3 * ends[0],
         1e3 * ends[1],
         1e2 * share
-    );
+    ), severity *share;
+
+    /// A profile whose points are too far apart for a contact.
+    "coarse-profile" CoarseProfile {
+        /// Of the wheel or of the rail.
+        profile: Quantity,
+        /// Distance of its points, in m.
+        step: f64,
+        /// Width of the contact, in m.
+        width: f64,
+    } *profile, |name, words| format!(
+        "{name}: points every {:.2} mm are too coarse for a contact that is {:.2} mm wide: its shape \
+         there is that of the curve through them",
+        1e3 * step,
+        1e3 * width
+    ), severity step / width;
 
     /// Residuals beyond the standard deviations of the data.
     "excess-scatter" ExcessScatter {

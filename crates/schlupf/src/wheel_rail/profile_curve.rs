@@ -22,6 +22,10 @@ const KINK: f64 = 0.35;
 /// few points turn as much at every point.
 const KINK_RATIO: f64 = 0.3;
 
+/// Distance of the points between which directions are taken, over the length of the smoothing:
+/// arcs of up to one and a half of it are kinks, too.
+const REACH: f64 = 0.25;
+
 /// Least number of points of a profile.
 const FEWEST_POINTS: usize = 4;
 
@@ -97,7 +101,7 @@ impl ProfileCurve {
         }
         let requirement = Requirement::Between(0.0, LARGEST);
         crate::error::require(Quantity::ProfileSmoothing, requirement, smoothing)?;
-        let kinks = kinks(&points);
+        let kinks = kinks(&points, REACH * smoothing);
         let mut length = chords(&points);
         let points = smoothed(&length, points, &kinks, smoothing);
         let mut slopes = fitted(&length, &points, &kinks);
@@ -125,14 +129,23 @@ impl ProfileCurve {
         &self.points
     }
 
-    /// The step between two points that covers most of an interval of arc lengths (in m): the part
-    /// of the interval that it covers, dimensionless, and y and z of its ends in m.
-    pub(super) fn widest_step(&self, [from, to]: [f64; 2]) -> Option<(f64, [[f64; 2]; 2])> {
+    /// The step between two points that covers most of an interval of arc lengths (in m): its
+    /// length, in m, the part of the interval that it covers, dimensionless, and y of its ends, in
+    /// m.
+    pub(super) fn widest_step(&self, [from, to]: [f64; 2]) -> Option<[f64; 4]> {
         let covered = |k: &usize| self.length[k + 1].min(to) - self.length[*k].max(from);
         let steps = 0..self.length.len() - 1;
         let k = steps.max_by(|j, k| covered(j).total_cmp(&covered(k)))?;
         let share = covered(&k) / (to - from);
-        share.is_finite().then(|| (share, [self.points[k], self.points[k + 1]]))
+        let step = self.length[k + 1] - self.length[k];
+        share.is_finite().then(|| [step, share, self.points[k][0], self.points[k + 1][0]])
+    }
+
+    /// The median step between two points, in m.
+    pub(super) fn usual_step(&self) -> f64 {
+        let mut steps: Vec<f64> = self.length.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        steps.sort_by(f64::total_cmp);
+        steps[steps.len() / 2]
     }
 
     /// The point at an arc length `s` (in m) from the first one; at the ends the outermost cubics
@@ -232,21 +245,28 @@ fn chords(points: &[[f64; 2]]) -> Vec<f64> {
     std::iter::once(0.0).chain(ends).collect()
 }
 
-/// Indices at which smooth pieces begin and end: the first and last point, and kinks.
-fn kinks(points: &[[f64; 2]]) -> Vec<usize> {
-    let direction = |pair: &[[f64; 2]]| [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]];
-    let directions: Vec<[f64; 2]> = points.windows(2).map(direction).collect();
-    let turn = |pair: &[[f64; 2]]| {
-        let [p, q] = [pair[0], pair[1]];
-        (p[0] * q[1] - p[1] * q[0]).atan2(p[0] * q[0] + p[1] * q[1]).abs()
+/// Indices at which smooth pieces begin and end: the first and last point, and kinks. The direction
+/// on both sides of a point is that of the chord to the first point that is `reach` away (in m), or
+/// to the next one, so noise over shorter distances turns nothing.
+fn kinks(points: &[[f64; 2]], reach: f64) -> Vec<usize> {
+    let ends = |k: usize| {
+        let is_away = |j: &usize| distance(&points[*j], &points[k]) >= reach;
+        Some([(0..k).rev().find(is_away)?, (k + 1..points.len()).find(is_away)?])
     };
-    let turns: Vec<f64> = directions.windows(2).map(turn).collect();
-    let is_kink = |k: usize| {
-        let beside = [k.checked_sub(1), Some(k + 1)].into_iter().flatten();
-        let largest = beside.filter_map(|k| turns.get(k)).copied().fold(0.0, f64::max);
-        turns[k] >= KINK && largest <= KINK_RATIO * turns[k]
+    let chord = |from: usize, to: usize| [0, 1].map(|c| points[to][c] - points[from][c]);
+    let turn = |k: usize| {
+        let [before, after] = ends(k)?;
+        let [p, q] = [chord(before, k), chord(k, after)];
+        Some((p[0] * q[1] - p[1] * q[0]).atan2(p[0] * q[0] + p[1] * q[1]).abs())
     };
-    let inside = (0..turns.len()).filter(|k| is_kink(*k)).map(|k| k + 1);
+    let turns: Vec<f64> = (0..points.len()).map(|k| turn(k).unwrap_or(0.0)).collect();
+    let is_kink = |k: &usize| {
+        let Some([before, after]) = ends(*k).filter(|_| turns[*k] >= KINK) else { return false };
+        let beside = turns[before].max(turns[after]);
+        let is_largest = |j: usize| turns[j] < turns[*k] || j >= *k && turns[j] == turns[*k];
+        beside <= KINK_RATIO * turns[*k] && (before..=after).all(is_largest)
+    };
+    let inside = (0..points.len()).filter(is_kink);
     std::iter::once(0).chain(inside).chain([points.len() - 1]).collect()
 }
 
