@@ -307,3 +307,46 @@ fn fitted(length: &[f64], points: &[[f64; 2]], kinks: &[usize]) -> Vec<[[f64; 2]
     }
     slopes
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An arc of 13 mm with noise of 10 µm that a corner of 45° ends: with smoothing that corner is
+    /// the only kink, however long it is and whichever points are taken.
+    #[test]
+    fn noise_of_dense_points_makes_no_kinks() {
+        let mut state = 12_345_u64;
+        let mut noise = || {
+            // Twelve uniform numbers (Knuth's generator) are nearly a normal one.
+            let mut uniform = || {
+                state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+                (state >> 11) as f64 / (1_u64 << 53) as f64
+            };
+            1e-5 * ((0..12).map(|_| uniform()).sum::<f64>() - 6.0)
+        };
+        let (radius, end) = (13e-3_f64, 15e-3);
+        let at = |s: f64| {
+            let (sin, cos) = (s.min(end) / radius - 1.0).sin_cos();
+            let beyond = (s - end).max(0.0);
+            let (down, along) = (1.0 - end / radius - std::f64::consts::FRAC_PI_4).sin_cos();
+            [radius * sin + beyond * along, radius * cos + beyond * down]
+        };
+        let dense: Vec<[f64; 2]> = (0..1000)
+            .map(|k| at(3e-5 * f64::from(k)))
+            .map(|[y, z]| [y + noise(), z + noise()])
+            .collect();
+        for every in [1, 2, 5, 10] {
+            let points: Vec<[f64; 2]> = dense.iter().step_by(every).copied().collect();
+            for smoothing in [2e-3, 3e-3, 5e-3, 8e-3] {
+                let found = kinks(&points, REACH * smoothing);
+                let [first, corner, last] = found[..] else {
+                    panic!("{every} {smoothing}: {found:?}")
+                };
+                assert_eq!([first, last], [0, points.len() - 1]);
+                let off = (3e-5 * (every * corner) as f64 - end).abs();
+                assert!(off < 0.1 * smoothing, "{every} {smoothing}: {off}");
+            }
+        }
+    }
+}
