@@ -1,9 +1,13 @@
 //! Warnings: what users of results should know.
 
+mod heat_limit;
+
 use crate::error::FitStop;
 use crate::message::messages;
 use crate::quantity::Quantity;
 use crate::requirement::readable;
+
+pub use heat_limit::HeatLimit;
 
 messages! {
     /// A warning.
@@ -584,26 +588,4 @@ messages! {
         /// Why it stopped.
         stop: FitStop,
     } Quantity::FitParameters, |name, words| stop.text(words);
-}
-
-/// What a surface is too hot for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum HeatLimit {
-    /// Steel melts.
-    Melting,
-    /// Steel austenitises (A1).
-    Austenite,
-    /// Most materials fail.
-    AnyMaterial,
-}
-
-impl HeatLimit {
-    fn text(self) -> &'static str {
-        match self {
-            Self::Melting => "above the melting range of steel",
-            Self::Austenite => "above 727 degC, where steel starts to austenitise",
-            Self::AnyMaterial => "more than most materials withstand",
-        }
-    }
 }
