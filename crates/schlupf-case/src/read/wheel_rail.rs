@@ -66,8 +66,11 @@ pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
     };
     let pair = Pair::new(&wheel, &rail, &track).map_err(explain)?;
     let [reached, wanted] = [pair.gauge_depth(), track.gauge_depth];
-    let too_short =
-        (wanted - reached > SAME_DEPTH).then_some(Notice::GaugeDepthNotReached { reached, wanted });
+    // Below a lip that is the inmost point nothing runs, but the file goes on.
+    let ProfileReading { points: [all, running], size: [_, height], .. } = on_rail.reading;
+    let goes_on = all > running && height > wanted;
+    let too_short = (wanted - reached > SAME_DEPTH && !goes_on)
+        .then_some(Notice::GaugeDepthNotReached { reached, wanted });
     let notices = on_wheel.notices.into_iter().chain(on_rail.notices).chain(too_short).collect();
     let wheel = WheelOnRail {
         pair: Arc::new(pair),

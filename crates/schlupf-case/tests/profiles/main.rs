@@ -330,7 +330,9 @@ fn lost_order_is_found_beside_a_fold() {
     for lip in [1.0, 2.5, 4.0] {
         let points = lipped(lip);
         let file = rail("a.csv", csv(&points)).unwrap();
-        assert_eq!(codes(&file), Vec::<&str>::new(), "{lip}");
+        // The outline may end above the gauge depth.
+        let told = codes(&file);
+        assert!(told.iter().all(|code| *code == "gauge-depth-not-reached"), "{lip}: {told:?}");
         let expected = curves(&file)[1].clone();
         let swap = |j: usize, k: usize| {
             let mut points = points.clone();
