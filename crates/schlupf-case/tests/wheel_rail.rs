@@ -356,7 +356,8 @@ fn a_rail_that_ends_above_the_gauge_depth_is_told() {
     let [y0, z0] = pair.rail_origin();
     let points = pair.rail().points().iter().map(|[y, z]| [1e3 * (y - y0), 1e3 * (z - z0)]);
     let top: Vec<[f64; 2]> = points.filter(|[y, _]| y.abs() < 33.0).collect();
-    let text = top.iter().map(|[y, z]| format!("{y:.7},{z:.7}\n")).collect::<String>();
+    let rows: Vec<String> = top.iter().map(|[y, z]| format!("{y:.7},{z:.7}")).collect();
+    let text = rows.join("\n") + "\n";
     let file = read(&case("top.csv", ""), &[("top.csv", &format!("y [mm],z [mm]\n{text}"))]);
     let file = file.unwrap();
     let shift = 1e3 * (y0 - file.wheel().unwrap().pair.rail_origin()[0]);

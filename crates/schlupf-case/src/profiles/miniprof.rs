@@ -4,8 +4,8 @@
 //! The X of a wheel grows outwards from its flange back, its Y towards the tip of the flange; the
 //! X of a rail grows towards the middle of the track, its Y upwards. Files before Miniprof for
 //! Windows begin with `MINIPROF` and have a head without keys, which ends where rows of numbers
-//! begin. `"` begins a comment. Files of several parts (`.mpt`) have them between `[Profile1Points]` and
-//! the next `[`.
+//! begin. `"` begins a comment. Files of several parts (`.mpt`) have them between
+//! `[Profile1Points]` and the next `[`.
 
 use super::points::{Axes, Content, File, Row, Separator, begins_with_number, is_row};
 use crate::error::CaseError;
@@ -31,7 +31,8 @@ pub fn is_one(file: &File) -> bool {
     devices(file).next().is_some() || file.lines(&[]).any(has_key)
 }
 
-/// Those whose names the first lines of a file from before Miniprof for Windows have, with the lines.
+/// Those whose names the first lines of a file from before Miniprof for Windows have, with the
+/// lines.
 fn devices(file: &File) -> impl Iterator<Item = (usize, (&str, Option<bool>))> {
     let lines = (1..).zip(file.source.text.lines().take(FIRST_LINES));
     lines.filter_map(|(number, line)| {

@@ -267,8 +267,8 @@ impl Reader<'_> {
         Ok(outline)
     }
 
-    /// Refuses y and z that are probably swapped, and warns where a header says so or where the shape
-    /// is as clear as it is.
+    /// Refuses y and z that are probably swapped, and warns where a header says so or where the
+    /// shape is as clear as it is.
     fn check_columns(&mut self, content: &Content, outline: &Outline) -> Result<(), CaseError> {
         let field = self.fields.profile;
         let points = places(&outline.points);
@@ -370,7 +370,8 @@ impl Reader<'_> {
     }
 
     /// A direction that is given, or that the shape shows, or that the format has, or that by
-    /// default; says where the shape contradicts what is given or the format, or where there is none.
+    /// default; says where the shape contradicts what is given or the format, or where there is
+    /// none.
     fn taken(
         &mut self,
         field: &'static str,

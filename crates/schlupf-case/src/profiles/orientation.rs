@@ -67,8 +67,8 @@ pub fn flange_tip(points: &[[f64; 2]]) -> Option<[f64; 2]> {
     Some([running.median() - lowest[1], lowest[0]])
 }
 
-/// Whether y and z may be swapped: an outline much higher than wide, or one that goes from end to end
-/// along z and comes back along y.
+/// Whether y and z may be swapped: an outline much higher than wide, or one that goes from end to
+/// end along z and comes back along y.
 pub fn is_high(points: &[[f64; 2]], is_closed: bool) -> bool {
     let range = |k: usize| {
         let values = || points.iter().map(|point| point[k]);

@@ -4,8 +4,9 @@
 //! where an earlier one was is a second pass and left out. Where the line turns back twice or more
 //! within a few points its order is lost, and they are sorted along the shortest tree that connects
 //! them (Prim 1957): on points of a line this is the line itself. The runs are then joined by the
-//! shortest tree that keeps them whole. Where that branches, as where an outline folds back on itself
-//! at a rolled lip or has few points, the order of the file stands if the line does not cross itself.
+//! shortest tree that keeps them whole. Where that branches, as where an outline folds back on
+//! itself at a rolled lip or has few points, the order of the file stands if the line does not
+//! cross itself.
 
 use std::collections::HashSet;
 use std::ops::Range;
@@ -23,8 +24,8 @@ pub const LONGEST_TWIG: f64 = 5e-4;
 /// Fewest points of a loop, whose ends are at most its largest step apart.
 const FEWEST_OF_LOOP: usize = 5;
 
-/// Length of a step in the order of the file over that of another one up to which that order stands,
-/// dimensionless.
+/// Length of a step in the order of the file over that of another one up to which that order
+/// stands, dimensionless.
 const AS_SHORT: f64 = 1.01;
 
 /// Fewest points of one pass of a measurement, and of an overlap of two.

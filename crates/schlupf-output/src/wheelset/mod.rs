@@ -66,7 +66,8 @@ pub struct WheelsetReport {
     pub load: f64,
     /// The positions.
     pub positions: Vec<WheelsetAt>,
-    /// Δr of rigid bodies that neither roll about x nor yaw, unless they do not touch in the middle.
+    /// Δr of rigid bodies that neither roll about x nor yaw, unless they do not touch in the
+    /// middle.
     pub radii: Option<RollingRadiusDifference>,
     /// Equivalent conicity over the amplitude of the lateral motion.
     pub conicity: Conicity,

@@ -146,8 +146,8 @@ impl Pressing<'_> {
             let mut near_rows = j.saturating_sub(1)..(j + 2).min(rows);
             near_rows.find(|j| near_columns.clone().any(|i| beyond[j * columns + i]))
         };
-        let touching = (0..beyond.len()).filter(|k| pressed.pressure[*k] > 0.0);
-        let Some(row) = touching.filter_map(end_near).next() else { return Ok(()) };
+        let mut touching = (0..beyond.len()).filter(|k| pressed.pressure[*k] > 0.0);
+        let Some(row) = touching.find_map(end_near) else { return Ok(()) };
         let arcs = pressed.plane.arcs.map(|arc| arc + pressed.s[row]);
         let is_rail = view.rail_point(pressed.s[row], arcs[0]).is_none();
         Err(self.pair.at_end(is_rail, arcs, pressed.plane.origin[1]))
