@@ -99,7 +99,7 @@ fn all_formats_give_the_same_curve() {
         ("a.prw", simpack("units.len.f = 1.0", 1e-3, 1.0, -1.0)),
         ("a.prw", simpack("units.len.f = 1000.\nmirror.y = 1\ninversion = 1", 1.0, -1.0, 1.0)),
         ("a.whl", miniprof("ColumnDef=X,Y,A,C,N", &|[y, z]| format!("{y} {z} 0 0 1"))),
-        ("a.ban", miniprof("ColumnDef=N,Y,X", &|[y, z]| format!("7 {z} {y}"))),
+        ("a.whl", miniprof("ColumnDef=N,Y,X", &|[y, z]| format!("7 {z} {y}"))),
         ("a.whl", miniprof("", &|[y, z]| format!("{y} {z}"))),
     ];
     for (name, text) in files {
@@ -152,7 +152,9 @@ fn what_is_no_profile_is_told() {
     }
     let metres = format!("y [m],z [m]\n{long}");
     let error = wheel_curve("a.csv", &metres).unwrap_err();
-    assert!(error.contains("wheel.profile must be finite and at most ±1 m"), "{error}");
+    let expected = "wheel.profile must be at most ±1 m, but is -60000 mm in line 2 of the file (were \
+                    its numbers 0.001 times as large, it would be 120 mm wide";
+    assert!(error.contains(expected), "{error}");
 }
 
 fn with(lines: &str) -> String {

@@ -214,7 +214,12 @@ impl Reader<'_> {
         let others = others.filter(|(_, factor)| FULL_SIZE.contains(&(factor * width)));
         let others: Vec<String> = others
             .map(|(unit, factor)| {
-                format!("were its numbers {unit} in place of mm, it would be {}", shown(factor))
+                let other = if content.has_units {
+                    format!("{factor} times as large")
+                } else {
+                    format!("{unit} in place of mm")
+                };
+                format!("were its numbers {other}, it would be {}", shown(factor))
             })
             .collect();
         let other = (!others.is_empty()).then(|| others.join("; "));
