@@ -153,7 +153,7 @@ fn what_is_no_profile_is_told() {
     let metres = format!("y [m],z [m]\n{long}");
     let error = wheel_curve("a.csv", &metres).unwrap_err();
     let expected = "wheel.profile must be at most ±1 m, but is -60000 mm in line 2 of the file (were \
-                    its numbers 0.001 times as large, it would be 120 mm wide";
+                    its numbers 0.001 times as large (um for mm), it would be 120 mm wide";
     assert!(error.contains(expected), "{error}");
 }
 

@@ -215,7 +215,7 @@ impl Reader<'_> {
         let others: Vec<String> = others
             .map(|(unit, factor)| {
                 let other = if content.has_units {
-                    format!("{factor} times as large")
+                    format!("{factor} times as large ({unit} for mm)")
                 } else {
                     format!("{unit} in place of mm")
                 };

@@ -438,7 +438,8 @@ fn units_and_swapped_columns_are_told() {
     let wrong = format!("y [mm],z [mm]\n{}", metres.replace(' ', ","));
     let error = wheel("a.csv", wrong).map(|_| ()).unwrap_err();
     assert!(error.contains("wheel.profile must be at least 2 mm wide"), "{error}");
-    assert!(error.contains("were its numbers m in place of mm, it would be 129.5 mm"), "{error}");
+    let expected = "were its numbers 1000 times as large (m for mm), it would be 129.5 mm";
+    assert!(error.contains(expected), "{error}");
     let inches = bare(&tread, |[y, z]| format!("{} {}", y / 25.4, z / 25.4));
     let text = notice(&wheel("a.txt", inches).unwrap(), "profile-units");
     assert!(text.contains("were its numbers inches in place of mm"), "{text}");
