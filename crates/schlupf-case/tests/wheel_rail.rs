@@ -365,7 +365,7 @@ fn a_rail_that_ends_above_the_gauge_depth_is_told() {
     let shift = 1e3 * (y0 - file.wheel().unwrap().pair.rail_origin()[0]);
     assert!((shift - (36.0 + top[0][0])).abs() < 0.02 && shift > 2.9, "{shift}");
     let expected = format!(
-        "track.gauge_depth is 14.00 mm, but inside the profile of the rail ends {:.2} mm below its top",
+        "track.gauge_depth is 14.00 mm, but on its inner side the rail's profile ends {:.2} mm below",
         top.iter().fold(0.0, |z: f64, point| z.max(point[1])) - top[0][1]
     );
     let found = told(&file).unwrap();
@@ -374,7 +374,7 @@ fn a_rail_that_ends_above_the_gauge_depth_is_told() {
     let notices = file.pose(&unwatched).unwrap().notices;
     assert!(notices.iter().any(|notice| notice.code == "gauge-depth-not-reached"), "{notices:?}");
     let deep = read(&case("60E1", "[track]\ngauge_depth = \"40 mm\"\n"), &[]).unwrap();
-    assert!(told(&deep).unwrap().contains("is 40.00 mm, but inside"), "{:?}", told(&deep));
+    assert!(told(&deep).unwrap().contains("is 40.00 mm, but on its inner side"), "{:?}", told(&deep));
 }
 
 /// Noise of 5 µm on points every 0.035 mm, smoothed over 2, 3 and 5 mm: the largest pressure

@@ -203,6 +203,20 @@ fn positions_that_all_fail_do_not_take_the_conicity_with_them() {
     assert_eq!(bench.read("c.csv").matches("failed").count(), 4);
 }
 
+/// Positions are those of the ends and the middle that were asked for, to the last digit, so that
+/// nothing known up to an end is missing there.
+#[test]
+fn ends_and_middle_of_the_positions_are_exact() {
+    let bench = bench();
+    let range = ["--set", "normal.load=1 N", "--lateral-position", "-6..6 mm", "--points", "7"];
+    bench.run(&[&["wheelset", "case.toml", "--json", "result.json"], &range[..]].concat());
+    let json: Value = serde_json::from_str(&bench.read("result.json")).unwrap();
+    let at = |k: usize, name: &str| number(&json, &format!("/positions/{k}/{name}"));
+    assert_eq!([0, 3, 6].map(|k| at(k, "lateral_position")), [-6e-3, 0.0, 6e-3]);
+    let [left, right] = [0, 6].map(|k| at(k, "rigid_rolling_radius_difference"));
+    assert!((left + right).abs() < 1e-9, "{left} {right}");
+}
+
 /// Warnings of many positions tell the worst of each kind, its place and how many there are. Here
 /// it is that of points 0.2 mm apart under a contact of 1 N, which is no hole.
 #[test]

@@ -79,8 +79,9 @@ impl Plan {
         let [from, to] = request.range;
         let last = request.points.max(2) - 1;
         let (radii, conicity, mut notices) = rigid(&file, from.abs().max(to.abs()), watch)?;
-        let lateral: Vec<f64> =
-            (0..=last).map(|k| from + (to - from) * k as f64 / last as f64).collect();
+        // Exact at both ends, and in the middle of a symmetric range.
+        let between = |share: f64| from * (1.0 - share) + to * share;
+        let lateral: Vec<f64> = (0..=last).map(|k| between(k as f64 / last as f64)).collect();
         let found = parallel::try_map(lateral, |lateral| match wheels(&file, lateral, watch) {
             Err(error) if is_stopped(&error) => Err(error),
             wheels => Ok((lateral, wheels)),

@@ -104,7 +104,7 @@ impl File {
             return Ok(());
         }
         let [given, wanted] = [is, is_wheel].map(|is| if is { "a wheel" } else { "a rail" });
-        let message = format!("the file must be that of {wanted}, but its {says}, {given}");
+        let message = format!("the file must be that of {wanted}, but its {says}, that of {given}");
         Err(self.error(line, message))
     }
 

@@ -131,7 +131,10 @@ fn files_of_simpack_are_read() {
     assert_eq!(codes(&plain), Vec::<&str>::new());
     assert_eq!(plain.profiles()[1].points[0], head.len());
     let error = wheel("a.prr", simpack("", &head)).map(|_| ()).unwrap_err();
-    assert!(error.contains("must be that of a wheel, but its type is 0, a rail"), "{error}");
+    assert!(
+        error.contains("must be that of a wheel, but its type is 0, that of a rail"),
+        "{error}"
+    );
     let file = rail("a.prr", simpack("approx.smooth = 2.5", &head)).unwrap();
     let text = notice(&file, "profile-setting");
     assert!(text.contains("approx.smooth = 2.5"), "{text}");
@@ -178,9 +181,9 @@ fn the_other_body_is_refused() {
     let keys = format!("ColumnDef=X,Y\n\n{}", rows(&tread));
     let spline = format!("spline.begin\npoint.begin\n{}point.end\nspline.end\n", rows(&tread));
     for (name, text, says) in [
-        ("a.whl", keys, "its name ends in .whl, a wheel"),
-        ("a.prw", spline, "its name ends in .prw, a wheel"),
-        ("a.wheel", rows(&tread), "its name ends in .wheel, a wheel"),
+        ("a.whl", keys, "its name ends in .whl, that of a wheel"),
+        ("a.prw", spline, "its name ends in .prw, that of a wheel"),
+        ("a.wheel", rows(&tread), "its name ends in .wheel, that of a wheel"),
         ("a.txt", format!("MINIWHEELPROF\n\n{}", rows(&tread)), "its device is MINIWHEELPROF"),
     ] {
         let error = rail(name, text).map(|_| ()).unwrap_err();
