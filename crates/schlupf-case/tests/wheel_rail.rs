@@ -374,7 +374,11 @@ fn a_rail_that_ends_above_the_gauge_depth_is_told() {
     let notices = file.pose(&unwatched).unwrap().notices;
     assert!(notices.iter().any(|notice| notice.code == "gauge-depth-not-reached"), "{notices:?}");
     let deep = read(&case("60E1", "[track]\ngauge_depth = \"40 mm\"\n"), &[]).unwrap();
-    assert!(told(&deep).unwrap().contains("is 40.00 mm, but on its inner side"), "{:?}", told(&deep));
+    assert!(
+        told(&deep).unwrap().contains("is 40.00 mm, but on its inner side"),
+        "{:?}",
+        told(&deep)
+    );
 }
 
 /// Noise of 5 µm on points every 0.035 mm, smoothed over 2, 3 and 5 mm: the largest pressure
