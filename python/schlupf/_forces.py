@@ -114,7 +114,7 @@ def forces(
     columns, numbers, messages = _core.batch(case._file, flat, strict)
     if warn:
         _warn(numbers, messages)
-    shaped = {}
+    shaped: dict[str, Any] = {}
     for name, column in columns.items():
         width = column["values"].size // template.size
         of_contact = ([CONTACT], [width]) if width > 1 else ([], [])

@@ -133,6 +133,11 @@ impl CaseFile {
         Ok(file.with_laws(self.laws.clone())?)
     }
 
+    /// Its name, for messages.
+    pub fn name(&self) -> &str {
+        &self.source.name
+    }
+
     /// The laws of the caller.
     pub fn laws(&self) -> &Laws {
         &self.laws

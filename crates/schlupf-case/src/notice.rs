@@ -203,6 +203,20 @@ messages! {
         text: String,
     } *field, |subject, words| format!("{subject}: {text}");
 
+    /// A rail that ends, on its inner side, above the depth down to which its gauge is measured.
+    "gauge-depth-not-reached" GaugeDepthNotReached {
+        /// Depth of the inner end of the profile below its top, in m.
+        reached: f64,
+        /// Depth down to which the gauge is measured, in m.
+        wanted: f64,
+    } "track.gauge_depth", |subject, words| format!(
+        "{subject} is {:.2} mm, but on its inner side the rail's profile ends {:.2} mm below its top: \
+         the gauge is taken at that end, so the rail is too far inwards by what is missing; give a \
+         longer profile, or the depth at which the gauge was measured",
+        1e3 * wanted,
+        1e3 * reached
+    ), severity wanted - reached;
+
     /// Many points had no height.
     "filled-points" FilledPoints {
         /// The file and how many points of it were filled, as a sentence.

@@ -191,6 +191,44 @@ fn positions_that_fail_do_not_take_the_table_with_them() {
     assert!(bench.path("figures/contact_points.png").exists());
 }
 
+/// The conicity needs no forces: where all positions fail it is there.
+#[test]
+fn positions_that_all_fail_do_not_take_the_conicity_with_them() {
+    let bench = bench();
+    let beside = ["--lateral-position", "80..90 mm", "--points", "2", "--conicity", "k.csv"];
+    let run = bench.run(&[&["wheelset", "case.toml", "--csv", "c.csv"], &beside[..]].concat());
+    assert_eq!(run.code, Some(3), "{}", run.stderr);
+    assert!(run.stderr.contains("at a lateral position of 80 mm: "), "{}", run.stderr);
+    assert!(bench.read("k.csv").lines().count() > 2 + 50, "{}", bench.read("k.csv"));
+    assert_eq!(bench.read("c.csv").matches("failed").count(), 4);
+}
+
+/// Positions are those of the ends and the middle that were asked for, to the last digit, so that
+/// nothing known up to an end is missing there.
+#[test]
+fn ends_and_middle_of_the_positions_are_exact() {
+    let bench = bench();
+    let range = ["--set", "normal.load=1 N", "--lateral-position", "-6..6 mm", "--points", "7"];
+    bench.run(&[&["wheelset", "case.toml", "--json", "result.json"], &range[..]].concat());
+    let json: Value = serde_json::from_str(&bench.read("result.json")).unwrap();
+    let at = |k: usize, name: &str| number(&json, &format!("/positions/{k}/{name}"));
+    assert_eq!([0, 3, 6].map(|k| at(k, "lateral_position")), [-6e-3, 0.0, 6e-3]);
+    let [left, right] = [0, 6].map(|k| at(k, "rigid_rolling_radius_difference"));
+    assert!((left + right).abs() < 1e-9, "{left} {right}");
+}
+
+/// Warnings of many positions tell the worst of each kind, its place and how many there are. Here
+/// it is that of points 0.2 mm apart under a contact of 1 N, which is no hole.
+#[test]
+fn warnings_of_positions_tell_the_worst() {
+    let bench = bench();
+    let light = ["--set", "normal.load=1 N", "--lateral-position", "0..4 mm", "--points", "3"];
+    let run = bench.run(&[&["wheelset", "case.toml"], &light[..]].concat());
+    let lines = || run.stderr.lines().filter(|line| line.contains("too coarse for a contact"));
+    assert!(lines().any(|line| line.contains(", the worst of ")), "{}", run.stderr);
+    assert!(lines().count() <= 2 && !run.stderr.contains("no points between"), "{}", run.stderr);
+}
+
 /// What is wrong is told before the work, with where it stands.
 #[test]
 fn wrong_wheelsets_are_refused() {
@@ -204,8 +242,9 @@ fn wrong_wheelsets_are_refused() {
         ),
         (&["wheelset", "case.toml", "--lateral-position", "0..3 kN"], "--lateral-position"),
         (
-            &["wheelset", "case.toml", "--lateral-position", "800..900 mm", "--points", "2"],
-            "at a lateral position of 800 mm: wheelset.lateral_position: the wheel is beside",
+            &["wheelset", "case.toml", "--set", "track.gauge=1 m"],
+            "error: case.toml: at a lateral position of -8 mm: wheelset.lateral_position: the wheel is \
+             beside",
         ),
         (
             &["solve", "case.toml", "--set", "wheelset.lateral_position=0.3 m"],

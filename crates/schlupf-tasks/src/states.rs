@@ -150,6 +150,8 @@ struct Posed {
     solver: Box<dyn Solver>,
     /// The normal contact under the load of the latest state.
     loaded: Option<(f64, Arc<dyn PressureSource>)>,
+    /// The fast method that finds forces alone, if there is one, and what it has set up.
+    of_forces: Option<FastMethod>,
     fast: Option<Fast>,
 }
 
@@ -184,6 +186,7 @@ impl StateSolver {
                 case: posed.case.clone(),
                 solver: solver(&posed.case, self.as_asked),
                 loaded: None,
+                of_forces: posed.of_forces,
                 fast: None,
             })
         });
@@ -254,10 +257,7 @@ impl StateSolver {
         watch: Watch,
     ) -> Result<Acting<'_>, NoState> {
         let posed = self.pose(entries, name, watch)?;
-        let Case { method, problem, wheel, .. } = &posed.case;
-        if let (Method::Fast(method), true, None) =
-            (*method, problem.prescribed.is_none(), wheel.as_ref())
-        {
+        if let Some(method) = posed.of_forces {
             let (force, load) = posed.force(method, entries, warn)?;
             return Ok(Acting { force, load, status: Status::Converged, wheel: None });
         }
@@ -319,8 +319,22 @@ impl StateSolver {
         case.require_steady("states are those").map_err(CaseErrors::from)?;
         let conditions = self.fields.iter().map(|field| file.condition(field.path)).collect();
         let solver = solver(&case, self.as_asked);
+        let of_forces = match case.method {
+            Method::Fast(method) => Some(method),
+            Method::Full => None,
+        };
+        let of_forces =
+            of_forces.filter(|_| case.problem.prescribed.is_none() && case.wheel.is_none());
         let entries = entries.to_vec();
-        Ok(Box::new(Posed { entries, conditions, case, solver, loaded: None, fast: None }))
+        Ok(Box::new(Posed {
+            entries,
+            conditions,
+            case,
+            solver,
+            loaded: None,
+            of_forces,
+            fast: None,
+        }))
     }
 }
 

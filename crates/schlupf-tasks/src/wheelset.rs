@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use schlupf::message::Message;
+use schlupf::tally::{Tallied, Tally};
 use schlupf::wheel_rail::{Roll, RollingRadiusDifference, Support, WheelSolution};
 use schlupf::{Watch, parallel};
-use schlupf_case::{CaseFile, Cause, FieldNames};
+use schlupf_case::{CaseError, CaseFile, Cause, FieldNames, Place};
 use schlupf_output::wheelset::{Conicity, WheelsetAt, WheelsetReport};
 
 use crate::notice::{Notice, millimetres};
@@ -22,6 +23,8 @@ pub const POINTS: usize = 33;
 const FIRST_AMPLITUDE: f64 = 1e-3;
 const LAST_AMPLITUDE: f64 = 6e-3;
 const AMPLITUDES: f64 = 1e4;
+
+const LATERAL: &str = "wheelset.lateral_position";
 
 /// Step of the positions from which it is found, in m.
 const RADIUS_STEP: f64 = 2e-5;
@@ -76,15 +79,16 @@ impl Plan {
         let [from, to] = request.range;
         let last = request.points.max(2) - 1;
         let (radii, conicity, mut notices) = rigid(&file, from.abs().max(to.abs()), watch)?;
-        let lateral: Vec<f64> =
-            (0..=last).map(|k| from + (to - from) * k as f64 / last as f64).collect();
+        // Exact at both ends, and in the middle of a symmetric range.
+        let between = |share: f64| from * (1.0 - share) + to * share;
+        let lateral: Vec<f64> = (0..=last).map(|k| between(k as f64 / last as f64)).collect();
         let found = parallel::try_map(lateral, |lateral| match wheels(&file, lateral, watch) {
             Err(error) if is_stopped(&error) => Err(error),
             wheels => Ok((lateral, wheels)),
         })?;
-        let is_empty = found.iter().all(|(_, wheels)| wheels.is_err());
+        let is_empty = radii.is_none() && found.iter().all(|(_, wheels)| wheels.is_err());
         if let Some((lateral, Err(error))) = found.first().filter(|_| is_empty) {
-            return Err(at_position(error.clone(), *lateral));
+            return Err(at_position(&file, error.clone(), *lateral));
         }
         let mut positions = Vec::new();
         for (lateral, wheels) in found {
@@ -110,11 +114,14 @@ fn wheels(file: &CaseFile, lateral: f64, watch: Watch) -> Result<[WheelSolution;
     two.map_err(|_| TaskError::Request("the wheelset must have two wheels".to_owned()))
 }
 
-/// An error with the lateral position (in m) at which it arose.
-fn at_position(error: TaskError, lateral: f64) -> TaskError {
+/// An error with the lateral position (in m) at which it arose; that of the case is not used.
+fn at_position(file: &CaseFile, error: TaskError, lateral: f64) -> TaskError {
     let TaskError::Case(mut errors) = error else { return error };
-    let message = &mut errors.first.message;
+    let CaseError { field, message, place, .. } = &mut *errors.first;
     *message = format!("at a lateral position of {} mm: {message}", millimetres(lateral));
+    if field == LATERAL {
+        *place = Place::File { name: file.name().to_owned() };
+    }
     TaskError::Case(errors)
 }
 
@@ -180,21 +187,22 @@ fn conicity(radii: &RollingRadiusDifference, largest: f64) -> Result<Conicity, s
     Ok(Conicity { amplitude, nonlinear, harmonic })
 }
 
-/// What to know about the contacts, each kind of message once for each wheel.
-fn of_positions(positions: &[WheelsetAt]) -> Vec<Message> {
-    let mut found: Vec<Message> = Vec::new();
+/// What to know about the contacts: of each kind of message the worst one with its place, and how
+/// many there are.
+fn of_positions(positions: &[WheelsetAt]) -> impl Iterator<Item = Message> {
+    let mut found = Tally::default();
     for at in positions {
         for wheel in at.wheels.iter().flatten() {
             let first = wheel.contacts.first().into_iter();
             let first = first.flat_map(|contact| messages(&contact.solution.warnings));
-            let place = format!("{} wheel at {} mm", wheel.side.name(), millimetres(at.lateral));
             for message in first.chain(of_wheel(wheel)) {
-                let is_known = found.iter().any(|known| known.code == message.code);
-                if message.is_of_convergence() || !is_known {
-                    found.push(message.about(&place));
-                }
+                found.note(message, (at.lateral, wheel.side.name()));
             }
         }
     }
-    found
+    let message = |kind: Tallied<Message, (f64, &str)>| {
+        let (lateral, side) = kind.place;
+        kind.message(&format!("{side} wheel at {} mm", millimetres(lateral)), "place")
+    };
+    found.into_iter().map(message)
 }

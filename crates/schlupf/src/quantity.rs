@@ -302,7 +302,7 @@ quantities! {
     WheelPosition "wheel_position" "y_w" "m" "position of the contact on the wheel's profile, outwards"
     RollingRadius "rolling_radius" "r" "m" "radius of the wheel at the contact"
     RollingRadiusDifference "rolling_radius_difference" "Δr" "m" "rolling radius of the left wheel minus that of the right one"
-    RigidRollingRadiusDifference "rigid_rolling_radius_difference" "Δr" "m" "the same of rigid bodies that do not roll about x"
+    RigidRollingRadiusDifference "rigid_rolling_radius_difference" "Δr" "m" "the same of rigid bodies that neither roll about x nor yaw"
     EquivalentConicity "equivalent_conicity" "tan γ_e" "" "equivalent conicity by the wavelength of the nonlinear motion (EN 15302)"
     HarmonicConicity "harmonic_conicity" "tan γ_h" "" "equivalent conicity by harmonic linearisation"
     Amplitude "amplitude" "ŷ" "m" "amplitude of the lateral motion"

@@ -35,6 +35,7 @@ pub enum Requirement {
 
 impl Requirement {
     /// Whether a value (in the unit of the quantity) satisfies the requirement.
+    #[inline]
     pub fn holds(self, value: f64) -> bool {
         match self {
             Self::Radius(low, high) => {

@@ -1,9 +1,13 @@
 //! Warnings: what users of results should know.
 
+mod heat_limit;
+
 use crate::error::FitStop;
 use crate::message::messages;
 use crate::quantity::Quantity;
 use crate::requirement::readable;
+
+pub use heat_limit::HeatLimit;
 
 messages! {
     /// A warning.
@@ -449,7 +453,22 @@ messages! {
         1e3 * ends[0],
         1e3 * ends[1],
         1e2 * share
-    );
+    ), severity *share;
+
+    /// A profile whose points are too far apart for a contact.
+    "coarse-profile" CoarseProfile {
+        /// Of the wheel or of the rail.
+        profile: Quantity,
+        /// Distance of its points, in m.
+        step: f64,
+        /// Width of the contact, in m.
+        width: f64,
+    } *profile, |name, words| format!(
+        "{name}: points every {:.2} mm are too coarse for a contact that is {:.2} mm wide: its shape \
+         there is that of the curve through them",
+        1e3 * step,
+        1e3 * width
+    ), severity step / width;
 
     /// Residuals beyond the standard deviations of the data.
     "excess-scatter" ExcessScatter {
@@ -569,26 +588,4 @@ messages! {
         /// Why it stopped.
         stop: FitStop,
     } Quantity::FitParameters, |name, words| stop.text(words);
-}
-
-/// What a surface is too hot for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum HeatLimit {
-    /// Steel melts.
-    Melting,
-    /// Steel austenitises (A1).
-    Austenite,
-    /// Most materials fail.
-    AnyMaterial,
-}
-
-impl HeatLimit {
-    fn text(self) -> &'static str {
-        match self {
-            Self::Melting => "above the melting range of steel",
-            Self::Austenite => "above 727 degC, where steel starts to austenitise",
-            Self::AnyMaterial => "more than most materials withstand",
-        }
-    }
 }

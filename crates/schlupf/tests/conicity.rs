@@ -232,8 +232,12 @@ fn positions_end_where_a_profile_does() {
     close("last position", last, 4e-3, 1e-4);
     close("first position", first, -last, 1e-15);
     let error = radii.end.clone().unwrap();
-    let is_end = matches!(error, Error::WheelRail { error: WheelRailError::AtProfileEnd { .. } });
-    assert!(is_end, "{error}");
+    let Error::WheelRail { error: WheelRailError::AtProfileEnd { profile, end, .. } } = error
+    else {
+        panic!("{error}")
+    };
+    assert_eq!(profile, Quantity::RailProfile);
+    close("end of the rail", end, 1e-3 * short[0][0], 3e-5);
     assert!(radii.equivalent_conicity(3.9e-3).unwrap().is_some());
     assert!(radii.equivalent_conicity(5e-3).is_err());
     assert_eq!(radii.at(5e-3), None);

@@ -3,11 +3,11 @@
 //!
 //! The X of a wheel grows outwards from its flange back, its Y towards the tip of the flange; the
 //! X of a rail grows towards the middle of the track, its Y upwards. Files before Miniprof for
-//! Windows begin with `MINIPROF` and have a head without keys, which ends with an empty line.
-//! `"` begins a comment. Files of several parts (`.mpt`) have them between `[Profile1Points]` and
-//! the next `[`.
+//! Windows begin with `MINIPROF` and have a head without keys, which ends where rows of numbers
+//! begin. `"` begins a comment. Files of several parts (`.mpt`) have them between
+//! `[Profile1Points]` and the next `[`.
 
-use super::points::{Axes, Content, File, Row, Separator, begins_with_number};
+use super::points::{Axes, Content, File, Row, Separator, begins_with_number, is_row};
 use crate::error::CaseError;
 use schlupf::message::quoted;
 
@@ -15,24 +15,31 @@ const MILLIMETRE: f64 = 1e-3;
 
 const COLUMNS: &str = "ColumnDef";
 
-/// Lines in which the name of the device stands in old files.
+/// Lines in which the name of the device stands in old files, and whether it says which body it is.
 const FIRST_LINES: usize = 3;
+const DEVICES: [(&str, Option<bool>); 3] =
+    [("MINIPROF", None), ("MINIWHEELPROF", Some(true)), ("MINIRAILPROF", Some(false))];
+
+/// Rows of numbers one after the other that no head has.
+const FIRST_ROWS: usize = 8;
 
 /// Whether a file has the head of one of Miniprof's.
 pub fn is_one(file: &File) -> bool {
     let has_key = |(_, line): (usize, &str)| {
         line.split_once('=').is_some_and(|(key, _)| key.trim().eq_ignore_ascii_case(COLUMNS))
     };
-    is_old(file) || file.lines(&[]).any(has_key)
+    devices(file).next().is_some() || file.lines(&[]).any(has_key)
 }
 
-/// Whether it is older than Miniprof for Windows.
-fn is_old(file: &File) -> bool {
-    let is_name = |line: &str| {
+/// Those whose names the first lines of a file from before Miniprof for Windows have, with the
+/// lines.
+fn devices(file: &File) -> impl Iterator<Item = (usize, (&str, Option<bool>))> {
+    let lines = (1..).zip(file.source.text.lines().take(FIRST_LINES));
+    lines.filter_map(|(number, line)| {
         let line = line.trim_start_matches(['#', ' ']).to_ascii_uppercase();
-        ["MINIPROF", "MINIWHEELPROF", "MINIRAILPROF"].iter().any(|name| line.starts_with(name))
-    };
-    file.source.text.lines().take(FIRST_LINES).any(is_name)
+        let device = DEVICES.into_iter().find(|(name, _)| line.starts_with(name));
+        device.map(|device| (number, device))
+    })
 }
 
 /// What the head says.
@@ -60,18 +67,22 @@ impl Head {
 pub fn read(file: &File, is_wheel: bool) -> Result<Content, CaseError> {
     let mut head = Head { columns: [0, 1], offset: [0.0; 2] };
     let mut rows: Vec<(usize, &str)> = Vec::new();
-    let mut is_head_without_keys = is_old(file);
+    for (line, (name, is)) in devices(file) {
+        file.check_body([is.unwrap_or(is_wheel), is_wheel], line, &format!("device is {name}"))?;
+    }
     let mut part: Option<usize> = None;
     // A comment is not an empty line.
-    let lines = (1..).zip(file.source.text.lines()).map(|(number, line)| {
-        let code = line.split(['"', '!', '#', '%']).next().unwrap_or_default().trim();
-        (number, code, line.trim().is_empty())
-    });
-    for (number, line, is_empty) in lines {
-        if is_empty {
-            is_head_without_keys = false;
-        }
-        if line.is_empty() || is_head_without_keys && !line.contains('=') {
+    let lines = file.lines(&['"', '!', '#', '%']).zip(file.source.text.lines());
+    let lines = lines.filter(|((_, code), text)| !code.is_empty() || text.trim().is_empty());
+    let lines: Vec<(usize, &str)> = lines.map(|(line, _)| line).collect();
+    let is_begin = |lines: &&[(usize, &str)]| lines.iter().all(|(_, line)| is_row(line));
+    // A head without keys has numbers, too.
+    let begin = match devices(file).next() {
+        Some(_) => lines.windows(FIRST_ROWS).find(is_begin).map_or(usize::MAX, |rows| rows[0].0),
+        None => 0,
+    };
+    for (number, line) in lines {
+        if line.is_empty() || number < begin && !line.contains('=') {
             continue;
         }
         if line.starts_with('[') {
@@ -93,7 +104,10 @@ pub fn read(file: &File, is_wheel: bool) -> Result<Content, CaseError> {
         }
     }
     if rows.is_empty() {
-        return Err(file.error_of_all("a Miniprof profile must have rows of X and Y, but has none"));
+        let message = "a Miniprof profile must have rows of X and Y, but has none";
+        let help = format!("a head without keys ends with the first {FIRST_ROWS} rows of numbers");
+        let help = devices(file).next().map(|_| help);
+        return Err(file.error_of_all(message).help(help));
     }
     let texts = rows.iter().map(|(_, text)| *text);
     let separator = Separator::of(&texts);

@@ -86,9 +86,9 @@ const TIP: std::ops::RangeInclusive<f64> = 2e-3..=4e-2;
 /// Least height of what counts as a flange, in m.
 const LEAST_FLANGE: f64 = 0.015;
 
-/// Widths that profiles have, in m; a wider one is refused with its first coordinate that is too
-/// large.
+/// Least width or height of a profile, and its largest coordinate, in m.
 const NARROWEST: f64 = 2e-3;
+const LARGEST: f64 = 1.0;
 
 /// Widths of profiles of full size, in m.
 const FULL_SIZE: std::ops::RangeInclusive<f64> = 0.03..=0.3;
@@ -101,8 +101,7 @@ pub fn read(settings: &Settings, fields: &ProfileFields) -> Result<Profile, Case
     let content = match built_in {
         Some(points) => {
             let rows = points.into_iter().map(|place| Row { place, line: 0 }).collect();
-            let axes = Axes { is_inwards: Some(false), is_down: Some(false) };
-            Content { axes, ..Content::of("built in", rows) }
+            Content::of("built in", rows)
         }
         None => file_content(settings, fields)?,
     };
@@ -125,11 +124,12 @@ fn file_content(settings: &Settings, fields: &ProfileFields) -> Result<Content, 
     let ending = Path::new(&name).extension().map(OsStr::to_ascii_lowercase);
     let file = File::new(name, &bytes, fields.profile)?;
     let is_wheel = fields.is_wheel;
-    match ending.as_ref().and_then(|ending| ending.to_str()) {
-        Some("prr" | "prw") => simpack::read(&file, is_wheel),
-        Some("ban" | "whl" | "mpt") => miniprof::read(&file, is_wheel),
+    let ending = ending.as_ref().and_then(|ending| ending.to_str()).unwrap_or_default();
+    let content = match ending {
+        "prr" | "prw" => simpack::read(&file, is_wheel),
+        "ban" | "whl" | "mpt" => miniprof::read(&file, is_wheel),
         // Gensys: y towards the middle of the track, z down.
-        Some("wheel" | "rail") => {
+        "wheel" | "rail" => {
             let content = plain::read(&file)?;
             let axes = Axes { is_inwards: Some(true), is_down: Some(true) };
             Ok(Content { format: format!("Gensys, {}", content.format), axes, ..content })
@@ -137,7 +137,17 @@ fn file_content(settings: &Settings, fields: &ProfileFields) -> Result<Content, 
         _ if simpack::is_one(&file) => simpack::read(&file, is_wheel),
         _ if miniprof::is_one(&file) => miniprof::read(&file, is_wheel),
         _ => plain::read(&file),
-    }
+    }?;
+    match ending {
+        "prw" | "whl" | "wheel" => {
+            file.check_body([true, is_wheel], 1, &format!("name ends in .{ending}"))
+        }
+        "prr" | "ban" | "rail" => {
+            file.check_body([false, is_wheel], 1, &format!("name ends in .{ending}"))
+        }
+        _ => Ok(()),
+    }?;
+    Ok(content)
 }
 
 /// Lowest and highest coordinate of points, in m.
@@ -180,6 +190,9 @@ impl Reader<'_> {
     /// small by three orders of magnitude.
     fn in_metres(&mut self, content: Content) -> Result<Content, CaseError> {
         let field = self.fields.profile;
+        if content.rows.is_empty() {
+            return Err(self.error(format!("{field} must have rows of points, but has none")));
+        }
         let [width, height] = size(&content.rows);
         let shown = |factor: f64| {
             let [width, height] = [width, height].map(|length| millimetres(factor * length));
@@ -197,11 +210,27 @@ impl Reader<'_> {
             let rows = content.rows.into_iter().map(scaled).collect();
             return Ok(Content { rows, format: format!("{}, in m", content.format), ..content });
         }
-        let mut others = [("m", 1e3), ("inches", 25.4)].into_iter();
-        let other = others.find(|(_, factor)| FULL_SIZE.contains(&(factor * width)));
-        let other = other.map(|(unit, factor)| {
-            format!("were its numbers {unit} in place of mm, it would be {}", shown(factor))
-        });
+        let others = [("m", 1e3), ("inches", 25.4), ("cm", 10.0), ("um", 1e-3)].into_iter();
+        let others = others.filter(|(_, factor)| FULL_SIZE.contains(&(factor * width)));
+        let others: Vec<String> = others
+            .map(|(unit, factor)| {
+                let other = if content.has_units {
+                    format!("{factor} times as large ({unit} for mm)")
+                } else {
+                    format!("{unit} in place of mm")
+                };
+                format!("were its numbers {other}, it would be {}", shown(factor))
+            })
+            .collect();
+        let other = (!others.is_empty()).then(|| others.join("; "));
+        let is_off = |row: &&Row| row.place.iter().any(|c| c.abs() > LARGEST);
+        if let Some(row) = content.rows.iter().find(is_off) {
+            let off = row.place.into_iter().find(|c| c.abs() > LARGEST).unwrap_or_default();
+            let (off, line) = (millimetres(off), row.line);
+            let message =
+                format!("{field} must be at most ±1 m, but is {off} in line {line} of the file");
+            return Err(self.error(message).help(other));
+        }
         if width.max(height) < NARROWEST {
             let least = millimetres(NARROWEST);
             let message =
@@ -239,18 +268,36 @@ impl Reader<'_> {
                 _ => Notice::ProfileOrder { field, text },
             });
         }
-        if orientation::is_swapped(&places(&outline.points), outline.is_closed) {
-            let [width, height] = size(&content.rows).map(millimetres);
-            let text = format!(
-                "y and z seem to be swapped: the profile is {width} wide and {height} high"
-            );
-            if !content.has_units {
-                let help = "a header such as `z [mm],y [mm]` names the columns".to_owned();
-                return Err(self.error(format!("{field}: {text}")).help(help));
-            }
-            self.notices.push(Notice::ProfileAxes { field, text });
-        }
+        self.check_columns(content, &outline)?;
         Ok(outline)
+    }
+
+    /// Refuses y and z that are probably swapped, and warns where a header says so or where the
+    /// shape is as clear as it is.
+    fn check_columns(&mut self, content: &Content, outline: &Outline) -> Result<(), CaseError> {
+        let field = self.fields.profile;
+        let points = places(&outline.points);
+        if !orientation::is_high(&points, outline.is_closed) {
+            return Ok(());
+        }
+        let turned: Vec<[f64; 2]> = points.iter().map(|[y, z]| [*z, *y]).collect();
+        let [as_read, swapped] = [&points, &turned]
+            .map(|points| orientation::downwards(points, self.fields.is_wheel).abs());
+        let is_swapped = swapped > as_read;
+        let [width, height] = size(&content.rows).map(millimetres);
+        let size = format!("the profile is {width} wide and {height} high");
+        let help = "a header `y [mm],z [mm]` confirms the columns, `z [mm],y [mm]` swaps them";
+        let text = match (is_swapped, content.has_units) {
+            (true, false) => {
+                let message = format!("{field}: y and z seem to be swapped: {size}");
+                return Err(self.error(message).help(help.to_owned()));
+            }
+            (true, true) => format!("y and z seem to be swapped: {size}"),
+            (false, false) => format!("{size}, its columns are taken for y and z; {help}"),
+            (false, true) => return Ok(()),
+        };
+        self.notices.push(Notice::ProfileAxes { field, text });
+        Ok(())
     }
 
     /// The profile, y outwards and z up.
@@ -310,7 +357,7 @@ impl Reader<'_> {
             VerticalAxis::Auto => None,
         };
         let shape = orientation::downwards(points, self.fields.is_wheel);
-        Ok(self.taken(self.fields.z, [given, content.axes.is_down], shape, ["up", "down"]))
+        Ok(self.taken(self.fields.z, [given, content.axes.is_down, None], shape, ["up", "down"]))
     }
 
     fn lateral(&mut self, content: &Content, points: &[[f64; 2]]) -> Result<Taken, CaseError> {
@@ -321,16 +368,19 @@ impl Reader<'_> {
         };
         let depth = self.settings.number("track.gauge_depth")?;
         let shape = orientation::inwards(points, self.fields.is_wheel, depth);
-        let by_format = content.axes.is_inwards.or((!self.fields.is_wheel).then_some(false));
-        Ok(self.taken(self.fields.y, [given, by_format], shape, ["outwards", "inwards"]))
+        // Most rails are symmetrical.
+        let by_default = (!self.fields.is_wheel).then_some(false);
+        let known = [given, content.axes.is_inwards, by_default];
+        Ok(self.taken(self.fields.y, known, shape, ["outwards", "inwards"]))
     }
 
-    /// A direction that is given, or that the shape shows, or that the format has; says where two
-    /// of them contradict each other, or where there is none.
+    /// A direction that is given, or that the shape shows, or that the format has, or that by
+    /// default; says where the shape contradicts what is given or the format, or where there is
+    /// none.
     fn taken(
         &mut self,
         field: &'static str,
-        [given, by_format]: [Option<bool>; 2],
+        [given, by_format, by_default]: [Option<bool>; 3],
         shape: f64,
         names: [&'static str; 2],
     ) -> Taken {
@@ -339,7 +389,7 @@ impl Reader<'_> {
             |other: Option<bool>| other.is_some() && by_shape.is_some_and(|is| Some(is) != other);
         let axis = &field[field.len() - 1..];
         let name = |is: bool| names[usize::from(is)];
-        let (taken, text) = match (given, by_shape, by_format) {
+        let (taken, text) = match (given, by_shape, by_format.or(by_default)) {
             (Some(is), ..) => {
                 let text = contradicts(given).then(|| {
                     let (given, other) = (name(is), name(!is));
@@ -357,7 +407,10 @@ impl Reader<'_> {
                 });
                 (Taken { is, from: "by its shape" }, text)
             }
-            (None, None, Some(is)) => (Taken { is, from: "by its format" }, None),
+            (None, None, Some(is)) => {
+                let from = if by_format.is_some() { "by its format" } else { "by default" };
+                (Taken { is, from }, None)
+            }
             (None, None, None) => {
                 let text = format!(
                     "the shape hardly shows where {axis} points; {} is taken; {field} decides",

@@ -67,9 +67,9 @@ pub fn flange_tip(points: &[[f64; 2]]) -> Option<[f64; 2]> {
     Some([running.median() - lowest[1], lowest[0]])
 }
 
-/// Whether y and z are probably swapped: an outline much higher than wide, or one that goes from
-/// end to end along z and comes back along y.
-pub fn is_swapped(points: &[[f64; 2]], is_closed: bool) -> bool {
+/// Whether y and z may be swapped: an outline much higher than wide, or one that goes from end to
+/// end along z and comes back along y.
+pub fn is_high(points: &[[f64; 2]], is_closed: bool) -> bool {
     let range = |k: usize| {
         let values = || points.iter().map(|point| point[k]);
         values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)

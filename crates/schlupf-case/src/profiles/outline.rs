@@ -1,10 +1,15 @@
 //! The line on which the points of a file lie: their order along it, and the part of it that runs.
 //!
-//! Points that follow each other without turning back are in order. Otherwise they are sorted along
-//! the shortest tree that connects them (Prim 1957): on points of a line this is the line itself.
-//! Where an outline folds back on itself, as at a rolled lip, that tree branches; then the order of
-//! the file stands, and points are sorted only around the places where it is lost. What branches
-//! even so is no line.
+//! The order of a file is known within runs, in which the line neither turns back nor jumps. A run
+//! where an earlier one was is a second pass and left out. Where the line turns back twice or more
+//! within a few points its order is lost, and they are sorted along the shortest tree that connects
+//! them (Prim 1957): on points of a line this is the line itself. The runs are then joined by the
+//! shortest tree that keeps them whole. Where that branches, as where an outline folds back on
+//! itself at a rolled lip or has few points, the order of the file stands if the line does not
+//! cross itself.
+
+use std::collections::HashSet;
+use std::ops::Range;
 
 use schlupf::wheel_rail::LEAST_SPACING;
 
@@ -19,16 +24,25 @@ pub const LONGEST_TWIG: f64 = 5e-4;
 /// Fewest points of a loop, whose ends are at most its largest step apart.
 const FEWEST_OF_LOOP: usize = 5;
 
-/// Length of a line in the order of the file over that of the shortest tree below which it is a
-/// line with a sharp corner, dimensionless.
+/// Length of a step in the order of the file over that of another one up to which that order
+/// stands, dimensionless.
 const AS_SHORT: f64 = 1.01;
 
 /// Fewest points of one pass of a measurement, and of an overlap of two.
-const FEWEST_OF_PASS: usize = 5;
+const FEWEST_OF_PASS: usize = 10;
 const FEWEST_OF_OVERLAP: usize = 3;
 
-/// Largest step along the line within a pass, in points.
+/// Distance of two passes over the same part, in m.
+const SAME_PART: f64 = 1e-3;
+
+/// Most points between two in which a line turns back while its order is lost.
 const LONGEST_STRIDE: usize = 5;
+
+/// Points on either side of one that show where the line goes there.
+const AROUND: usize = 10;
+
+/// Steps over the usual one from which on one is a jump, dimensionless.
+pub const JUMP: f64 = 5.0;
 
 /// Most points that are sorted: the work grows with their square.
 const MOST_SORTED: usize = 20_000;
@@ -69,10 +83,12 @@ pub fn outline(rows: &[Row]) -> Result<Outline, NoLine> {
     let mut changes = Vec::new();
     let distinct = distinct(rows, &mut changes);
     let spaced = spaced(&distinct);
-    let points = match turns_back(&spaced).first().map(|k| spaced[*k]) {
-        None => distinct,
+    let turn = turns_back(&spaced).first().map(|k| spaced[*k]);
+    let has_jump = jumps(&spaced).contains(&true);
+    let points = match turn {
         Some(first) if spaced.len() > MOST_SORTED => return Err(NoLine::TooMany(first)),
-        Some(_) => sorted(&spaced, &mut changes)?,
+        None if !has_jump || spaced.len() > MOST_SORTED => distinct,
+        _ => sorted(&first_passes(&spaced, &mut changes), &mut changes)?,
     };
     let largest = steps(&points).fold(0.0, f64::max);
     let ends = points.first().zip(points.last());
@@ -99,7 +115,7 @@ pub fn median_step(points: &[Row]) -> f64 {
 
 /// Without rows that were there before.
 fn distinct(rows: &[Row], changes: &mut Vec<Change>) -> Vec<Row> {
-    let mut seen = std::collections::HashSet::new();
+    let mut seen = HashSet::new();
     let mut kept: Vec<Row> = Vec::with_capacity(rows.len());
     let mut repeated: Vec<Row> = Vec::new();
     let last = rows.len().saturating_sub(1);
@@ -127,24 +143,46 @@ fn spaced(points: &[Row]) -> Vec<Row> {
     kept
 }
 
-/// Where the line turns back.
+/// Where the line turns back: from one step to the next by more than an outline does, and not only
+/// from noise, with which it still goes on the way that the points around go.
 fn turns_back(points: &[Row]) -> Vec<usize> {
+    let end = points.len().saturating_sub(1);
     let turns = |k: &usize| {
-        let step = |from: usize| [0, 1].map(|c| points[from + 1].place[c] - points[from].place[c]);
-        let (before, after) = (step(k - 1), step(*k));
-        let along = before[0] * after[0] + before[1] * after[1];
-        along < TURNS_BACK * before[0].hypot(before[1]) * after[0].hypot(after[1])
+        let vector =
+            |from: usize, to: usize| [0, 1].map(|c| points[to].place[c] - points[from].place[c]);
+        let dot = |p: [f64; 2], q: [f64; 2]| p[0] * q[0] + p[1] * q[1];
+        let (before, after) = (vector(k - 1, *k), vector(*k, k + 1));
+        let sharp = TURNS_BACK * before[0].hypot(before[1]) * after[0].hypot(after[1]);
+        let (from, to) = (k.saturating_sub(AROUND), (k + AROUND).min(end));
+        let way = vector(from, to);
+        let goes_on = dot(vector(from, *k), vector(*k, to)) > 0.0
+            && dot(before, way) > 0.0
+            && dot(after, way) > 0.0;
+        dot(before, after) < sharp && !goes_on
     };
-    (1..points.len().saturating_sub(1)).filter(turns).collect()
+    (1..end).filter(turns).collect()
+}
+
+/// Which steps to the next point are long.
+fn long_steps(points: &[Row]) -> Vec<bool> {
+    let longest = JUMP * median_step(points);
+    steps(points).map(|step| step > longest).collect()
+}
+
+/// Which steps are jumps over those around, too. Long steps after each other lead through the
+/// corners of an outline with few points.
+fn jumps(points: &[Row]) -> Vec<bool> {
+    let steps: Vec<f64> = steps(points).collect();
+    let length = |k: Option<usize>| k.and_then(|k| steps.get(k)).copied().unwrap_or(0.0);
+    let is_jump = |(k, is_long): (usize, bool)| {
+        is_long && steps[k] > JUMP * length(k.checked_sub(1)).max(length(Some(k + 1)))
+    };
+    long_steps(points).into_iter().enumerate().map(is_jump).collect()
 }
 
 /// The points along the line that they form.
 fn sorted(points: &[Row], changes: &mut Vec<Change>) -> Result<Vec<Row>, NoLine> {
-    let tree = Tree::new(points, &[]);
-    let mut line = tree.longest_path();
-    if let Some(branch) = tree.beside(&line) {
-        line = folded(points, &tree).ok_or(NoLine::Branches(points[branch]))?;
-    }
+    let mut line = line(points)?;
     if line.first() > line.last() {
         line.reverse();
     }
@@ -157,41 +195,62 @@ fn sorted(points: &[Row], changes: &mut Vec<Change>) -> Result<Vec<Row>, NoLine>
     if let Some(first) = beside.first() {
         changes.push(Change::Beside { count: beside.len(), first: *first });
     }
-    let given: Vec<usize> = place.iter().copied().flatten().collect();
-    let left_out = overlaps(points, &line, &given, changes);
-    if left_out.is_empty() {
-        let is_apart = |pair: &[usize]| pair[0].abs_diff(pair[1]) > 1;
-        let count = given.windows(2).filter(|pair| is_apart(pair)).count();
-        let is_moved = |k: &usize| {
-            let around: Vec<usize> = place[k - 1..=k + 1].iter().copied().flatten().collect();
-            around.windows(2).any(is_apart)
-        };
+    let given: Vec<(usize, usize)> =
+        place.iter().enumerate().filter_map(|(k, place)| Some((k, (*place)?))).collect();
+    let is_apart = |pair: &&[(usize, usize)]| pair[0].1.abs_diff(pair[1].1) > 1;
+    let apart: Vec<usize> = given.windows(2).filter(is_apart).map(|pair| pair[1].0).collect();
+    if let Some(after) = apart.first() {
         let turns = turns_back(points);
-        let first = turns.iter().find(|k| is_moved(k)).or(turns.first()).filter(|_| count > 0);
-        changes.extend(first.map(|k| Change::Sorted { count, first: points[*k] }));
+        let first = turns.into_iter().find(|k| k + 1 >= *after).filter(|k| k <= after);
+        let first = points[first.unwrap_or(*after)];
+        changes.push(Change::Sorted { count: apart.len(), first });
     }
-    let is_kept = |k: &usize| !left_out.contains(k);
-    Ok(line.into_iter().filter(is_kept).map(|k| points[k]).collect())
+    Ok(line.into_iter().map(|k| points[k]).collect())
 }
 
-/// The line through points of which the shortest tree branches: that of the file, but for the
-/// places where its order is lost. It is one if it is hardly longer than the tree.
-fn folded(points: &[Row], shortest: &Tree) -> Option<Vec<usize>> {
-    let (order, is_step) = mended(points);
+/// The order of points along the line that they form.
+fn line(points: &[Row]) -> Result<Vec<usize>, NoLine> {
+    let (order, mut is_step) = mended(points);
+    if is_step.contains(&false) {
+        let tree = Tree::new(points, &[]);
+        let line = tree.longest_path();
+        if tree.beside(&line).is_none() {
+            return Ok(line);
+        }
+    }
     let rows: Vec<Row> = order.iter().map(|k| points[*k]).collect();
+    for (is_step, is_jump) in is_step.iter_mut().zip(jumps(&rows)) {
+        *is_step &= !is_jump;
+    }
     let tree = Tree::new(&rows, &is_step);
-    let line = tree.longest_path();
+    let mut line = tree.longest_path();
+    if let Some(branch) = tree.beside(&line) {
+        if crosses_itself(&rows) {
+            return Err(NoLine::Branches(rows[branch]));
+        }
+        line = (0..rows.len()).collect();
+    }
     let along: Vec<Row> = line.iter().map(|k| rows[*k]).collect();
-    let is_line = tree.beside(&line).is_none()
-        && is_corner(&turns_back(&along))
-        && steps(&along).sum::<f64>() < AS_SHORT * shortest.length();
-    is_line.then(|| line.into_iter().map(|k| order[k]).collect())
+    match turns_back(&along).windows(2).find(|k| k[1] == k[0] + 1) {
+        Some(turns) => Err(NoLine::Branches(along[turns[0]])),
+        None => Ok(line.into_iter().map(|k| order[k]).collect()),
+    }
 }
 
-/// Whether a line that turns back in these points is in order: out of order it turns back twice in
-/// a row, in a sharp corner once.
-fn is_corner(turns: &[usize]) -> bool {
-    turns.windows(2).all(|k| k[1] > k[0] + 1)
+/// Whether a line crosses itself.
+fn crosses_itself(points: &[Row]) -> bool {
+    // Twice the area of the triangle of three points, in m².
+    let area = |p: &Row, q: &Row, r: &Row| {
+        let [to_q, to_r] = [q, r].map(|to| [0, 1].map(|c| to.place[c] - p.place[c]));
+        to_q[0] * to_r[1] - to_q[1] * to_r[0]
+    };
+    let is_between = |one: &[Row], two: &[Row]| {
+        area(&one[0], &one[1], &two[0]) * area(&one[0], &one[1], &two[1]) < 0.0
+    };
+    points.windows(2).enumerate().any(|(k, one)| {
+        let mut later = points[k + 1..].windows(2);
+        later.any(|two| is_between(one, two) && is_between(two, one))
+    })
 }
 
 /// The points in the order of the file, sorted where that turns back as far as what is around tells
@@ -207,15 +266,18 @@ fn mended(points: &[Row]) -> (Vec<usize>, Vec<bool>) {
             None => groups.push(vec![mark]),
         }
     }
+    // A sharp corner turns back once.
+    groups.retain(|group| group.len() > 1);
     let mut order = Vec::new();
     let mut lost = Vec::new();
     let mut next = 0;
-    for mut group in groups {
-        let (from, to) = (group[0].saturating_sub(1), (group[group.len() - 1] + 1).min(end));
+    for group in groups {
+        let (from, to) =
+            (group[0].saturating_sub(1).max(next), (group[group.len() - 1] + 1).min(end));
         let fixed = [(from > 0).then_some(0), (to < end).then_some(to - from)];
         let path = Tree::new(&points[from..=to], &[]).line_between(fixed);
-        group.retain(|k| (1..end).contains(k));
-        let is_lost = path.is_none() && !is_corner(&group);
+        let turns = group.iter().filter(|k| (1..end).contains(*k)).count();
+        let is_lost = path.is_none() && turns > 1;
         let path = path.unwrap_or_else(|| (0..=to - from).collect());
         order.extend(next..from);
         let start = order.len();
@@ -226,72 +288,83 @@ fn mended(points: &[Row]) -> (Vec<usize>, Vec<bool>) {
         }
         next = to + 1;
     }
+    order.extend(next..=end);
     let is_step = (0..order.len()).map(|k| !lost.iter().any(|range| range.contains(&k))).collect();
     (order, is_step)
 }
 
-/// Points of a later pass of a measurement where an earlier one was. `given` has the positions
-/// along the line in the order of the file.
-fn overlaps(
-    points: &[Row],
-    line: &[usize],
-    given: &[usize],
-    changes: &mut Vec<Change>,
-) -> std::collections::HashSet<usize> {
-    let mut left_out = std::collections::HashSet::new();
-    let passes = passes(given);
-    let covered: usize = passes.iter().map(Vec::len).sum();
-    if 10 * covered < 9 * given.len() {
-        return left_out;
-    }
-    let ends = |pass: &[usize]| {
-        let least = pass.iter().min().copied().unwrap_or(0);
-        [least, pass.iter().max().copied().unwrap_or(0)]
-    };
-    for (k, later) in passes.iter().enumerate() {
-        for earlier in &passes[..k] {
-            let [from, to] = [ends(earlier), ends(later)];
-            let common = from[0].max(to[0])..=from[1].min(to[1]);
-            let within = |pass: &[usize]| -> Vec<usize> {
-                let inside = pass.iter().filter(|position| common.contains(position));
-                inside.map(|position| line[*position]).collect()
-            };
-            let [old, new] = [within(earlier), within(later)];
-            if old.len().min(new.len()) < FEWEST_OF_OVERLAP {
+/// Without the points of a later run where an earlier one was.
+fn first_passes(points: &[Row], changes: &mut Vec<Change>) -> Vec<Row> {
+    let is_long = long_steps(points);
+    let runs = runs(points, &is_long);
+    let mut is_left_out = vec![false; points.len()];
+    for (j, later) in runs.iter().enumerate() {
+        for earlier in &runs[..j] {
+            let there = &points[earlier.clone()];
+            let usual = median_step(there);
+            let near = later.clone().filter(|k| !is_left_out[*k]).filter_map(|k| {
+                let (distance, place) = beside(there, usual, &points[k])?;
+                Some((k, distance, place))
+            });
+            let near: Vec<(usize, f64, usize)> = near.collect();
+            let goes_on = later.start == earlier.end && !is_long[earlier.end - 1];
+            let ends = j + 1 == runs.len() || near.len() < later.len();
+            let is_lip = goes_on && ends && 2 * near.len() < there.len();
+            if near.len() < FEWEST_OF_OVERLAP || is_lip {
                 continue;
             }
-            let off = |k: &usize| {
-                let nearest = old.iter().map(|other| distance(&points[*k], &points[*other]));
-                nearest.fold(f64::INFINITY, f64::min)
-            };
             changes.push(Change::Overlap {
-                ends: [*common.start(), *common.end()].map(|position| points[line[position]]),
-                count: new.len(),
-                distance: new.iter().map(off).fold(0.0, f64::max),
+                ends: [near[0].2, near[near.len() - 1].2].map(|place| there[place]),
+                count: near.len(),
+                distance: near.iter().map(|(_, distance, _)| *distance).fold(0.0, f64::max),
             });
-            left_out.extend(new);
+            for (k, ..) in near {
+                is_left_out[k] = true;
+            }
         }
     }
-    left_out
+    let kept = points.iter().zip(is_left_out).filter(|(_, is_left_out)| !is_left_out);
+    kept.map(|(point, _)| *point).collect()
 }
 
-/// Long runs of positions that go one way.
-fn passes(given: &[usize]) -> Vec<Vec<usize>> {
-    let mut passes: Vec<Vec<usize>> = Vec::new();
-    for position in given {
-        let goes_on = passes.last().is_some_and(|pass| {
-            let last = pass[pass.len() - 1];
-            let is_near = last.abs_diff(*position) <= LONGEST_STRIDE;
-            let is_same_way = pass.len() < 2 || (last > pass[pass.len() - 2]) == (*position > last);
-            is_near && is_same_way
-        });
-        match passes.last_mut().filter(|_| goes_on) {
-            Some(pass) => pass.push(*position),
-            None => passes.push(vec![*position]),
-        }
+/// Parts of the points in which the line neither turns back nor has long steps.
+fn runs(points: &[Row], is_long: &[bool]) -> Vec<Range<usize>> {
+    let mut is_end = is_long.to_vec();
+    // After a long step the line may turn back without an end.
+    for k in turns_back(points).into_iter().filter(|k| !is_long[k - 1]) {
+        is_end[k] = true;
     }
-    passes.retain(|pass| pass.len() >= FEWEST_OF_PASS);
-    passes
+    let ends = (1..points.len()).filter(|k| is_end[k - 1]);
+    let mut start = 0;
+    let mut runs: Vec<Range<usize>> = Vec::new();
+    for end in ends.chain([points.len()]) {
+        runs.push(start..end);
+        start = end;
+    }
+    runs.retain(|run| run.len() >= FEWEST_OF_PASS);
+    // Shuffled points have some by chance.
+    let covered: usize = runs.iter().map(Range::len).sum();
+    if 10 * covered < 9 * points.len() { Vec::new() } else { runs }
+}
+
+/// Distance of a point from a run (in m) and the nearest point of that, if it was passed there: up
+/// to one of its usual steps beyond its ends.
+fn beside(run: &[Row], usual: f64, point: &Row) -> Option<(f64, usize)> {
+    let to_step = |(k, pair): (usize, &[Row])| {
+        let vector = |to: &Row| [0, 1].map(|c| to.place[c] - pair[0].place[c]);
+        let (along, to) = (vector(&pair[1]), vector(point));
+        let length = along[0].hypot(along[1]);
+        let place = (to[0] * along[0] + to[1] * along[1]) / length;
+        let is_end = [k == 0, k + 2 == run.len()];
+        let [before, after] = is_end.map(|is_end| if is_end { usual } else { 0.0 });
+        let near = place.clamp(-before, length + after);
+        let off = [0, 1].map(|c| to[c] - near / length * along[c]);
+        let is_beyond = place < -before && is_end[0] || place > length + after && is_end[1];
+        (off[0].hypot(off[1]), k + usize::from(2.0 * place > length), is_beyond)
+    };
+    let nearest = run.windows(2).enumerate().map(to_step).min_by(|p, q| p.0.total_cmp(&q.0));
+    let (distance, place, is_beyond) = nearest?;
+    (!is_beyond && distance < SAME_PART).then_some((distance, place))
 }
 
 /// The shortest tree that connects points.
@@ -301,13 +374,11 @@ struct Tree {
 }
 
 impl Tree {
-    /// That of points of which some steps to the next one are known to belong to it.
+    /// That of points of which some steps to the next one are known to belong to it, and the others
+    /// do where nothing else is clearly shorter.
     fn new(points: &[Row], is_step: &[bool]) -> Self {
         let count = points.len();
         let mut beside = vec![Vec::new(); count];
-        let is_known = |j: usize, k: usize| {
-            j.abs_diff(k) == 1 && is_step.get(j.min(k)).copied().unwrap_or(false)
-        };
         let mut nearest = vec![(f64::INFINITY, 0); count];
         let mut is_in = vec![false; count];
         let mut next = 0;
@@ -315,8 +386,11 @@ impl Tree {
             is_in[next] = true;
             let mut best = (f64::INFINITY, 0);
             for k in (0..count).filter(|k| !is_in[*k]) {
-                let is_known = is_known(next, k);
-                let apart = if is_known { 0.0 } else { distance(&points[next], &points[k]) };
+                let apart = match next.abs_diff(k) {
+                    1 if is_step.get(next.min(k)) == Some(&true) => 0.0,
+                    1 => distance(&points[next], &points[k]) / AS_SHORT,
+                    _ => distance(&points[next], &points[k]),
+                };
                 if apart < nearest[k].0 {
                     nearest[k] = (apart, next);
                 }
@@ -332,11 +406,6 @@ impl Tree {
             next = new;
         }
         Self { beside }
-    }
-
-    /// Its length, in m.
-    fn length(&self) -> f64 {
-        0.5 * self.beside.iter().flatten().map(|(_, length)| length).sum::<f64>()
     }
 
     /// Distances along the tree from some points (in m), and from where each is reached.

@@ -104,8 +104,16 @@ fn missing(file: &File, line: usize, wanted: &str, names: &[&str]) -> CaseError 
     let message = format!(
         "the header must be such as `{EXPECTED}`, but has no column `{wanted}` beside {given}"
     );
-    let meant = names.iter().find(|cell| closest(&name(cell).0, [wanted].into_iter()).is_some());
-    file.error(line, message).help(meant.map(|_| format!("name the column `{wanted} [mm]`")))
+    let has = |wanted: &str| names.iter().any(|cell| name(cell).0 == wanted);
+    let is_meant = |cell: &&str| closest(&name(cell).0, [wanted].into_iter()).is_some();
+    let help = if has("x") && has("y") {
+        format!("if x is lateral and y vertical, name them `{EXPECTED}`")
+    } else if names.iter().any(is_meant) {
+        format!("name the column `{wanted} [mm]`")
+    } else {
+        "a line that is no header must be a comment, which begins with #".to_owned()
+    };
+    file.error(line, message).help(help)
 }
 
 /// Name, in small letters, and unit of a column: `Y [mm]`, `y (mm)` or `y_mm`.

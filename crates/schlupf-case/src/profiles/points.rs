@@ -93,6 +93,21 @@ impl File {
         self.error(1, message)
     }
 
+    /// Refuses a rail as a wheel and the reverse, by what the file says of itself.
+    pub fn check_body(
+        &self,
+        [is, is_wheel]: [bool; 2],
+        line: usize,
+        says: &str,
+    ) -> Result<(), CaseError> {
+        if is == is_wheel {
+            return Ok(());
+        }
+        let [given, wanted] = [is, is_wheel].map(|is| if is { "a wheel" } else { "a rail" });
+        let message = format!("the file must be that of {wanted}, but its {says}, that of {given}");
+        Err(self.error(line, message))
+    }
+
     /// A finite number of a line.
     pub fn number(&self, line: usize, word: &str) -> Result<f64, CaseError> {
         number(word)
@@ -173,10 +188,20 @@ impl Separator {
     }
 }
 
-/// Whether a line begins with a number, whatever separates it from the next one.
+/// Whether each word of a line is a number, whatever separates them.
+fn are_numbers(line: &str) -> impl Iterator<Item = bool> {
+    let words = line.split([' ', '\t', ',', ';']).filter(|word| !word.is_empty());
+    words.map(|word| number(word).is_some())
+}
+
+/// Whether a line begins with a number.
 pub fn begins_with_number(line: &str) -> bool {
-    let mut words = line.split([' ', '\t', ',', ';']).filter(|word| !word.is_empty());
-    words.next().is_some_and(|word| number(word).is_some())
+    are_numbers(line).next().unwrap_or(false)
+}
+
+/// Whether a line has nothing but numbers, at least two.
+pub fn is_row(line: &str) -> bool {
+    are_numbers(line).all(|is_number| is_number) && are_numbers(line).count() > 1
 }
 
 /// A finite number, also with a decimal comma between digits and with the exponent of Fortran's

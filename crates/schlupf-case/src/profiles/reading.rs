@@ -2,12 +2,11 @@
 
 use std::fmt;
 
-use super::outline::{Change, LONGEST_TWIG, distance, median_step};
+use super::outline::{Change, JUMP, LONGEST_TWIG, distance, median_step};
 use super::points::Row;
 use crate::fields::readable;
 
-/// A step is a hole from so many usual steps and from this length (in m) on.
-const HOLE_STEPS: f64 = 5.0;
+/// A jump is a hole from this length (in m) on.
 const HOLE_LENGTH: f64 = 2e-3;
 
 /// What was read of a profile.
@@ -43,7 +42,7 @@ impl ProfileReading {
         let usual = median_step(points);
         let step = |pair: &[Row]| distance(&pair[0], &pair[1]);
         self.spacing = [usual, points.windows(2).map(step).fold(0.0, f64::max)];
-        let is_hole = |pair: &&[Row]| step(pair) > HOLE_LENGTH.max(HOLE_STEPS * usual);
+        let is_hole = |pair: &&[Row]| step(pair) > HOLE_LENGTH.max(JUMP * usual);
         let holes = points.windows(2).filter(is_hole);
         self.holes = holes.map(|pair| [pair[0].place, pair[1].place]).collect();
         self

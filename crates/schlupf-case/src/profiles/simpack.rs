@@ -111,18 +111,6 @@ impl Changes {
     }
 }
 
-/// Refuses a rail as a wheel and the reverse.
-fn check_type(file: &File, line: usize, value: &str, is_wheel: bool) -> Result<(), CaseError> {
-    let body = |is_wheel: bool| if is_wheel { "a wheel" } else { "a rail" };
-    let is = file.number(line, value)? != 0.0;
-    if is == is_wheel {
-        return Ok(());
-    }
-    let (wanted, given) = (body(is_wheel), body(is));
-    let message = format!("the file must be that of {wanted}, but its type is {value}, {given}");
-    Err(file.error(line, message))
-}
-
 /// The points of a file.
 pub fn read(file: &File, is_wheel: bool) -> Result<Content, CaseError> {
     let mut changes = Changes::default();
@@ -149,7 +137,8 @@ pub fn read(file: &File, is_wheel: bool) -> Result<Content, CaseError> {
                 if is_spline {
                     changes.set(file, number, &key, value)?;
                 } else if is_header && key == "type" {
-                    check_type(file, number, value, is_wheel)?;
+                    let is = file.number(number, value)? != 0.0;
+                    file.check_body([is, is_wheel], number, &format!("type is {value}"))?;
                 }
             }
         }

@@ -27,6 +27,9 @@ const ROLL: &str = "wheelset.roll_angle";
 /// Cells across a contact where the case does not say how many.
 const CELLS: usize = 64;
 
+/// Difference of two depths that counts as none, in m.
+const SAME_DEPTH: f64 = 1e-6;
+
 /// What makes a solver with given options.
 pub type MakesSolver<'a> = &'a dyn Fn(&Options) -> Box<dyn Solver>;
 
@@ -50,7 +53,6 @@ pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
     let explain = |error: Error| settings.explain(&error);
     let on_wheel = profiles::read(settings, &profiles::WHEEL)?;
     let on_rail = profiles::read(settings, &profiles::RAIL)?;
-    let notices = on_wheel.notices.into_iter().chain(on_rail.notices).collect();
     let wheel = WheelShape {
         profile: on_wheel.curve,
         nominal_radius: settings.number("wheel.radius_x")?,
@@ -62,8 +64,16 @@ pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
         gauge_depth: settings.number("track.gauge_depth")?,
         flange_back_distance: settings.number("track.flange_back_distance")?,
     };
+    let pair = Pair::new(&wheel, &rail, &track).map_err(explain)?;
+    let [reached, wanted] = [pair.gauge_depth(), track.gauge_depth];
+    // Below a lip that is the inmost point nothing runs, but the file goes on.
+    let ProfileReading { points: [all, running], size: [_, height], .. } = on_rail.reading;
+    let goes_on = all > running && height > wanted;
+    let too_short = (wanted - reached > SAME_DEPTH && !goes_on)
+        .then_some(Notice::GaugeDepthNotReached { reached, wanted });
+    let notices = on_wheel.notices.into_iter().chain(on_rail.notices).chain(too_short).collect();
     let wheel = WheelOnRail {
-        pair: Arc::new(Pair::new(&wheel, &rail, &track).map_err(explain)?),
+        pair: Arc::new(pair),
         side: match settings.chosen("wheelset.side")? {
             WheelSide::Left => Side::Left,
             WheelSide::Right => Side::Right,

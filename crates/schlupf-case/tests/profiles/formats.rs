@@ -131,7 +131,10 @@ fn files_of_simpack_are_read() {
     assert_eq!(codes(&plain), Vec::<&str>::new());
     assert_eq!(plain.profiles()[1].points[0], head.len());
     let error = wheel("a.prr", simpack("", &head)).map(|_| ()).unwrap_err();
-    assert!(error.contains("must be that of a wheel, but its type is 0, a rail"), "{error}");
+    assert!(
+        error.contains("must be that of a wheel, but its type is 0, that of a rail"),
+        "{error}"
+    );
     let file = rail("a.prr", simpack("approx.smooth = 2.5", &head)).unwrap();
     let text = notice(&file, "profile-setting");
     assert!(text.contains("approx.smooth = 2.5"), "{text}");
@@ -167,4 +170,92 @@ fn guesses_are_told() {
     let file = case(("a.csv", csv(&tread).as_bytes()), ("60E1", b""), down).unwrap();
     let text = notice(&file, "profile-axes");
     assert!(text.contains("z is said to point down, but by its shape it points up"), "{text}");
+}
+
+/// A rail is not taken for a wheel, nor the reverse, where the name of the file or its device says
+/// which it is.
+#[test]
+fn the_other_body_is_refused() {
+    let [tread, head] = built_in();
+    let rows = |points: &[[f64; 2]]| bare(points, |[y, z]| format!("{y:.7} {z:.7}"));
+    let keys = format!("ColumnDef=X,Y\n\n{}", rows(&tread));
+    let spline = format!("spline.begin\npoint.begin\n{}point.end\nspline.end\n", rows(&tread));
+    for (name, text, says) in [
+        ("a.whl", keys, "its name ends in .whl, that of a wheel"),
+        ("a.prw", spline, "its name ends in .prw, that of a wheel"),
+        ("a.wheel", rows(&tread), "its name ends in .wheel, that of a wheel"),
+        ("a.txt", format!("MINIWHEELPROF\n\n{}", rows(&tread)), "its device is MINIWHEELPROF"),
+    ] {
+        let error = rail(name, text).map(|_| ()).unwrap_err();
+        assert!(error.contains("must be that of a rail, but"), "{name}: {error}");
+        assert!(error.contains(says), "{name}: {error}");
+    }
+    for (name, text) in [
+        ("a.ban", format!("ColumnDef=X,Y\n\n{}", rows(&head))),
+        ("a.rail", rows(&head)),
+        ("a.txt", format!("#MINIRAILPROF\n\n{}", rows(&head))),
+    ] {
+        let error = wheel(name, text).map(|_| ()).unwrap_err();
+        assert!(error.contains("must be that of a wheel, but"), "{name}: {error}");
+    }
+}
+
+/// The head of an old file of Miniprof ends where rows of numbers begin, with and without empty
+/// lines in it and before the rows, whatever numbers it has.
+#[test]
+fn heads_without_keys_end_where_rows_begin() {
+    let [tread, _] = built_in();
+    let rows = bare(&tread, |[y, z]| format!("{:.7} {:.7}", y + 70.0, -z));
+    let first = "MINIPROF 101 148 1994 3 24\nwheel.prd\n";
+    let flange = "32.58 37.11 14.71 (Sd/Sh/qR)\n1 2\n";
+    for head in [
+        format!("{first}{flange}\n"),
+        format!("{first}\n{flange}\n"),
+        format!("{first}{flange}"),
+        format!("{first}\n{flange}Stock: 1\n"),
+    ] {
+        let file = wheel("a.whl", format!("{head}{rows}"));
+        // Nothing tells numbers alone in the line before the rows from a row.
+        let extra = usize::from(head.ends_with("1 2\n"));
+        let points = file.unwrap().profiles()[0].points[0];
+        assert_eq!(points, tread.len() + extra, "{head:?}");
+    }
+    let error = wheel("a.whl", format!("{first}{flange}")).map(|_| ()).unwrap_err();
+    assert!(error.contains("a head without keys ends with the first 8 rows"), "{error}");
+}
+
+/// Half a section of a rail, which is higher than wide, is read as it is; a header confirms that.
+#[test]
+fn half_a_section_is_not_taken_for_swapped() {
+    let [_, head] = built_in();
+    let outer: Points = head.iter().filter(|[y, _]| *y >= 0.0).copied().collect();
+    let corners = [[8.0, -50.0], [8.0, -140.0], [75.0, -160.0], [75.0, -172.0], [0.0, -172.0]];
+    let half = through(&outer, &corners);
+    let file = rail("a.txt", bare(&half, |[y, z]| format!("{y} {z}"))).unwrap();
+    let text = notice(&file, "profile-axes");
+    assert!(text.contains("a header `y [mm],z [mm]` confirms"), "{text}");
+    assert_eq!(codes(&rail("a.csv", csv(&half)).unwrap()), Vec::<&str>::new());
+    let swapped = rail("a.txt", bare(&half, |[y, z]| format!("{z} {y}")));
+    assert!(swapped.is_err() || swapped.is_ok_and(|file| !codes(&file).is_empty()));
+}
+
+/// Files without a convention have none in what is said of them, and headers are told what to be.
+#[test]
+fn what_is_no_convention_is_a_default() {
+    let [_, head] = built_in();
+    let file = rail("a.txt", bare(&head, |[y, z]| format!("{y} {z}"))).unwrap();
+    assert_eq!(file.profiles()[1].y, "outwards (by default)");
+    // Where the side that alone reaches down is at the largest y, that is the inner one.
+    let inner: Points = head.iter().filter(|[y, _]| *y < 12.0).map(|[y, z]| [-y, *z]).collect();
+    let file = rail("a.txt", bare(&inner, |[y, z]| format!("{y} {z}"))).unwrap();
+    assert_eq!(file.profiles()[1].y, "inwards (by its shape)");
+    assert_eq!(codes(&file), Vec::<&str>::new());
+    for (text, expected) in [
+        ("y [mm],z [mm]\n", "must have rows of points, but has none"),
+        ("x [mm],y [mm]\n0,0\n", "if x is lateral and y vertical, name them `y [m],z [m]`"),
+        ("Rail 60E1 profile\n0 0\n", "must be a comment, which begins with #"),
+    ] {
+        let error = rail("a.csv", text).map(|_| ()).unwrap_err();
+        assert!(error.contains(expected), "{error}");
+    }
 }

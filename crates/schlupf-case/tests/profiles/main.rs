@@ -1,6 +1,7 @@
 //! Profiles as they are measured: axes, order of points, units, formats and origins.
 
 mod formats;
+mod order;
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -329,7 +330,9 @@ fn lost_order_is_found_beside_a_fold() {
     for lip in [1.0, 2.5, 4.0] {
         let points = lipped(lip);
         let file = rail("a.csv", csv(&points)).unwrap();
-        assert_eq!(codes(&file), Vec::<&str>::new(), "{lip}");
+        // The outline may end above the gauge depth.
+        let told = codes(&file);
+        assert!(told.iter().all(|code| *code == "gauge-depth-not-reached"), "{lip}: {told:?}");
         let expected = curves(&file)[1].clone();
         let swap = |j: usize, k: usize| {
             let mut points = points.clone();
@@ -435,7 +438,8 @@ fn units_and_swapped_columns_are_told() {
     let wrong = format!("y [mm],z [mm]\n{}", metres.replace(' ', ","));
     let error = wheel("a.csv", wrong).map(|_| ()).unwrap_err();
     assert!(error.contains("wheel.profile must be at least 2 mm wide"), "{error}");
-    assert!(error.contains("were its numbers m in place of mm, it would be 129.5 mm"), "{error}");
+    let expected = "were its numbers 1000 times as large (m for mm), it would be 129.5 mm";
+    assert!(error.contains(expected), "{error}");
     let inches = bare(&tread, |[y, z]| format!("{} {}", y / 25.4, z / 25.4));
     let text = notice(&wheel("a.txt", inches).unwrap(), "profile-units");
     assert!(text.contains("were its numbers inches in place of mm"), "{text}");

@@ -26,8 +26,8 @@ const RADII: &str = "rolling_radius";
 pub struct WheelsetAt {
     /// Lateral position of the middle of the axle, in m.
     pub lateral: f64,
-    /// Rolling radius of the left wheel minus that of the right one, of rigid bodies that do not
-    /// roll about x, in m.
+    /// Rolling radius of the left wheel minus that of the right one, of rigid bodies that neither
+    /// roll about x nor yaw, in m.
     pub rigid: Option<f64>,
     /// The left and the right wheel, or why they were not found.
     pub wheels: Result<[WheelSolution; 2], String>,
@@ -66,7 +66,8 @@ pub struct WheelsetReport {
     pub load: f64,
     /// The positions.
     pub positions: Vec<WheelsetAt>,
-    /// Δr of rigid bodies that do not roll about x, unless they do not touch in the middle.
+    /// Δr of rigid bodies that neither roll about x nor yaw, unless they do not touch in the
+    /// middle.
     pub radii: Option<RollingRadiusDifference>,
     /// Equivalent conicity over the amplitude of the lateral motion.
     pub conicity: Conicity,

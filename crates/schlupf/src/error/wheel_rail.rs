@@ -70,12 +70,17 @@ messages! {
 
     /// A contact that reaches the end of a profile.
     "contact-at-profile-end" AtProfileEnd {
+        /// That of the wheel or of the rail.
+        profile: Quantity,
+        /// y of its end, outwards from its origin, in m.
+        end: f64,
         /// Lateral position of the contact in the track, outwards, in m.
         position: f64,
-    } Quantity::WheelProfile, |name, words| format!(
-        "{name}: the contact {:.3} mm from the middle of the track reaches the end of the wheel's or \
-         the rail's profile; give longer profiles, or check position and gauge",
-        1e3 * position
+    } *profile, |name, words| format!(
+        "{name}: the contact {:.3} mm from the middle of the track reaches the end of this profile at \
+         y = {:.1} mm (outwards from its origin); give a longer profile, or check position and gauge",
+        1e3 * position,
+        1e3 * end
     );
 
     /// Profiles that lie deep in each other.

@@ -14,7 +14,7 @@ use super::pair::Pair;
 use super::pose::{Attitude, minus};
 use super::resting::resting_roll;
 use super::side::Side;
-use crate::error::{Error, WheelRailError, require, require_positive};
+use crate::error::{Error, require, require_positive};
 use crate::numerics::interpolation::piecewise_linear;
 use crate::numerics::root::bisection;
 use crate::progress::{Progress, Stage, Watch, tell};
@@ -79,9 +79,7 @@ impl RigidContact {
         let sign = side.outwards();
         let gap = Gap::new(pair, attitude)?;
         let least = gap.least().ok_or(Error::NoArea {})?;
-        if gap.is_end(&least) {
-            return Err(WheelRailError::AtProfileEnd { position: least.y }.into());
-        }
+        gap.refuse_end(pair, &least)?;
         let pose = attitude.at_height(pair.nominal_radius, -least.gap);
         let place = [least.wheel[0], least.y, least.rail[0]];
         let [x, y, z] = pose.in_wheelset(minus(place, pose.centre));

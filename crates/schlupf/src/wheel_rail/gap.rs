@@ -100,11 +100,21 @@ impl Gap {
         points.min_by(|one, other| one.gap.total_cmp(&other.gap)).copied()
     }
 
-    /// Whether a point is where wheel or rail cease to be seen, so that a smaller gap may lie
+    /// An error if a point is where wheel or rail cease to be seen, so that a smaller gap may lie
     /// beyond.
-    pub fn is_end(&self, point: &GapPoint) -> bool {
-        let ends = self.runs.iter().flat_map(|run| [run.first(), run.last()]);
-        ends.flatten().any(|end| end.y == point.y)
+    pub fn refuse_end(&self, pair: &Pair, point: &GapPoint) -> Result<(), Error> {
+        let is = |end: Option<&GapPoint>| end.is_some_and(|end| end.y == point.y);
+        let k = pair.across.index(point.y);
+        let beyond = if self.runs.iter().any(|run| is(run.first())) {
+            k.checked_sub(1)
+        } else if self.runs.iter().any(|run| is(run.last())) {
+            Some(k + 1)
+        } else {
+            return Ok(());
+        };
+        let rail = beyond.and_then(|k| pair.rail_from_above.get(k).copied().flatten());
+        let arcs = [point.rail[1], point.wheel[1]];
+        Err(pair.at_end(rail.is_none(), arcs, point.y))
     }
 
     /// Regions of overlap with the wheelset `height` (in m) above its nominal height, by growing y.

@@ -88,6 +88,8 @@ pub struct Pair {
     pub(super) nominal_radius: f64,
     /// Distance of the origin of the wheel's profile from the middle of the wheelset, in m.
     pub(super) wheel_offset: f64,
+    /// The rail's profile in its own coordinates.
+    pub(super) rail_profile: ProfileCurve,
     /// In the track frame.
     pub(super) rail: ProfileCurve,
     pub(super) across: Across,
@@ -95,6 +97,18 @@ pub struct Pair {
     pub(super) rail_from_above: Vec<Option<Seen>>,
     /// Origin of the rail's profile in the track frame, y and z in m.
     pub(super) rail_origin: [f64; 2],
+    /// In m.
+    gauge_depth: f64,
+}
+
+/// Where the gauge of a rail is measured.
+struct GaugePoint {
+    /// Inmost y, in m.
+    inmost: f64,
+    /// z of the top, in m.
+    top: f64,
+    /// Depth below the top down to which the inmost point was looked for, in m.
+    depth: f64,
 }
 
 impl Samples {
@@ -141,12 +155,12 @@ impl Pair {
         let turned = rail.profile.placed(rail.cant.atan(), [0.0; 2]);
         let samples = Samples::new(&turned);
         require_surface(&samples, Quantity::RailProfile)?;
-        let [inmost, top] = gauge_point(&samples, track.gauge_depth);
+        let GaugePoint { inmost, top, depth } = gauge_point(&samples, track.gauge_depth);
         let rail_origin = [0.5 * track.gauge - inmost, -top];
-        let rail = turned.placed(0.0, rail_origin);
+        let in_track = turned.placed(0.0, rail_origin);
         let on_wheel = Samples::new(&wheel.profile);
         require_surface(&on_wheel, Quantity::WheelProfile)?;
-        let on_rail = Samples::new(&rail);
+        let on_rail = Samples::new(&in_track);
         let across = Across::between(on_rail.span());
         Ok(Self {
             wheel: wheel.profile.clone(),
@@ -156,9 +170,29 @@ impl Pair {
             wheel_offset: 0.5 * track.flange_back_distance - wheel.flange_back_position,
             rail_from_above: across.rail(&on_rail.arc, &on_rail.points),
             across,
-            rail,
+            rail_profile: rail.profile.clone(),
+            rail: in_track,
             rail_origin,
+            gauge_depth: depth,
         })
+    }
+
+    /// An error for a contact at a lateral position in the track (in m) that reaches the end of the
+    /// rail's profile, or of the wheel's, near arc lengths on the rail and on the wheel (in m).
+    pub(super) fn at_end(&self, is_rail: bool, arcs: [f64; 2], position: f64) -> Error {
+        let (profile, curve, arc) = if is_rail {
+            (Quantity::RailProfile, &self.rail_profile, arcs[0])
+        } else {
+            (Quantity::WheelProfile, &self.wheel, arcs[1])
+        };
+        let [end, _] = curve.at(arc.clamp(0.0, curve.length())).place;
+        WheelRailError::AtProfileEnd { profile, end, position }.into()
+    }
+
+    /// Depth below the top of the rail down to which its gauge is measured, in m: less than asked
+    /// for where the profile ends above, so that the rail is too far inwards.
+    pub fn gauge_depth(&self) -> f64 {
+        self.gauge_depth
     }
 
     /// Origin of the rail's profile in the track, y outwards and z up, in m.
@@ -189,8 +223,8 @@ fn require_surface(samples: &Samples, profile: Quantity) -> Result<(), Error> {
     Err(WheelRailError::NoRunningSurface { profile }.into())
 }
 
-/// Inmost y of a rail down to a depth below its top, and the z of the top, in m.
-fn gauge_point(samples: &Samples, depth: f64) -> [f64; 2] {
+/// The inmost point of a rail down to a depth below its top, in m.
+fn gauge_point(samples: &Samples, depth: f64) -> GaugePoint {
     let place = |k: usize| samples.points[k].place;
     let highest = (0..samples.points.len()).max_by(|j, k| place(*j)[1].total_cmp(&place(*k)[1]));
     let highest = highest.unwrap_or(0);
@@ -202,9 +236,9 @@ fn gauge_point(samples: &Samples, depth: f64) -> [f64; 2] {
         if z < level {
             let [y_above, z_above] = place(k + 1);
             inmost = inmost.min(y_above + (y - y_above) * (level - z_above) / (z - z_above));
-            break;
+            return GaugePoint { inmost, top, depth };
         }
         inmost = inmost.min(y);
     }
-    [inmost, top]
+    GaugePoint { inmost, top, depth: top - place(0)[1] }
 }

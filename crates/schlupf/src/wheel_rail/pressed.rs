@@ -8,7 +8,7 @@ use super::contact_plane::ContactPlane;
 use super::distance::{CLEAR, Heights, PlaneView};
 use super::pair::Pair;
 use super::pose::Pose;
-use crate::error::{Error, WheelRailError};
+use crate::error::Error;
 use crate::normal::rough_contact::{
     Boundary, RoughContact, RoughContactOptions, RoughContactSolution,
 };
@@ -94,7 +94,7 @@ impl Pressing<'_> {
         let Some((pressed, beyond)) = self.press(&view, plane, (rectangle, raised), counts)? else {
             return Ok(None);
         };
-        refuse_end(plane, &pressed, &beyond)?;
+        self.refuse_end(&view, &pressed, &beyond)?;
         Ok(Some(pressed))
     }
 
@@ -130,6 +130,27 @@ impl Pressing<'_> {
         let plane = *plane;
         let pressed = Pressed { plane, x, s, pressure, force: load, approach };
         Ok(Some((pressed, is_beyond)))
+    }
+
+    /// Refuses a contact next to the end of a profile.
+    fn refuse_end(
+        &self,
+        view: &PlaneView,
+        pressed: &Pressed,
+        beyond: &[bool],
+    ) -> Result<(), Error> {
+        let (columns, rows) = (pressed.x.len(), pressed.s.len());
+        let end_near = |k: usize| {
+            let (i, j) = (k % columns, k / columns);
+            let near_columns = i.saturating_sub(1)..(i + 2).min(columns);
+            let mut near_rows = j.saturating_sub(1)..(j + 2).min(rows);
+            near_rows.find(|j| near_columns.clone().any(|i| beyond[j * columns + i]))
+        };
+        let mut touching = (0..beyond.len()).filter(|k| pressed.pressure[*k] > 0.0);
+        let Some(row) = touching.find_map(end_near) else { return Ok(()) };
+        let arcs = pressed.plane.arcs.map(|arc| arc + pressed.s[row]);
+        let is_rail = view.rail_point(pressed.s[row], arcs[0]).is_none();
+        Err(self.pair.at_end(is_rail, arcs, pressed.plane.origin[1]))
     }
 }
 
@@ -219,23 +240,6 @@ fn touched(pressed: &Pressed, rectangle: Rectangle) -> Rectangle {
         [side[0] + first as f64 * cell, side[0] + (last + 1) as f64 * cell]
     };
     [side(rectangle[0], column), side(rectangle[1], row)]
-}
-
-/// Refuses a contact next to the end of a profile.
-fn refuse_end(plane: &ContactPlane, pressed: &Pressed, beyond: &[bool]) -> Result<(), Error> {
-    let (columns, rows) = (pressed.x.len(), pressed.s.len());
-    let is_near = |k: usize| {
-        let (i, j) = (k % columns, k / columns);
-        let (near_columns, near_rows) =
-            (i.saturating_sub(1)..(i + 2), j.saturating_sub(1)..(j + 2));
-        near_rows
-            .filter(|j| *j < rows)
-            .any(|j| near_columns.clone().filter(|i| *i < columns).any(|i| beyond[j * columns + i]))
-    };
-    if (0..beyond.len()).any(|k| pressed.pressure[k] > 0.0 && is_near(k)) {
-        return Err(WheelRailError::AtProfileEnd { position: plane.origin[1] }.into());
-    }
-    Ok(())
 }
 
 /// Centres of so many cells along a side.

@@ -22,6 +22,10 @@ const KINK: f64 = 0.35;
 /// few points turn as much at every point.
 const KINK_RATIO: f64 = 0.3;
 
+/// Distance of the points between which directions are taken, over the length of the smoothing:
+/// arcs of up to one and a half of it are kinks, too.
+const REACH: f64 = 0.25;
+
 /// Least number of points of a profile.
 const FEWEST_POINTS: usize = 4;
 
@@ -97,7 +101,7 @@ impl ProfileCurve {
         }
         let requirement = Requirement::Between(0.0, LARGEST);
         crate::error::require(Quantity::ProfileSmoothing, requirement, smoothing)?;
-        let kinks = kinks(&points);
+        let kinks = kinks(&points, REACH * smoothing);
         let mut length = chords(&points);
         let points = smoothed(&length, points, &kinks, smoothing);
         let mut slopes = fitted(&length, &points, &kinks);
@@ -125,14 +129,23 @@ impl ProfileCurve {
         &self.points
     }
 
-    /// The step between two points that covers most of an interval of arc lengths (in m): the part
-    /// of the interval that it covers, dimensionless, and y and z of its ends in m.
-    pub(super) fn widest_step(&self, [from, to]: [f64; 2]) -> Option<(f64, [[f64; 2]; 2])> {
+    /// The step between two points that covers most of an interval of arc lengths (in m): its
+    /// length, in m, the part of the interval that it covers, dimensionless, and y of its ends, in
+    /// m.
+    pub(super) fn widest_step(&self, [from, to]: [f64; 2]) -> Option<[f64; 4]> {
         let covered = |k: &usize| self.length[k + 1].min(to) - self.length[*k].max(from);
         let steps = 0..self.length.len() - 1;
         let k = steps.max_by(|j, k| covered(j).total_cmp(&covered(k)))?;
         let share = covered(&k) / (to - from);
-        share.is_finite().then(|| (share, [self.points[k], self.points[k + 1]]))
+        let step = self.length[k + 1] - self.length[k];
+        share.is_finite().then(|| [step, share, self.points[k][0], self.points[k + 1][0]])
+    }
+
+    /// The median step between two points, in m.
+    pub(super) fn usual_step(&self) -> f64 {
+        let mut steps: Vec<f64> = self.length.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        steps.sort_by(f64::total_cmp);
+        steps[steps.len() / 2]
     }
 
     /// The point at an arc length `s` (in m) from the first one; at the ends the outermost cubics
@@ -232,21 +245,28 @@ fn chords(points: &[[f64; 2]]) -> Vec<f64> {
     std::iter::once(0.0).chain(ends).collect()
 }
 
-/// Indices at which smooth pieces begin and end: the first and last point, and kinks.
-fn kinks(points: &[[f64; 2]]) -> Vec<usize> {
-    let direction = |pair: &[[f64; 2]]| [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]];
-    let directions: Vec<[f64; 2]> = points.windows(2).map(direction).collect();
-    let turn = |pair: &[[f64; 2]]| {
-        let [p, q] = [pair[0], pair[1]];
-        (p[0] * q[1] - p[1] * q[0]).atan2(p[0] * q[0] + p[1] * q[1]).abs()
+/// Indices at which smooth pieces begin and end: the first and last point, and kinks. The direction
+/// on both sides of a point is that of the chord to the first point that is `reach` away (in m), or
+/// to the next one, so noise over shorter distances turns nothing.
+fn kinks(points: &[[f64; 2]], reach: f64) -> Vec<usize> {
+    let ends = |k: usize| {
+        let is_away = |j: &usize| distance(&points[*j], &points[k]) >= reach;
+        Some([(0..k).rev().find(is_away)?, (k + 1..points.len()).find(is_away)?])
     };
-    let turns: Vec<f64> = directions.windows(2).map(turn).collect();
-    let is_kink = |k: usize| {
-        let beside = [k.checked_sub(1), Some(k + 1)].into_iter().flatten();
-        let largest = beside.filter_map(|k| turns.get(k)).copied().fold(0.0, f64::max);
-        turns[k] >= KINK && largest <= KINK_RATIO * turns[k]
+    let chord = |from: usize, to: usize| [0, 1].map(|c| points[to][c] - points[from][c]);
+    let turn = |k: usize| {
+        let [before, after] = ends(k)?;
+        let [p, q] = [chord(before, k), chord(k, after)];
+        Some((p[0] * q[1] - p[1] * q[0]).atan2(p[0] * q[0] + p[1] * q[1]).abs())
     };
-    let inside = (0..turns.len()).filter(|k| is_kink(*k)).map(|k| k + 1);
+    let turns: Vec<f64> = (0..points.len()).map(|k| turn(k).unwrap_or(0.0)).collect();
+    let is_kink = |k: &usize| {
+        let Some([before, after]) = ends(*k).filter(|_| turns[*k] >= KINK) else { return false };
+        let beside = turns[before].max(turns[after]);
+        let is_largest = |j: usize| turns[j] < turns[*k] || j >= *k && turns[j] == turns[*k];
+        beside <= KINK_RATIO * turns[*k] && (before..=after).all(is_largest)
+    };
+    let inside = (0..points.len()).filter(is_kink);
     std::iter::once(0).chain(inside).chain([points.len() - 1]).collect()
 }
 
@@ -286,4 +306,47 @@ fn fitted(length: &[f64], points: &[[f64; 2]], kinks: &[usize]) -> Vec<[[f64; 2]
         slopes.extend(at.windows(2).map(|pair| [pair[0], pair[1]]));
     }
     slopes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An arc of 13 mm with noise of 10 µm that a corner of 45° ends: with smoothing that corner is
+    /// the only kink, however long it is and whichever points are taken.
+    #[test]
+    fn noise_of_dense_points_makes_no_kinks() {
+        let mut state = 12_345_u64;
+        let mut noise = || {
+            // Twelve uniform numbers (Knuth's generator) are nearly a normal one.
+            let mut uniform = || {
+                state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+                (state >> 11) as f64 / (1_u64 << 53) as f64
+            };
+            1e-5 * ((0..12).map(|_| uniform()).sum::<f64>() - 6.0)
+        };
+        let (radius, end) = (13e-3_f64, 15e-3);
+        let at = |s: f64| {
+            let (sin, cos) = (s.min(end) / radius - 1.0).sin_cos();
+            let beyond = (s - end).max(0.0);
+            let (down, along) = (1.0 - end / radius - std::f64::consts::FRAC_PI_4).sin_cos();
+            [radius * sin + beyond * along, radius * cos + beyond * down]
+        };
+        let dense: Vec<[f64; 2]> = (0..1000)
+            .map(|k| at(3e-5 * f64::from(k)))
+            .map(|[y, z]| [y + noise(), z + noise()])
+            .collect();
+        for every in [1, 2, 5, 10] {
+            let points: Vec<[f64; 2]> = dense.iter().step_by(every).copied().collect();
+            for smoothing in [2e-3, 3e-3, 5e-3, 8e-3] {
+                let found = kinks(&points, REACH * smoothing);
+                let [first, corner, last] = found[..] else {
+                    panic!("{every} {smoothing}: {found:?}")
+                };
+                assert_eq!([first, last], [0, points.len() - 1]);
+                let off = (3e-5 * (every * corner) as f64 - end).abs();
+                assert!(off < 0.1 * smoothing, "{every} {smoothing}: {off}");
+            }
+        }
+    }
 }

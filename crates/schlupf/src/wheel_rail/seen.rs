@@ -42,6 +42,11 @@ impl Across {
         self.ends[0] + k as f64 * STEP
     }
 
+    /// The index of a position (in m).
+    pub fn index(&self, y: f64) -> usize {
+        ((y - self.ends[0]) / STEP).round() as usize
+    }
+
     /// The rail as it is seen from above, with its inclination (in rad).
     pub fn rail(&self, arc: &[f64], points: &[CurvePoint]) -> Vec<Option<Seen>> {
         let line = arc.iter().zip(points).map(|(arc, point)| {
