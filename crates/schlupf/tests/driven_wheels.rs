@@ -6,6 +6,7 @@ use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::error::ForceError;
 use schlupf::interface::friction::Friction;
 use schlupf::interface::friction::constant::Constant;
+use schlupf::interface::contact_law::ContactLaw;
 use schlupf::interface::friction::polach::Polach;
 use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::material::{Body, Material, contact_modulus};
@@ -104,7 +105,7 @@ fn solve_with<R>(
             .kinematics(kinematics)
             .reference(ReferencePoint::File)
             .heat(schlupf::heat::Heat::none())
-            .contact_law(Coulomb)
+            .contact_law(ContactLaw::Coulomb)
             .elasticity(HalfSpace::new(&material, &material)?);
         let problem = builder.build()?;
         Ok(Problem { normal, friction: friction.clone(), ..problem })

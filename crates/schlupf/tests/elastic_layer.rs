@@ -4,7 +4,6 @@
 
 mod common;
 
-use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{cells, problem, rolling, solve};

@@ -78,7 +78,7 @@ fn forces_are_proportional_down_to_the_smallest_creepage() {
                     let make = |size: f64| {
                         let mut cold = problem(moving(direction, size));
                         cold.elasticity = Arc::clone(elasticity);
-                        cold.contact_law = Arc::clone(law);
+                        cold.contact_law = *law;
                         if is_hot { hot(cold) } else { cold }
                     };
                     check_proportional(make);

@@ -40,7 +40,7 @@ fn the_steady_state_is_the_end_of_marching() {
         for law in &laws {
             let mut both = problem(rolling(0.001, 0.0015, 0.3));
             both.elasticity = Arc::clone(elasticity);
-            both.contact_law = Arc::clone(law);
+            both.contact_law = *law;
             let options = Options { tolerance: 1e-8, ..cells(16) };
             let (steady, marched) = (at_once(&both, &options), solve(&both, &options));
             let (one, two) = (steady.normalised, marched.normalised);
@@ -175,7 +175,7 @@ fn the_second_solution_is_as_warm_as_the_third() {
             for (xi, eta, spin) in MOTIONS {
                 let base = Problem {
                     elasticity: Arc::clone(&elasticity),
-                    contact_law: Arc::clone(law),
+                    contact_law: *law,
                     ..problem(rolling(xi, eta, spin))
                 };
                 let [first, second, third, fourth] = of_four_solutions(&base, &cells(across), 0.0);

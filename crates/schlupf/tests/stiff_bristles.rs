@@ -151,7 +151,7 @@ fn from_sliding_to_sticking() {
     for law in laws {
         for at in sliding {
             for next in sticking {
-                let of = |kinematics| steel(kinematics, STATE, Arc::clone(&law));
+                let of = |kinematics| steel(kinematics, STATE, law);
                 let mut solver = SteadySolver::new(&cells(40));
                 for part in [0.5, 1.0] {
                     let Kinematics { creepage_x, creepage_y, spin, .. } = at;

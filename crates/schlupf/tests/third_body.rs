@@ -165,7 +165,7 @@ fn a_soft_layer_is_a_bed_of_springs() {
     ] {
         let mut contact = problem(rolling(creepage, 0.0, 0.0));
         contact.elasticity = elasticity;
-        contact.contact_law = Arc::clone(law);
+        contact.contact_law = *law;
         contact.layer = Some(soft);
         let found = [20, 40].map(|across| found_by(Method::Full, &contact, &cells(across)).force.x);
         let marched = solve(&contact, &cells(20)).force.x;
@@ -315,7 +315,7 @@ fn the_derivatives_by_the_limit_of_the_layer() {
         let [stress, hardening, mu] = constants;
         let mut contact = problem(rolling(0.03, 0.01, 0.3));
         contact.elasticity = half_space();
-        contact.contact_law = Arc::clone(law);
+        contact.contact_law = *law;
         contact.friction.law = Arc::new(Constant::new(mu).unwrap());
         if is_hot {
             contact.friction.law = Arc::new(TemperatureLinear::new(mu, 700.0, 0.0).unwrap());

@@ -90,7 +90,7 @@ fn solve_with<R>(
             .heat(schlupf::heat::Heat::none())
             .elasticity(elasticity);
         let problem = builder.build()?;
-        Ok(Problem { normal, contact_law: Arc::clone(law), ..problem })
+        Ok(Problem { normal, contact_law: *law, ..problem })
     };
     let solver = |options: &Options| Method::Full.solver(options);
     let contact_modulus = contact_modulus(&STEEL, &STEEL);

@@ -244,7 +244,7 @@ fn plastic_work_is_dissipated_and_heats() {
         let mut hot = contact([stress, 0.0], half_space(), 0.02);
         let layer = ThirdBodyLayer::new(1e-3, 1e-3 * stiffness).unwrap();
         hot.layer = Some(layer.with_yield(YieldLimit { stress, hardening }).unwrap());
-        hot.contact_law = Arc::clone(law);
+        hot.contact_law = *law;
         hot.friction.law = Arc::new(TemperatureLinear::new(0.6, 700.0, 0.0).unwrap());
         hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
         let found = [found_by(Method::Full, &hot, &cells(20)), solve(&hot, &cells(20))];

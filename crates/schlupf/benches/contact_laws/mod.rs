@@ -33,7 +33,7 @@ pub fn table() -> String {
             for cells in GRIDS {
                 let case = Case { bodies: Bodies::HalfSpace, is_heated: false, cells };
                 let at_rest = Problem {
-                    contact_law: Arc::clone(law),
+                    contact_law: *law,
                     normal: Arc::new(Ellipse::from_peak_pressure(a, b, 1e9).unwrap()),
                     ..case.at_rest()
                 };
