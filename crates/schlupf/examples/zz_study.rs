@@ -12,6 +12,7 @@ fn q(v: &mut Vec<f64>, p: f64) -> f64 {
     v[((v.len() - 1) as f64 * p) as usize]
 }
 
+thread_local!(static KS: Vec<f64> = std::env::var("KS").ok().map_or(vec![1e6, 5e6, 3e7, 1e8, 1e9, 1e10, f64::INFINITY], |k| k.split(',').map(|k| k.parse().unwrap()).collect()));
 fn main() {
     let args: Vec<String> = std::env::args().collect();
     let cells: usize = args[1].parse().unwrap();
@@ -28,11 +29,14 @@ fn main() {
         .skip(1)
         .map(|l| l.split(',').map(String::from).collect())
         .collect();
-    for k in [1e6, 5e6, 3e7, 1e8, 1e9, 1e10, f64::INFINITY] {
+    for k in KS.with(|k| k.clone()) {
         let (mut products, mut bad, mut marched, mut errors) = (vec![], vec![], 0, vec![]);
         let start = std::time::Instant::now();
         for row in rows.iter().step_by(every) {
             let n = |i: usize| row[i].parse::<f64>().unwrap();
+            let ratio: f64 =
+                std::env::var("RATIO").ok().map_or(n(2) / n(3), |r| r.parse().unwrap());
+            let (a, b) = (0.005 * ratio.sqrt(), 0.005 / ratio.sqrt());
             let law: ContactLaw = if k.is_infinite() {
                 ContactLaw::Coulomb
             } else {
@@ -45,7 +49,7 @@ fn main() {
                     .spin(n(6))
                     .build()
                     .unwrap();
-                problem.normal = Arc::new(Ellipse::from_peak_pressure(n(2), n(3), 1e9).unwrap());
+                problem.normal = Arc::new(Ellipse::from_peak_pressure(a, b, 1e9).unwrap());
                 let m = material::Material {
                     young_modulus: 210e9,
                     poisson_ratio: 0.28,

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::error::ForceError;
+use schlupf::interface::contact_law::ContactLaw;
 use schlupf::interface::friction::Friction;
 use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::contact_law::ContactLaw;
 use schlupf::interface::friction::polach::Polach;
 use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::material::{Body, Material, contact_modulus};

@@ -4,7 +4,6 @@
 
 mod common;
 
-
 use approx::assert_relative_eq;
 use common::{cells, problem, rolling, solve};
 use nalgebra::{Cholesky, DMatrix};

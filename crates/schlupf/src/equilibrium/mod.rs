@@ -30,9 +30,6 @@ pub trait Equilibrium: Send + Sync {
     /// u = L p: one product with the compliance.
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]);
 
-    /// The residual that defines the tolerance, ‖p − μ pₙ law(D − B p)‖₂ in Pa, with u = L p given.
-    fn defect(&mut self, p: &[f64], u: &[f64]) -> f64;
-
     /// F(p), in Pa, with u = L p given; zero where the defect is zero. Prepares the tangent at p.
     /// The step p ← p − F(p) must never lead away from the solution.
     fn residual(&mut self, p: &[f64], u: &[f64], residual: &mut [f64]);

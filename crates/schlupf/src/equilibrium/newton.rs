@@ -18,9 +18,6 @@ const LEAST_FORCING: f64 = 1e-4;
 /// Fraction of the tolerance that the linear residual may use up.
 const ENOUGH: f64 = 0.8;
 
-/// ‖F‖₂ over the scale and the tolerance below which the defect is checked.
-const NEAR: f64 = 1e3;
-
 /// Smallest decrease of the residual norm required of a step of length λ, relative to λ.
 const SUFFICIENT_FALL: f64 = 1e-4;
 
@@ -95,11 +92,7 @@ impl Newton {
                 || length == 0.0
                 || best.is_stale(outcome.iterations);
             outcome.residual = length / scale;
-            if given_up || outcome.residual <= NEAR * limits.tolerance {
-                // A stiff contact law makes the defect larger than F.
-                outcome.residual = (system.defect(p, &self.u) / scale).max(outcome.residual);
-                outcome.converged = outcome.residual <= limits.tolerance && scale.is_finite();
-            }
+            outcome.converged = outcome.residual <= limits.tolerance && scale.is_finite();
             if outcome.iterations == 0 {
                 outcome.first_residual = outcome.residual;
             }

@@ -412,10 +412,6 @@ mod tests {
             }
         }
 
-        fn defect(&mut self, _p: &[f64], _u: &[f64]) -> f64 {
-            0.0
-        }
-
         fn residual(&mut self, _p: &[f64], _u: &[f64], _residual: &mut [f64]) {}
 
         fn tangent_product(&mut self, v: &[f64], response: &[f64], product: &mut [f64]) {

@@ -19,7 +19,8 @@ use crate::problem::Problem;
 use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::coulomb::{
-    Answer, Bristles, CoulombContact, Discretisation, Matrix, reduced, saturation, through,
+    Answer, Bristles, CoulombContact, Discretisation, Matrix, entry_value, reduced, saturation,
+    through,
 };
 use crate::rolling::shared::passage::pair;
 use crate::state::{Places, TrackPoint};
@@ -209,7 +210,7 @@ impl<'a> StickSlipStep<'a> {
             }
             ContactLaw::Incremental(_) => {
                 let PathSlip { inherited, weight, .. } = &self.slips[k];
-                let (bristles, _) = Bristles::that_inherit(*inherited, *weight, compliance);
+                let bristles = Bristles::that_inherit(*inherited, *weight, compliance);
                 Answer::to(pull(self.sliding(u, k)), bound, &bristles)
             }
         }
@@ -238,13 +239,20 @@ impl<'a> StickSlipStep<'a> {
             let here = TrackPoint { distance: 0.0, sliding, saturation };
             // Slivers at the leading edge say nothing of their own.
             let here = (!self.law.contact.slivers.leads[k]).then_some(here);
+            let mut places = track.places.clone();
+            if here.is_some()
+                && let [entry] = &mut places[..]
+                && entry.saturation == [0.0; 2]
+            {
+                (entry.saturation, _) = entry_value(saturation);
+            }
             let way = self.slips[k].way;
             let slides = self.answers[k].is_sliding();
             let slip = if slides && way > 0.0 { self.sliding(u, k) } else { [0.0; 2] };
             Moved {
                 saturation,
                 sliding,
-                track: here.into_iter().chain(track.places.iter().copied()).collect(),
+                track: here.into_iter().chain(places.iter().copied()).collect(),
                 slip: slip.map(|s| if s == 0.0 { 0.0 } else { s / way }),
             }
         };
@@ -263,14 +271,6 @@ impl Equilibrium for StickSlipStep<'_> {
 
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]) {
         self.response.product(Some(&self.law.contact.calibration), p, u);
-    }
-
-    fn defect(&mut self, p: &[f64], u: &[f64]) -> f64 {
-        let square = |k: usize| {
-            let onto = self.answer(p, u, k).traction;
-            (p[2 * k] - onto[0]).powi(2) + (p[2 * k + 1] - onto[1]).powi(2)
-        };
-        self.law.contact.kept().map(square).sum::<f64>().sqrt()
     }
 
     fn residual(&mut self, p: &[f64], u: &[f64], residual: &mut [f64]) {

@@ -261,16 +261,6 @@ impl Equilibrium for Driven<'_> {
         same.copy_from_slice(unknowns);
     }
 
-    fn defect(&mut self, p: &[f64], u: &[f64]) -> f64 {
-        let [p, unknowns] = self.parts(p);
-        let [u, _] = self.parts(u);
-        if !self.move_to(unknowns) {
-            return f64::NAN;
-        }
-        let excess = self.drives.excess(&summary::resultant(self.patch(), p), false);
-        self.state().defect(p, u).hypot(norm(&excess))
-    }
-
     fn residual(&mut self, p: &[f64], u: &[f64], residual: &mut [f64]) {
         let [p, unknowns] = self.parts(p);
         let [u, _] = self.parts(u);

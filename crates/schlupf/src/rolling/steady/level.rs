@@ -80,6 +80,10 @@ pub(super) fn nested(
             let (carried, known) = (vec![0.0; level.size()], vec![0.0; level.size()]);
             finer.descent = Some(Descent { transfer, carried, known });
         }
+        if !level.contact.compliance.couples_cells() {
+            levels.push(level);
+            return Ok(levels);
+        }
         let is_short_ranged = level.contact.is_short_ranged();
         let coarsest = if is_short_ranged { COARSEST_SHORT_RANGED } else { COARSEST };
         levels.push(level);
@@ -149,6 +153,14 @@ impl Level {
     /// Number of unknowns.
     pub fn size(&self) -> usize {
         2 * self.strips.len()
+    }
+
+    /// Guesses the tractions where cells do not displace each other: the solution, if the friction is
+    /// the present one.
+    pub fn guess_uncoupled(&mut self) {
+        let [own, ..] = self.contact.row_compliances();
+        self.traction.fill(0.0);
+        self.strips.uncoupled_state(own, &mut self.traction);
     }
 
     /// Reduces tractions that exceed μ pₙ to the bound.

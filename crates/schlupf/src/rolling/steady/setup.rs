@@ -317,6 +317,10 @@ impl Setup {
     pub fn guess(&mut self, depth: usize, ahead: f64) {
         let (levels, coarser) = self.levels.split_at_mut(depth + 1);
         let level = &mut levels[depth];
+        if !level.contact.compliance.couples_cells() {
+            level.guess_uncoupled();
+            return;
+        }
         let [last, before] = &level.earlier;
         match self.earlier.len() {
             0 => level.traction.fill(0.0),

@@ -237,22 +237,23 @@ impl SteadyFriction {
         }
     }
 
-    /// The traction on the rail p (in Pa) for a given fraction of μ pₙ in each cell
-    /// (dimensionless), if all slip is rigid: cell by cell down the strips, each with the friction
-    /// at the resulting temperature.
+    /// Scales the tractions p of rigid bodies with some bounds μ pₙ (both in Pa), cell by cell down
+    /// the strips, to the friction at the slip and the temperature that result.
     pub fn rigid_slip_state(
         &mut self,
         problem: &Problem,
         patch: &Patch,
-        saturation: &[[f64; 2]],
+        bound: &[f64],
         p: &mut [f64],
     ) {
         self.slip.copy_from_slice(&self.rigid);
-        for (k, along) in saturation.iter().enumerate() {
+        for (k, bound) in bound.iter().enumerate() {
+            let over = if *bound > 0.0 { bound.recip() } else { 0.0 };
+            let along = pair(p, k).map(|p| over * p);
             let start =
                 if k == self.heat.first(k) { None } else { Some(self.coefficients()[k - 1]) };
             let start = start.unwrap_or_else(|| problem.friction.cold_coefficient());
-            let heat = passage::heat(passage::power(*along, self.rigid[k]));
+            let heat = passage::heat(passage::power(along, self.rigid[k]));
             let flux = self.pressure[k] * heat * self.flux_over_power[k];
             let coefficient = fixed_point(start, |coefficient| {
                 self.heat.flux[k] = coefficient * flux;

@@ -65,10 +65,6 @@ impl Equilibrium for SteadyState<'_> {
         relate(contact.product(p), &strips, &mut workspace.at_entry, u, is_coupled);
     }
 
-    fn defect(&mut self, p: &[f64], u: &[f64]) -> f64 {
-        self.level().strips.defect(p, u)
-    }
-
     fn residual(&mut self, p: &[f64], u: &[f64], residual: &mut [f64]) {
         self.evaluate_friction(p, u);
         self.levels[0].strips.residual(p, u, residual);
@@ -95,8 +91,9 @@ impl Equilibrium for SteadyState<'_> {
     fn other_guess(&mut self, p: &mut [f64]) -> bool {
         if self.is_coupled() {
             let Level { contact, strips, friction, .. } = &mut self.levels[0];
-            friction.rigid_slip_state(self.problem, &contact.patch, &strips.rigid_saturation(), p);
-            strips.complete(p);
+            p.fill(0.0);
+            strips.uncoupled_state([0.0; 2], p);
+            friction.rigid_slip_state(self.problem, &contact.patch, strips.bound(), p);
         }
         self.is_coupled()
     }

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use crate::patch::Patch;
 use crate::rolling::shared::contact::at_distance;
-use crate::rolling::shared::coulomb::{Answer, CoulombContact, Matrix, SlipStencil};
+use crate::rolling::shared::coulomb::{Answer, CoulombContact, Matrix, SlipStencil, product_2x2};
 
 use super::block::{Block, Twice, image, reduced_by};
 
@@ -100,7 +100,9 @@ impl StripFactors {
                     for (block, slip) in row.iter_mut().zip(&self.slips[k]) {
                         *block = block.plus(stiffness, slope.times(*slip));
                     }
-                    interface.add_bristles(&mut row, k);
+                    if let Some(bristles) = &interface.bristles {
+                        bristles.add(&mut row, &interface.answers[k].by_inherited, k);
+                    }
                     self.factorise_row((k, n), row, slope);
                 }
             }
@@ -165,24 +167,44 @@ pub(super) struct Interface<'a> {
     pub answers: &'a [Answer],
     /// In Pa/m.
     pub gamma: f64,
-    /// Stencils of the bristles, if there are any, and the derivatives of the tractions by what is
-    /// upstream, in Pa.
-    pub bristles: Option<(&'a Vec<SlipStencil>, &'a Vec<Matrix>)>,
+    /// What the bristles do, if there are any.
+    pub bristles: Option<Upstream<'a>>,
+}
+
+/// How the bristles of a cell depend on the tractions upstream.
+pub(super) struct Upstream<'a> {
+    pub stencils: &'a [SlipStencil],
+    /// The first cell of the strip of each cell, and see [`entry_value`].
+    ///
+    /// [`entry_value`]: crate::rolling::shared::coulomb::entry_value
+    pub first: &'a [usize],
+    pub entries: &'a [([f64; 2], Matrix)],
+    /// γ/k_c, in Pa.
+    pub compliance: f64,
     /// μ pₙ, in Pa.
     pub bound: &'a [f64],
 }
 
-impl Interface<'_> {
+impl Upstream<'_> {
     /// Takes what the traction of cell `k` owes to those upstream off its row.
-    fn add_bristles(&self, row: &mut Row<Block>, k: usize) {
-        let Some((stencils, by_upstream)) = self.bristles else { return };
-        let upstream = stencils[k].cells(k).filter(|(j, _)| *j != k && self.bound[*j] > 0.0);
-        for (j, weight) in upstream {
-            let by = by_upstream[k].map(|row| row.map(|by| weight * by / self.bound[j]));
-            if let Some(at) = row.get_mut((LOWER + j).wrapping_sub(k)) {
-                *at = at.plus(-1.0, Block::of(&by));
-            }
+    fn add(&self, row: &mut Row<Block>, by_inherited: &Matrix, k: usize) {
+        let first = self.first[k];
+        if k == first {
+            return;
         }
+        let mut take = |j: usize, weight: f64, by: &Matrix| {
+            if let Some(at) = row.get_mut((LOWER + j).wrapping_sub(k))
+                && self.bound[j] > 0.0
+            {
+                let weight = weight * self.compliance / self.bound[j];
+                *at = at.plus(-weight as f32, Block::of(by));
+            }
+        };
+        let stencil = &self.stencils[k];
+        for (j, weight) in stencil.cells(k).filter(|(j, _)| *j != k) {
+            take(j, weight, by_inherited);
+        }
+        take(first, stencil.entry(), &product_2x2(by_inherited, &self.entries[first].1));
     }
 }
 
@@ -276,7 +298,6 @@ mod tests {
             answers: &answers,
             gamma: 3.0,
             bristles: None,
-            bound: &[2.0; 14],
         });
         let right: Vec<f64> = (0..28).map(|n| f64::from((5 * n) % 9) - 4.0).collect();
         let mut v = right.clone();

@@ -13,14 +13,14 @@ use crate::problem::Problem;
 use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::coulomb::{
-    Answer, Bristles, CoulombContact, Discretisation, Matrix, SlipStencil, product_2x2, saturation,
+    Answer, Bristles, CoulombContact, Discretisation, Matrix, SlipStencil, entry_value, saturation,
     slide,
 };
 use crate::rolling::shared::passage::pair;
 use crate::state::{Element, Places, TrackPoint};
 
 use super::steady_friction::SteadyFriction;
-use super::strip_factors::{Interface, StripFactors};
+use super::strip_factors::{Interface, StripFactors, Upstream};
 
 /// The equations F(p) = 0 of the cells, given b = B p: the linear response of the bodies to the
 /// traction p on the rail. Vectors have the x and y component of each cell in turn.
@@ -30,22 +30,23 @@ pub(super) struct StripLaw {
     /// μ pₙ of each cell, in Pa.
     bound: Vec<f64>,
     contact: CoulombContact,
-    /// Those of the slip, and those of what the bristles do.
-    stencils: [Vec<SlipStencil>; 2],
+    /// Of the slip, and of what the bristles do.
+    stencils: Vec<SlipStencil>,
     factors: StripFactors,
     /// Whether factors and inverses are those of the last residual.
     is_factorised: bool,
-    /// Whether a cell is the first of its strip, and the first one with an equation of its own.
+    /// Whether a cell is the first of its strip.
     is_first: Vec<bool>,
-    enters: Vec<bool>,
+    /// The first cell of its strip with an equation of its own.
+    first: Vec<usize>,
+    /// See [`entry_value`], with the derivative, for each of these.
+    entries: Vec<([f64; 2], Matrix)>,
     /// Rigid sliding since entry, and over the way into each cell, in m.
     rigid_since_entry: Vec<f64>,
     rigid: Vec<f64>,
     /// p/(μ pₙ) at the last residual, dimensionless.
     saturation: Vec<f64>,
     answers: Vec<Answer>,
-    /// Derivatives of the traction by c, in Pa.
-    by_upstream: Vec<Matrix>,
     /// Inverse of the local Jacobian of each cell.
     inverses: Vec<Matrix>,
     /// Changes of the saturation.
@@ -88,38 +89,32 @@ impl StripLaw {
         let contact = CoulombContact::new(problem, normal, discrete, discretisation)?;
         let row = discrete.row_compliances();
         let patch = &discrete.patch;
-        let ratio = normal.summary.semi_axis_x / normal.summary.semi_axis_y;
         let kept = &contact.slivers.kept;
         let stencils = match problem.contact_law {
-            ContactLaw::Coulomb | ContactLaw::Incremental(_) => [
-                SlipStencil::of(patch, kept, ratio, discretisation),
-                SlipStencil::of(patch, kept, ratio, Discretisation::Robust),
-            ],
-            ContactLaw::TotalDisplacement(_) => {
-                [(); 2].map(|()| SlipStencil::since_entry(patch, kept))
-            }
+            ContactLaw::Coulomb | ContactLaw::Incremental(_) => SlipStencil::of(patch, kept),
+            ContactLaw::TotalDisplacement(_) => SlipStencil::since_entry(patch, kept),
         };
         let cells = patch.len();
         let mut is_first = vec![false; cells];
-        let mut enters = is_first.clone();
-        for (strip, kept) in patch.strips.iter().zip(&contact.slivers.kept) {
+        let mut first = vec![0; cells];
+        for (strip, kept) in patch.strips.iter().zip(kept) {
             is_first[strip.cells.start] = true;
-            enters[kept.start] = true;
+            first[strip.cells.clone()].fill(kept.start);
         }
         Ok(Self {
             law: problem.contact_law,
             gamma: 0.0,
             bound: vec![0.0; cells],
-            factors: StripFactors::new(patch, &contact, &stencils[0], &row),
+            factors: StripFactors::new(patch, &contact, &stencils, &row),
             stencils,
             is_factorised: false,
             is_first,
-            enters,
+            first,
+            entries: vec![Default::default(); cells],
             rigid_since_entry: vec![0.0; 2 * cells],
             rigid: vec![0.0; 2 * cells],
             saturation: vec![0.0; 2 * cells],
             answers: vec![Answer::default(); cells],
-            by_upstream: vec![Matrix::default(); cells],
             inverses: vec![Matrix::default(); cells],
             changes: vec![0.0; 2 * cells],
             flux_changes: vec![0.0; cells],
@@ -135,7 +130,7 @@ impl StripLaw {
             patch.cells.iter().flat_map(|cell| cell.rigid_slip_since_entry(&problem.kinematics));
         self.rigid_since_entry = since_entry.collect();
         self.rigid.copy_from_slice(&self.rigid_since_entry);
-        slide(&self.stencils[0], &mut self.rigid);
+        slide(&self.stencils, &mut self.rigid);
     }
 
     /// Number of cells.
@@ -166,7 +161,7 @@ impl StripLaw {
     /// material entered, into b, in place; both in m.
     pub fn relate(&self, p: &[f64], b: &mut [f64]) {
         self.contact.calibration.add(p, b);
-        slide(&self.stencils[0], b);
+        slide(&self.stencils, b);
     }
 
     /// Sliding at a cell over the way into it, in m.
@@ -174,93 +169,93 @@ impl StripLaw {
         [0, 1].map(|c| self.rigid[2 * k + c] - b[2 * k + c])
     }
 
-    /// Traction on the rail divided by μ pₙ of each cell, if only the bristles were compliant;
-    /// dimensionless.
-    pub fn rigid_saturation(&self) -> Vec<[f64; 2]> {
-        let mut all = vec![[0.0; 2]; self.len()];
-        let stiffness = self.law.stiffness();
-        for k in self.contact.kept() {
-            let s = pair(&self.rigid, k);
-            let length = s[0].hypot(s[1]);
-            all[k] = if self.is_straight(k) {
-                let share = -(-stiffness * length).exp_m1();
-                s.map(|s| if length > 0.0 { share * s / length } else { 0.0 })
-            } else {
-                let mut c = [0.0; 2];
-                for (j, weight) in self.stencils[1][k].cells(k).filter(|(j, _)| *j < k) {
-                    c = [0, 1].map(|n| c[n] + weight * all[j][n]);
+    /// The tractions if every cell were displaced by its own one only, with a compliance (in m/Pa)
+    /// in both directions: cell by cell from the leading edge.
+    pub fn uncoupled_state(&self, compliance: [f64; 2], p: &mut [f64]) {
+        let mean = 0.5 * (compliance[0] + compliance[1]);
+        let mut saturation = vec![0.0; p.len()];
+        for cells in &self.contact.slivers.kept {
+            let mut entry = [0.0; 2];
+            for k in cells.clone() {
+                let known = self.stencils[k].own();
+                let gamma = if mean > 0.0 { (known * mean).recip() } else { self.gamma };
+                let upstream = self.upstream(&saturation, entry, k);
+                let slid = |p: &[f64]| {
+                    let moved = self.stencils[k].apply(p, k);
+                    [0, 1].map(|c| self.rigid[2 * k + c] - compliance[c] * moved[c])
+                };
+                for _ in 0..MOST_SWEEPS {
+                    let sliding = slid(p);
+                    let before = pair(p, k);
+                    let pull = [0, 1].map(|c| before[c] + gamma * sliding[c]);
+                    let Answer { traction, .. } = self.answer((pull, gamma), upstream, k);
+                    p[2 * k..2 * k + 2].copy_from_slice(&traction);
+                    if traction == before {
+                        break;
+                    }
                 }
-                let own = self.stencils[1][k].own();
-                let (Bristles { own, inherited }, _) =
-                    Bristles::that_inherit(c, own, stiffness.recip());
-                let whole = own + length;
-                [0, 1].map(|n| if whole > 0.0 { (s[n] - inherited[n]) / whole } else { 0.0 })
-            };
+                let over = inverse(self.bound[k]);
+                saturation[2 * k] = over * p[2 * k];
+                saturation[2 * k + 1] = over * p[2 * k + 1];
+                if k == cells.start {
+                    (entry, _) = entry_value(pair(&saturation, k));
+                }
+            }
         }
-        all
+        self.contact.slivers.complete(p);
     }
 
-    /// What is known at a cell of its traction: τ and c.
-    fn upstream(&self, saturation: &[f64], k: usize) -> (f64, [f64; 2]) {
-        let mut sum = [0.0; 2];
-        let stencil = &self.stencils[1][k];
+    /// c of a cell, from p/(μ pₙ) of the cells upstream and at the entry; dimensionless.
+    fn upstream(&self, saturation: &[f64], entry: [f64; 2], k: usize) -> [f64; 2] {
+        let stencil = &self.stencils[k];
+        let mut sum = entry.map(|q| stencil.entry() * q);
         for (j, weight) in stencil.cells(k).filter(|(j, _)| *j != k) {
             sum = [0, 1].map(|c| sum[c] + weight * saturation[2 * j + c]);
         }
-        (stencil.own(), sum)
+        sum
     }
 
-    /// The answer of a cell, and its derivative by c in Pa.
-    fn answer(&self, (p, b): (&[f64], &[f64]), saturation: &[f64], k: usize) -> (Answer, Matrix) {
-        let sliding = self.sliding(b, k);
-        let pull = [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
-        let compliance = self.gamma / self.law.stiffness();
+    /// The answer of a cell to a pull with a γ, and to c.
+    fn answer(&self, (pull, gamma): ([f64; 2], f64), upstream: [f64; 2], k: usize) -> Answer {
+        let compliance = gamma / self.law.stiffness();
         if self.law.is_coulomb() {
-            let answer = Answer::to(pull, self.bound[k], &Bristles::default());
-            return (answer, Matrix::default());
+            Answer::to(pull, self.bound[k], &Bristles::default())
+        } else if self.is_straight(k) {
+            Answer::straight(pull, self.bound[k], [0.0; 2], compliance)
+        } else {
+            let bristles = Bristles::that_inherit(upstream, self.stencils[k].own(), compliance);
+            Answer::to(pull, self.bound[k], &bristles)
         }
-        if self.is_straight(k) {
-            let answer = Answer::straight(pull, self.bound[k], [0.0; 2], compliance);
-            return (answer, Matrix::default());
-        }
-        let (own, c) = self.upstream(saturation, k);
-        let (bristles, by_c) = Bristles::that_inherit(c, own, compliance);
-        let answer = Answer::to(pull, self.bound[k], &bristles);
-        (answer, product_2x2(&answer.by_inherited, &by_c))
-    }
-
-    /// Tractions (in Pa) over μ pₙ.
-    fn saturate(bound: &[f64], p: &[f64], saturation: &mut [f64]) {
-        let pairs = p.chunks_exact(2).zip(saturation.chunks_exact_mut(2));
-        for (bound, (p, saturation)) in bound.iter().zip(pairs) {
-            let over = if *bound > 0.0 { bound.recip() } else { 0.0 };
-            saturation.copy_from_slice(&[over * p[0], over * p[1]]);
-        }
-    }
-
-    /// The residual that defines the tolerance, in Pa.
-    pub fn defect(&self, p: &[f64], b: &[f64]) -> f64 {
-        let mut saturation = vec![0.0; p.len()];
-        Self::saturate(&self.bound, p, &mut saturation);
-        let square = |k: usize| {
-            let (Answer { traction, .. }, _) = self.answer((p, b), &saturation, k);
-            (p[2 * k] - traction[0]).powi(2) + (p[2 * k + 1] - traction[1]).powi(2)
-        };
-        self.contact.kept().map(square).sum::<f64>().sqrt()
     }
 
     /// F(p), in Pa; prepares the tangent.
     pub fn residual(&mut self, p: &[f64], b: &[f64], residual: &mut [f64]) {
         residual.fill(0.0);
-        Self::saturate(&self.bound, p, &mut self.saturation);
+        let has_bristles = self.has_bristles();
+        if has_bristles {
+            for k in 0..self.len() {
+                let over = inverse(self.bound[k]);
+                self.saturation[2 * k] = over * p[2 * k];
+                self.saturation[2 * k + 1] = over * p[2 * k + 1];
+            }
+        }
         for strip in 0..self.contact.slivers.kept.len() {
-            for k in self.contact.slivers.kept[strip].clone() {
-                let (answer, by_upstream) = self.answer((p, b), &self.saturation, k);
+            let cells = self.contact.slivers.kept[strip].clone();
+            let entry = entry_value(pair(&self.saturation, cells.start));
+            self.entries[cells.start] = entry;
+            for k in cells {
+                let sliding = self.sliding(b, k);
+                let pull = [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
+                let upstream = if has_bristles {
+                    self.upstream(&self.saturation, entry.0, k)
+                } else {
+                    [0.0; 2]
+                };
+                let answer = self.answer((pull, self.gamma), upstream, k);
                 for c in 0..2 {
                     residual[2 * k + c] = p[2 * k + c] - answer.traction[c];
                 }
                 self.answers[k] = answer;
-                self.by_upstream[k] = by_upstream;
             }
         }
         self.is_factorised = false;
@@ -293,7 +288,7 @@ impl StripLaw {
         }
         let Some(cause) = cause else { return };
         let mut slid = self.since_entry(&cause.rigid);
-        slide(&self.stencils[0], &mut slid);
+        slide(&self.stencils, &mut slid);
         for k in self.contact.kept() {
             let answer = &self.answers[k];
             let moved = times(&answer.by_pull, pair(&slid, k));
@@ -311,7 +306,7 @@ impl StripLaw {
     /// Whether the path from the entry to a cell is taken for straight: to the first cell, and under
     /// a law in the total displacement.
     fn is_straight(&self, k: usize) -> bool {
-        self.is_total() || self.enters[k]
+        self.is_total() || self.first[k] == k
     }
 
     fn has_bristles(&self) -> bool {
@@ -325,14 +320,17 @@ impl StripLaw {
             for c in 0..2 {
                 let at = 2 * k + c;
                 let changed = change.traction[at] - self.saturation[at] * raised;
-                self.changes[at] = if self.bound[k] > 0.0 { changed / self.bound[k] } else { 0.0 };
+                self.changes[at] = inverse(self.bound[k]) * changed;
             }
         }
+        let compliance = self.gamma / self.law.stiffness();
         for k in self.contact.kept() {
-            let (_, changed) = self.upstream(&self.changes, k);
-            let moved = times(&self.by_upstream[k], changed);
+            let first = self.first[k];
+            let entry = times(&self.entries[first].1, pair(&self.changes, first));
+            let changed = self.upstream(&self.changes, entry, k);
+            let moved = times(&self.answers[k].by_inherited, changed);
             for c in 0..2 {
-                product[2 * k + c] -= moved[c];
+                product[2 * k + c] -= compliance * moved[c];
             }
         }
     }
@@ -364,13 +362,18 @@ impl StripLaw {
             kept: &self.contact.slivers.kept,
             answers: &self.answers,
             gamma: self.gamma,
-            bristles: self.has_bristles().then_some((&self.stencils[1], &self.by_upstream)),
-            bound: &self.bound,
+            bristles: self.has_bristles().then_some(Upstream {
+                stencils: &self.stencils,
+                first: &self.first,
+                entries: &self.entries,
+                compliance: self.gamma / self.law.stiffness(),
+                bound: &self.bound,
+            }),
         };
         self.factors.factorise(&interface);
         if is_coupled {
             for k in self.contact.slivers.kept.iter().flat_map(Clone::clone) {
-                let weight = self.gamma * self.stencils[0][k].own();
+                let weight = self.gamma * self.stencils[k].own();
                 let stiffening = self.contact.local[k].map(|row| row.map(|local| weight * local));
                 self.inverses[k] = inverse_2x2(self.answers[k].jacobian(&stiffening));
             }
@@ -408,7 +411,9 @@ impl StripLaw {
         let (strip, k) = at;
         let kept = self.contact.slivers.kept[strip].clone();
         let here = patch.cells[k].since_entry.distance;
-        let entry = TrackPoint { distance: here, ..TrackPoint::default() };
+        let first = saturation(pair(p, kept.start), self.bound[kept.start]);
+        let (entered, _) = if k < kept.start { Default::default() } else { entry_value(first) };
+        let entry = TrackPoint { distance: here, saturation: entered, ..TrackPoint::default() };
         let cells = (kept.start..=k).rev().filter(|cell| kept.contains(cell) || *cell == k);
         let cells = cells.map(|j| TrackPoint {
             distance: here - patch.cells[j].since_entry.distance,
@@ -437,7 +442,7 @@ impl StripLaw {
             return;
         }
         for k in self.contact.kept() {
-            let per_way = speed / self.stencils[0][k].way;
+            let per_way = speed / self.stencils[k].way;
             let slides = self.answers[k].is_sliding();
             let sliding = if slides { self.sliding(b, k) } else { [0.0; 2] };
             slip[k] = sliding.map(|s| per_way * s);
@@ -457,3 +462,12 @@ impl StripLaw {
         sums
     }
 }
+
+/// 1/x of a bound, and zero for none.
+fn inverse(bound: f64) -> f64 {
+    if bound > 0.0 { bound.recip() } else { 0.0 }
+}
+
+/// Most fixed-point steps to the traction of a cell that is displaced by itself only: one where it
+/// gives way alike in both directions.
+const MOST_SWEEPS: usize = 60;

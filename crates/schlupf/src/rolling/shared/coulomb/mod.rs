@@ -33,19 +33,11 @@ impl Discretisation {
             Self::Robust => 0.45,
         }
     }
-
-    /// Share of the slip that depends on a cell downstream where a patch is long, dimensionless.
-    fn most_ahead(self) -> f64 {
-        match self {
-            Self::Exact => 1.0,
-            Self::Robust => 0.0,
-        }
-    }
 }
 
 pub(in crate::rolling) use calibration::Calibration;
 pub(in crate::rolling) use contact::CoulombContact;
 pub(in crate::rolling) use resolvent::{
-    Answer, Bristles, Matrix, product_2x2, reduced, saturation,
+    Answer, Bristles, Matrix, entry_value, product_2x2, reduced, saturation,
 };
 pub(in crate::rolling) use slip_stencil::{SlipStencil, slide, through};

@@ -33,6 +33,23 @@ pub(in crate::rolling) fn saturation(traction: [f64; 2], bound: f64) -> [f64; 2]
     reduced(traction.map(|p| over * p), 1.0)
 }
 
+/// Power of |q| with which the first cell hides the entry from stencils, dimensionless.
+const HIDDEN: i32 = 3;
+
+/// What stands for p/(μ pₙ) at the entry in a stencil, given that of the first cell, with its
+/// derivative; dimensionless both. It is zero, with which material enters, up to an error of fourth
+/// order in the sliding of the first cell; bristles that relax on the way into that cell jump at the
+/// entry, and a polynomial is not to pass through the jump.
+pub(in crate::rolling) fn entry_value(first: [f64; 2]) -> ([f64; 2], Matrix) {
+    let size = length(first).min(1.0);
+    let hidden = size.powi(HIDDEN);
+    let n = first.map(|q| if size > 0.0 { q / size } else { 0.0 });
+    let steeper = f64::from(HIDDEN);
+    let by = [0, 1]
+        .map(|r| [0, 1].map(|c| hidden * (if r == c { 1.0 } else { 0.0 } + steeper * n[r] * n[c])));
+    (first.map(|q| hidden * q), by)
+}
+
 /// What the material of a cell brings along, in Pa.
 #[derive(Debug, Clone, Copy, Default)]
 pub(in crate::rolling) struct Bristles {
@@ -43,17 +60,9 @@ pub(in crate::rolling) struct Bristles {
 }
 
 impl Bristles {
-    /// From c, τ and γ/k_c (in Pa), with the derivative of what is inherited by c, in Pa. The
-    /// stencil overshoots where q has a kink: |c| counts up to τ.
-    pub fn that_inherit(c: [f64; 2], own: f64, compliance: f64) -> (Self, Matrix) {
-        let size = length(c);
-        let share = if size > own { own / size } else { 1.0 };
-        let inherited = c.map(|c| compliance * share * c);
-        let scale = compliance * share;
-        let n = c.map(|c| if size > own { c / size } else { 0.0 });
-        let by_c =
-            [0, 1].map(|r| [0, 1].map(|c| scale * (if r == c { 1.0 } else { 0.0 } - n[r] * n[c])));
-        (Self { own: compliance * own, inherited }, by_c)
+    /// From c, τ and γ/k_c (in Pa).
+    pub fn that_inherit(c: [f64; 2], own: f64, compliance: f64) -> Self {
+        Self { own: compliance * own, inherited: c.map(|c| compliance * c) }
     }
 }
 
@@ -220,7 +229,8 @@ fn straight(pull: [f64; 2], bound: f64, before: [f64; 2], compliance: f64) -> St
     for _ in 0..STEPS {
         let Straight { sliding, left, rest } = now;
         let length = length(rest);
-        let excess = bound * (1.0 - left) + sliding - length;
+        let relaxed = -(-sliding / compliance).exp_m1();
+        let excess = bound * relaxed + sliding - length;
         if excess > 0.0 {
             high = sliding
         } else {
