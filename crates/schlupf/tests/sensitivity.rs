@@ -85,9 +85,6 @@ fn check(name: &str, base: &Problem, friction: Setter, stiffness: Setter) {
     check_at(name, base, friction, (stiffness, 5e6));
 }
 
-/// k_c (in 1/m) on 14 cells of the half-space where stiff bristles take over from soft ones.
-const BLENDED: f64 = 1e7;
-
 /// The same with another k_c, in 1/m.
 fn check_at(name: &str, base: &Problem, friction: Setter, (stiffness, k_c): (Setter, f64)) {
     // Stiff bristles amplify rounding.
@@ -96,9 +93,7 @@ fn check_at(name: &str, base: &Problem, friction: Setter, (stiffness, k_c): (Set
     let Sensitivity { creepage_x, creepage_y, spin, load, friction_coefficient, contact_stiffness } =
         solution.sensitivity.unwrap();
     let k = base.kinematics;
-    let is_blend = k_c == BLENDED;
-    let is_calibrated = k_c > 5e6 && base.elasticity.under_ellipsoid([5e-3; 2]).is_none();
-    assert_eq!(load.is_none(), is_blend || is_calibrated, "{name}");
+    assert!(load.is_some(), "{name}");
     let parameters: [(&str, Option<Resultant>, Setter, f64, f64); 6] = [
         ("ξ", Some(creepage_x), &|p, v| moved(p, |k| k.creepage_x = v), k.creepage_x, 1e-3),
         ("η", Some(creepage_y), &|p, v| moved(p, |k| k.creepage_y = v), k.creepage_y, 1e-3),
@@ -170,9 +165,7 @@ fn on_the_layer_and_the_half_space() {
     check("Winkler", &uncoupled, &constant, &incremental);
 }
 
-/// Where the interpolation at the leading edge is between cubic and linear, it depends on the
-/// stiffness of the bristles, and so do the forces. Stiffnesses that are calibrated change with the
-/// patch, and so with the load.
+/// Stiffnesses that are calibrated change with the patch, and so with the load.
 #[test]
 fn on_calibrated_springs() {
     let steel = Material::STEEL;
@@ -206,7 +199,7 @@ fn with_stiff_bristles() {
     let half = Problem { elasticity: half_space(), ..base() };
     check_at("half-space", &incremental(&half, 1e8), &constant, (&incremental, 1e8));
     check_at("layer", &incremental(&base(), 1e8), &constant, (&incremental, 1e8));
-    check_at("blend", &incremental(&half, BLENDED), &constant, (&incremental, BLENDED));
+    check_at("soft", &incremental(&half, 1e7), &constant, (&incremental, 1e7));
 }
 
 /// Driving, with a floor of friction in part of the patch.
@@ -346,13 +339,15 @@ fn kalker_1967_at_rest() {
     assert!((slope.creepage_x.x * small / moved.x - 1.0).abs() < 1e-4, "{slope:?} {moved:?}");
     // By reciprocity C23 is in Fy under spin and in −Mz under lateral creepage, where the bristles,
     // whose stiffness goes with the pressure, give way little; the rest is the grid's, and of the
-    // first order where stiff bristles are in series with stick and slip.
+    // first order.
     let off = |stiffness: f64, across: usize| {
         let stiff = incremental(&rest, stiffness);
         let slope = on_cells(&stiff, across, 1e-9).sensitivity.unwrap();
         (slope.spin.y / slope.creepage_y.moment_z.unwrap() + 1.0).abs()
     };
-    assert!(off(2e7, 40) < 0.02);
-    let stick_and_slip = [20, 40, 80].map(|across| off(1e8, across));
-    assert!(stick_and_slip.windows(2).all(|off| off[1] < 0.6 * off[0]), "{stick_and_slip:?}");
+    for stiffness in [2e7, 1e8] {
+        let on_grids = [20, 40, 80].map(|across| off(stiffness, across));
+        assert!(on_grids.windows(2).all(|off| off[1] < 0.65 * off[0]), "{on_grids:?}");
+    }
+}");
 }

@@ -18,6 +18,7 @@ use crate::patch::Cell;
 use crate::prescribed_forces::Direction;
 use crate::problem::Problem;
 use crate::progress::{Progress, Stage, Watch, tell};
+use crate::rolling::shared::coulomb::Calibrated;
 use crate::solution::{Resultant, Sensitivity};
 use crate::summary;
 
@@ -227,11 +228,7 @@ impl<'a> Derivatives<'a> {
     fn by_layer(&mut self) -> Option<Resultant> {
         let layer = self.problem.layer?;
         let mut direct = Direct::nothing(self.levels[0].strips.len());
-        direct.response = vec![0.0; self.response_step.len()];
-        let mut system = SteadyState::new(self.problem, self.levels);
-        if !system.response_of_layer(&mut direct.response) {
-            return None;
-        }
+        direct.response = self.part_of_response(Calibrated::OfLayer)?;
         Some(scaled(&self.by(&direct)?, -layer.shear_modulus().recip()))
     }
 
@@ -256,16 +253,12 @@ impl<'a> Derivatives<'a> {
     /// Direct changes with the logarithm of the load, if the elasticity knows how it scales.
     fn direct_by_load(&mut self) -> Option<Direct> {
         let load_exponent = self.problem.normal.load_exponent()?;
-        if load_exponent != 0.0 && !self.scales() {
-            return None;
-        }
         let mut direct = Direct::nothing(self.levels[0].strips.len());
         direct.response = vec![0.0; self.response_step.len()];
-        let mut system = SteadyState::new(self.problem, self.levels);
-        if load_exponent != 0.0 && !system.response_by_size(&mut direct.response) {
-            return None;
+        if load_exponent != 0.0 {
+            direct.response = self.part_of_response(Calibrated::BySize)?;
+            self.products += 1;
         }
-        self.products += usize::from(load_exponent != 0.0);
         let Level { contact, strips, friction, response, .. } = &self.levels[0];
         for u in &mut direct.response {
             *u *= load_exponent;
@@ -310,13 +303,18 @@ impl<'a> Derivatives<'a> {
         Some(direct)
     }
 
-    /// Whether all that is computed of the displacement of the bodies scales with the patch. The
-    /// calibration does so with that of the half-space.
-    fn scales(&self) -> bool {
-        let contact = &self.levels[0].contact;
-        let semi_axes = [contact.normal.semi_axis_x, contact.normal.semi_axis_y];
-        let is_half_space = || self.problem.elasticity.under_ellipsoid(semi_axes).is_some();
-        !contact.compliance.couples_cells() || is_half_space()
+    /// A part or a derivative of the linear response, with nothing if the elasticity does not know
+    /// it.
+    fn part_of_response(&mut self, what: Calibrated) -> Option<Vec<f64>> {
+        let mut response = vec![0.0; self.response_step.len()];
+        let mut system = SteadyState::new(self.problem, self.levels);
+        match system.part_of_response(what, &mut response) {
+            Ok(is_known) => is_known.then_some(response),
+            Err(error) => {
+                self.stopped = Some(error);
+                None
+            }
+        }
     }
 
     fn by_load(&mut self, direct: &Direct) -> Option<Resultant> {

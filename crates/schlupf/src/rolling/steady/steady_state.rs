@@ -2,9 +2,11 @@
 //! upstream of it in its strip. Traction, temperature and friction are found together.
 
 use crate::equilibrium::{self, Equilibrium};
-use crate::numerics::vector::{add_scaled, norm};
+use crate::error::Error;
+use crate::numerics::vector::norm;
 use crate::problem::Problem;
 use crate::rolling::shared::contact::Displaced;
+use crate::rolling::shared::coulomb::Calibrated;
 
 use super::level::{Descent, Level};
 use super::steady_friction::{Change, FrictionCause, SteadyFriction};
@@ -61,8 +63,13 @@ impl Equilibrium for SteadyState<'_> {
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]) {
         let is_coupled = self.is_coupled();
         let Level { contact, strips, workspace, .. } = &mut self.levels[0];
-        let strips = Strips { law: strips, traction: p };
-        relate(contact.product(p), &strips, &mut workspace.at_entry, u, is_coupled);
+        let (b, passing) = u.split_at_mut(p.len());
+        let mut made = contact.product(p);
+        relative(&made, &mut workspace.at_entry, b);
+        strips.relate(p, b);
+        if is_coupled {
+            made.change_in_passing(passing);
+        }
     }
 
     fn residual(&mut self, p: &[f64], u: &[f64], residual: &mut [f64]) {
@@ -94,6 +101,7 @@ impl Equilibrium for SteadyState<'_> {
             p.fill(0.0);
             strips.uncoupled_state([0.0; 2], p);
             friction.rigid_slip_state(self.problem, &contact.patch, strips.bound(), p);
+            strips.complete(p);
         }
         self.is_coupled()
     }
@@ -107,30 +115,12 @@ impl Equilibrium for SteadyState<'_> {
     }
 }
 
-/// The strips of a patch under a traction (in Pa).
-struct Strips<'a> {
-    law: &'a StripLaw,
-    traction: &'a [f64],
-}
-
-/// The linear response from the result of a product: the displacement at the cells relative to the
-/// upstream neighbour, and the change along the passage if required.
-fn relate(
-    mut made: Displaced,
-    strips: &Strips,
-    at_entry: &mut [f64],
-    response: &mut [f64],
-    is_coupled: bool,
-) {
-    let (b, passing) = response.split_at_mut(at_entry.len());
+/// Displacements at the cells relative to those where their material entered, in m.
+fn relative(made: &Displaced, at_entry: &mut [f64], b: &mut [f64]) {
     made.at_cells(b);
     made.at_entries(at_entry);
     for (b, entry) in b.iter_mut().zip(at_entry) {
         *b -= *entry;
-    }
-    strips.law.relate(strips.traction, b);
-    if is_coupled {
-        made.change_in_passing(passing);
     }
 }
 
@@ -194,74 +184,31 @@ impl SteadyState<'_> {
         friction.evaluate(self.problem, &contact.patch, traction, &passing);
     }
 
-    /// Derivative of the linear response at the solution with respect to the logarithm of the patch
-    /// size; returns whether the elasticity knows it.
-    pub fn response_by_size(&mut self, response: &mut [f64]) -> bool {
+    /// A part or a derivative of the linear response at the solution; returns whether the elasticity
+    /// knows it.
+    ///
+    /// # Errors
+    /// Those of the compliance on a finer grid.
+    pub fn part_of_response(
+        &mut self,
+        what: Calibrated,
+        response: &mut [f64],
+    ) -> Result<bool, Error> {
         let is_coupled = self.is_coupled();
         let Level { contact, strips, traction, workspace, .. } = &mut self.levels[0];
-        let made = contact.product_by_size(traction);
-        let is_known = made.is_some();
-        if let Some(made) = made {
-            let strips = Strips { law: strips, traction };
-            relate(made, &strips, &mut workspace.at_entry, response, is_coupled);
-        }
-        // The law has added the calibration of the layer, which does not depend on the size.
-        if is_known && let Some(mut of_layer) = self.calibration_of_layer() {
-            let size = of_layer.len();
-            self.slide(&mut of_layer);
-            add_scaled(&mut response[..size], -1.0, &of_layer);
-        }
-        is_known
-    }
-
-    /// What the law adds to the shear of the layer between the surfaces at the present traction,
-    /// where the displacement is calibrated; in m.
-    fn calibration_of_layer(&mut self) -> Option<Vec<f64>> {
-        let Level { contact, traction, .. } = &mut self.levels[0];
-        if !contact.compliance.couples_cells() {
-            return None;
-        }
-        let cells = contact.patch.cells.iter();
-        let pressure: Vec<f64> = cells.flat_map(|cell| [cell.pressure; 2]).collect();
-        let mut missing = vec![0.0; traction.len()];
-        contact.product_of_layer(&pressure)?.at_cells(&mut missing);
-        let layer = contact.layer_compliance;
-        for (at, missing) in missing.iter_mut().enumerate() {
-            let cell = &contact.patch.cells[at / 2];
-            *missing = (layer / cell.covered - *missing / cell.pressure) * traction[at];
-        }
-        Some(missing)
-    }
-
-    /// Sliding over the way into each cell from displacements relative to the entry (in m), without
-    /// what the law adds to any displacement.
-    fn slide(&mut self, b: &mut [f64]) {
-        let Level { strips, traction, workspace, .. } = &mut self.levels[0];
-        workspace.at_entry.fill(0.0);
-        strips.relate(traction, &mut workspace.at_entry);
-        strips.relate(traction, b);
-        add_scaled(b, -1.0, &workspace.at_entry);
-    }
-
-    /// The part of the linear response at the present traction that is the shear of the layer
-    /// between the surfaces. Returns whether there is one.
-    ///
-    /// Where the displacement is calibrated, so is this.
-    pub fn response_of_layer(&mut self, response: &mut [f64]) -> bool {
-        let is_coupled = self.is_coupled();
-        let calibration = self.calibration_of_layer();
-        let Level { contact, traction, workspace, .. } = &mut self.levels[0];
         let (b, passing) = response.split_at_mut(workspace.at_entry.len());
-        let Some(mut made) = contact.product_of_layer(traction) else { return false };
-        made.at_cells(b);
+        let made = match what {
+            Calibrated::Displacement => Some(contact.product(traction)),
+            Calibrated::BySize => contact.product_by_size(traction),
+            Calibrated::OfLayer => contact.product_of_layer(traction),
+        };
+        let Some(mut made) = made else { return Ok(false) };
+        relative(&made, &mut workspace.at_entry, b);
         if is_coupled {
             made.change_in_passing(passing);
         }
-        if let Some(calibration) = calibration {
-            add_scaled(b, 1.0, &calibration);
-        }
-        self.slide(b);
-        true
+        let normal = self.problem.normal.normal_contact(None)?;
+        strips.relate_part(what, (self.problem, &normal), contact, (traction, b))
     }
 }
 

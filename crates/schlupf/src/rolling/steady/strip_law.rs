@@ -13,8 +13,8 @@ use crate::problem::Problem;
 use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::coulomb::{
-    Answer, Bristles, CoulombContact, Discretisation, Matrix, SlipStencil, entry_value, saturation,
-    slide,
+    Answer, Bristles, Calibrated, Calibration, CoulombContact, Discretisation, Matrix, SlipStencil,
+    entry_value, saturation, slide,
 };
 use crate::rolling::shared::passage::pair;
 use crate::state::{Element, Places, TrackPoint};
@@ -160,8 +160,28 @@ impl StripLaw {
     /// Converts displacements at the cells under the traction p, relative to those where their
     /// material entered, into b, in place; both in m.
     pub fn relate(&self, p: &[f64], b: &mut [f64]) {
-        self.contact.calibration.add(p, b);
+        self.relate_with(&self.contact.calibration, p, b);
+    }
+
+    fn relate_with(&self, calibration: &Calibration, p: &[f64], b: &mut [f64]) {
+        calibration.add(p, b);
         slide(&self.stencils, b);
+    }
+
+    /// The same for a part or a derivative of the displacement; returns whether the elasticity knows
+    /// it.
+    pub fn relate_part(
+        &self,
+        what: Calibrated,
+        of: (&Problem, &NormalContact),
+        contact: &mut DiscreteContact,
+        (p, b): (&[f64], &mut [f64]),
+    ) -> Result<bool, Error> {
+        let calibration = self.contact.calibration_of(what, of, contact)?;
+        if let Some(calibration) = &calibration {
+            self.relate_with(calibration, p, b);
+        }
+        Ok(calibration.is_some())
     }
 
     /// Sliding at a cell over the way into it, in m.

@@ -34,6 +34,17 @@ pub(in crate::rolling) struct Calibration {
     first: Vec<usize>,
 }
 
+/// What is calibrated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::rolling) enum Calibrated {
+    /// The displacement.
+    Displacement,
+    /// Its derivative with respect to the logarithm of the patch size, at the same pressure.
+    BySize,
+    /// Its part that is the shear of the layer between the surfaces.
+    OfLayer,
+}
+
 /// Refinement of the grid that stands for the exact displacement.
 const FINER: usize = 4;
 
@@ -41,32 +52,41 @@ const FINER: usize = 4;
 const MOST_CELLS: usize = 1 << 19;
 
 impl Missing {
+    /// In none of some cells.
+    pub fn nothing(cells: usize) -> Self {
+        let nothing = vec![[0.0; 3]; cells];
+        Self { at_cells: nothing.clone(), at_entries: nothing }
+    }
+
     /// Of the contact of a problem: against the exact displacement if it is known, and otherwise
-    /// that on a finer grid. Nothing is missing if cells do not displace each other.
+    /// that on a finer grid. Nothing is missing if cells do not displace each other. `None` if the
+    /// elasticity does not know the derivative.
     pub fn new(
         problem: &Problem,
         normal: &NormalContact,
         contact: &mut DiscreteContact,
-    ) -> Result<Self, Error> {
+        of: Calibrated,
+    ) -> Result<Option<Self>, Error> {
         let cells = contact.patch.len();
         if !contact.compliance.couples_cells() {
-            let nothing = vec![[0.0; 3]; cells];
-            return Ok(Self { at_cells: nothing.clone(), at_entries: nothing });
+            return Ok(Some(Self::nothing(cells)));
         }
-        let exact = Exact::of(problem, normal, &contact.patch.grid)?;
-        let [mut at_cells, mut at_entries] = discrete(contact);
-        let layer = contact.layer_compliance;
+        let Some(exact) = Exact::of(problem, normal, &contact.patch.grid, of)? else {
+            return Ok(None);
+        };
+        let Some([mut at_cells, mut at_entries]) = discrete(contact, of) else { return Ok(None) };
+        // The layer is sheared by the traction of the point above it, whatever the patch size.
+        let layer = if of == Calibrated::BySize { 0.0 } else { contact.layer_compliance };
         for (k, cell) in contact.patch.cells.iter().enumerate() {
             let known = [[cell.x, cell.y], [cell.entry_x(), cell.y]].map(|at| exact.at(at));
             for (missing, known) in [&mut at_cells[k], &mut at_entries[k]].into_iter().zip(known) {
                 *missing = std::array::from_fn(|c| known[c] - missing[c]);
             }
-            // The layer is sheared by the traction of the point above it.
             let sheared = layer * cell.pressure_where_covered();
             at_cells[k][0] += sheared;
             at_cells[k][1] += sheared;
         }
-        Ok(Self { at_cells, at_entries })
+        Ok(Some(Self { at_cells, at_entries }))
     }
 }
 
@@ -122,14 +142,18 @@ fn product([xx, yy, xy]: &Symmetric, p: &[f64], k: usize) -> [f64; 2] {
 }
 
 /// The displacement under p = pₙ at the cells and at their entries, as it is computed; in m.
-fn discrete(contact: &mut DiscreteContact) -> [Vec<Symmetric>; 2] {
+fn discrete(contact: &mut DiscreteContact, of: Calibrated) -> Option<[Vec<Symmetric>; 2]> {
     let mut found = [0, 1].map(|_| vec![[0.0; 3]; contact.patch.len()]);
     let mut u = vec![0.0; 2 * contact.patch.len()];
     for direction in 0..2 {
         let along = |c: usize| if c == direction { 1.0 } else { 0.0 };
         let cells = contact.patch.cells.iter();
         let p: Vec<f64> = cells.flat_map(|cell| [0, 1].map(|c| along(c) * cell.pressure)).collect();
-        let made = contact.product(&p);
+        let made = match of {
+            Calibrated::Displacement => contact.product(&p),
+            Calibrated::BySize => contact.product_by_size(&p)?,
+            Calibrated::OfLayer => contact.product_of_layer(&p)?,
+        };
         for (place, found) in found.iter_mut().enumerate() {
             if place == 0 {
                 made.at_cells(&mut u);
@@ -142,23 +166,33 @@ fn discrete(contact: &mut DiscreteContact) -> [Vec<Symmetric>; 2] {
             }
         }
     }
-    found
+    Some(found)
 }
 
 /// What is taken for the exact displacement under p = pₙ.
 enum Exact {
+    Nothing,
     Ellipsoid(EllipsoidalTraction, f64),
     Finer { grid: Grid, under: [VectorField; 2] },
 }
 
 impl Exact {
-    fn of(problem: &Problem, normal: &NormalContact, grid: &Grid) -> Result<Self, Error> {
+    fn of(
+        problem: &Problem,
+        normal: &NormalContact,
+        grid: &Grid,
+        of: Calibrated,
+    ) -> Result<Option<Self>, Error> {
+        if of == Calibrated::OfLayer {
+            return Ok(Some(Self::Nothing));
+        }
         let summary = &normal.summary;
         let semi_axes = [summary.semi_axis_x, summary.semi_axis_y];
         if let Pressure::Elliptic = normal.pressure
             && let Some(known) = problem.elasticity.under_ellipsoid(semi_axes)
         {
-            return Ok(Self::Ellipsoid(known, summary.peak_pressure));
+            // At the same pressure it is proportional to the size.
+            return Ok(Some(Self::Ellipsoid(known, summary.peak_pressure)));
         }
         let finer = (2..=FINER).rev().find(|finer| finer * finer * grid.len() <= MOST_CELLS);
         let finer = finer.unwrap_or(1);
@@ -170,20 +204,24 @@ impl Exact {
         let mut compliance = problem.elasticity.compliance(&grid)?;
         let spread = Interpolation::new(&patch);
         let mut traction = VectorField::zeros(grid.len());
-        let under = [0, 1].map(|direction| {
-            let of = |pressure: f64| if direction == 0 { [pressure, 0.0] } else { [0.0, pressure] };
-            let p: Vec<f64> = patch.cells.iter().flat_map(|cell| of(cell.pressure)).collect();
+        let mut under = [0, 1].map(|_| VectorField::zeros(grid.len()));
+        for (direction, displacement) in under.iter_mut().enumerate() {
+            let along = |pressure: f64| [0, 1].map(|c| if c == direction { pressure } else { 0.0 });
+            let p: Vec<f64> = patch.cells.iter().flat_map(|cell| along(cell.pressure)).collect();
             spread.spread(&p, &mut traction);
-            let mut displacement = VectorField::zeros(grid.len());
-            compliance.displacement(&traction, &mut displacement);
-            displacement
-        });
-        Ok(Self::Finer { grid, under })
+            if of == Calibrated::Displacement {
+                compliance.displacement(&traction, displacement);
+            } else if !compliance.displacement_by_size(&traction, displacement) {
+                return Ok(None);
+            }
+        }
+        Ok(Some(Self::Finer { grid, under }))
     }
 
     /// At a point (in m).
     fn at(&self, point: [f64; 2]) -> Symmetric {
         match self {
+            Self::Nothing => [0.0; 3],
             Self::Ellipsoid(known, peak) => known.displacement(*peak, point),
             Self::Finer { grid, under: [along, across] } => {
                 let at = |values: &[f64]| interpolated(grid, values, point);

@@ -7,7 +7,7 @@ use crate::problem::Problem;
 use crate::rolling::shared::contact::{DiscreteContact, Row, at_distance};
 
 use super::Discretisation;
-use super::calibration::{Calibration, Missing, Symmetric};
+use super::calibration::{Calibrated, Calibration, Missing, Symmetric};
 use super::resolvent::Matrix;
 use super::slivers::{Slivers, Worth};
 
@@ -40,7 +40,8 @@ impl CoulombContact {
         if is_rigid && problem.contact_law.is_coulomb() {
             return Err(Error::CoulombOfRigidBodies {});
         }
-        let missing = Missing::new(problem, normal, contact)?;
+        let missing = Missing::new(problem, normal, contact, Calibrated::Displacement)?;
+        let missing = missing.unwrap_or_else(|| Missing::nothing(contact.patch.len()));
         let patch = &contact.patch;
         let worth: Vec<Worth> = (0..patch.len()).map(|k| worth(k, patch, &missing, &row)).collect();
         let slivers = Slivers::new(patch, &worth, discretisation);
@@ -50,6 +51,20 @@ impl CoulombContact {
             [[along(own[0], *xx), *xy], [*xy, along(own[1], *yy)]]
         });
         Ok(Self { local: local.collect(), slivers, calibration })
+    }
+
+    /// A part or a derivative of the calibration, if the elasticity knows it.
+    ///
+    /// # Errors
+    /// Those of the compliance on a finer grid.
+    pub fn calibration_of(
+        &self,
+        what: Calibrated,
+        (problem, normal): (&Problem, &NormalContact),
+        contact: &mut DiscreteContact,
+    ) -> Result<Option<Calibration>, Error> {
+        let missing = Missing::new(problem, normal, contact, what)?;
+        Ok(missing.map(|missing| Calibration::new(&missing, &contact.patch, &self.slivers.kept)))
     }
 
     /// The cells with equations of their own.

@@ -35,7 +35,7 @@ impl Discretisation {
     }
 }
 
-pub(in crate::rolling) use calibration::Calibration;
+pub(in crate::rolling) use calibration::{Calibrated, Calibration};
 pub(in crate::rolling) use contact::CoulombContact;
 pub(in crate::rolling) use resolvent::{
     Answer, Bristles, Matrix, entry_value, product_2x2, reduced, saturation,

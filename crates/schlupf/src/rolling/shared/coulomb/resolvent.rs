@@ -90,8 +90,38 @@ const STEPS: usize = 60;
 const ACCURACY: f64 = 1e-14;
 
 impl Answer {
-    /// Under a pull, with a bound μ pₙ (both in Pa).
+    /// Under a pull, with a bound μ pₙ (both in Pa). Where p/(μ pₙ) has a kink, a stencil of third
+    /// order overshoots it: tractions are reduced to the bound.
     pub fn to(pull: [f64; 2], bound: f64, bristles: &Bristles) -> Self {
+        let answer = Self::unbounded(pull, bound, bristles);
+        let size = length(answer.traction);
+        if size <= bound { answer } else { answer.reduced(size, bound) }
+    }
+
+    /// Reduced from a size to a bound, in Pa.
+    fn reduced(self, size: f64, bound: f64) -> Self {
+        let share = bound / size;
+        let n = self.traction.map(|p| p / size);
+        let across = |v: [f64; 2]| {
+            let along = n[0] * v[0] + n[1] * v[1];
+            [0, 1].map(|c| share * (v[c] - along * n[c]))
+        };
+        let block = |m: Matrix| {
+            let columns = [0, 1].map(|c| across([m[0][c], m[1][c]]));
+            [0, 1].map(|r| [columns[0][r], columns[1][r]])
+        };
+        let by_bound = across(self.by_bound);
+        Self {
+            traction: n.map(|n| bound * n),
+            sliding: self.sliding,
+            by_pull: block(self.by_pull),
+            by_inherited: block(self.by_inherited),
+            by_bound: [0, 1].map(|c| by_bound[c] + n[c]),
+            by_stiffness: across(self.by_stiffness),
+        }
+    }
+
+    fn unbounded(pull: [f64; 2], bound: f64, bristles: &Bristles) -> Self {
         let Bristles { own, inherited } = *bristles;
         if own == 0.0 && length(pull) <= bound {
             let by_pull = [[1.0, 0.0], [0.0, 1.0]];
@@ -129,7 +159,7 @@ impl Answer {
     /// Of a point that slides straight by s from a saturation q before, p = μpₙ (e q + (1 − e) s/|s|)
     /// with e = exp(−k_c |s|), under the pull p + γ s and with γ/k_c (in Pa).
     pub fn straight(pull: [f64; 2], bound: f64, before: [f64; 2], compliance: f64) -> Self {
-        let Straight { sliding, left, rest } = straight(pull, bound, before, compliance);
+        let Straight { sliding, left, relaxed, rest } = straight(pull, bound, before, compliance);
         let size = length(rest);
         let n = rest.map(|rest| if size > 0.0 { rest / size } else { 0.0 });
         let dot = |v: [f64; 2]| n[0] * v[0] + n[1] * v[1];
@@ -151,7 +181,7 @@ impl Answer {
         let faded = growth * sliding;
         let stiffer = -faded * (1.0 - dot(before)) * steepness;
         Self {
-            traction: [0, 1].map(|c| pull[c] - sliding * n[c]),
+            traction: [0, 1].map(|c| bound * (left * before[c] + relaxed * n[c])),
             sliding,
             by_pull: [[xx, xy], [yx, yy]],
             by_bound: by(raised, before.map(|q| -left * q)),
@@ -209,27 +239,28 @@ fn sliding(pull: [f64; 2], bound: f64, bristles: &Bristles) -> f64 {
     at
 }
 
-/// How a point slides straight: m in Pa, e, and the pull less what is left of the traction before,
-/// in Pa.
+/// How a point slides straight: m in Pa, e and 1 − e, and the pull less what is left of the traction
+/// before, in Pa.
 struct Straight {
     sliding: f64,
     left: f64,
+    relaxed: f64,
     rest: [f64; 2],
 }
 
 fn straight(pull: [f64; 2], bound: f64, before: [f64; 2], compliance: f64) -> Straight {
     let at = |sliding: f64| {
         let left = (-sliding / compliance).exp();
+        let relaxed = -(-sliding / compliance).exp_m1();
         let rest = [0, 1].map(|c| pull[c] - bound * left * before[c]);
-        Straight { sliding, left, rest }
+        Straight { sliding, left, relaxed, rest }
     };
     let size = length(pull);
     let (mut low, mut high) = ((size - bound).max(0.0), size + bound);
     let mut now = at(low);
     for _ in 0..STEPS {
-        let Straight { sliding, left, rest } = now;
+        let Straight { sliding, left, relaxed, rest } = now;
         let length = length(rest);
-        let relaxed = -(-sliding / compliance).exp_m1();
         let excess = bound * relaxed + sliding - length;
         if excess > 0.0 {
             high = sliding
