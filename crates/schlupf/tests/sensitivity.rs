@@ -349,5 +349,4 @@ fn kalker_1967_at_rest() {
         let on_grids = [20, 40, 80].map(|across| off(stiffness, across));
         assert!(on_grids.windows(2).all(|off| off[1] < 0.65 * off[0]), "{on_grids:?}");
     }
-}");
 }

@@ -19,11 +19,11 @@ use crate::problem::Problem;
 use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::coulomb::{
-    Answer, Bristles, CoulombContact, Discretisation, Matrix, entry_value, reduced, saturation,
-    through,
+    Answer, Bristles, CoulombContact, Discretisation, Matrix, Node, reduced, saturation, through,
+    whole,
 };
 use crate::rolling::shared::passage::pair;
-use crate::state::{Places, TrackPoint};
+use crate::state::{MOST_PLACES, Places, TrackPoint};
 
 use super::arrival::Arrival;
 use super::moved::Moved;
@@ -83,8 +83,7 @@ struct PathSlip {
     weight: f64,
     /// In m.
     known: [f64; 2],
-    /// Dimensionless.
-    inherited: [f64; 2],
+    nodes: [Node; MOST_PLACES],
     /// Way from the nearest place, in m.
     way: f64,
 }
@@ -111,15 +110,18 @@ impl Track {
         let weights = through(places.iter().map(|place| place.distance));
         let Some(nearest) = places.first() else {
             // All of the change is in the step.
-            return PathSlip { weight: 1.0, ..PathSlip::default() };
+            let mut slip = PathSlip { weight: 1.0, ..PathSlip::default() };
+            slip.nodes[0] = Node { weight: -1.0, distance: 1.0, saturation: self.saturation };
+            return slip;
         };
         let known = sliding.map(|s| weights[0] * s);
         let way = nearest.distance;
         let mut slip = PathSlip { weight: weights[0], known, way, ..PathSlip::default() };
-        for (weight, place) in weights[1..].iter().zip(places.iter()) {
+        for ((weight, node), place) in weights[1..].iter().zip(&mut slip.nodes).zip(places.iter()) {
+            let distance = if way > 0.0 { whole(place.distance / way) } else { 1.0 };
+            *node = Node { weight: *weight, distance, saturation: place.saturation };
             for c in 0..2 {
                 slip.known[c] += weight * place.sliding[c];
-                slip.inherited[c] += weight * place.saturation[c];
             }
         }
         slip
@@ -189,31 +191,27 @@ impl<'a> StickSlipStep<'a> {
         [0, 1].map(|c| sliding[2 * k + c] - u[2 * k + c])
     }
 
-    /// What the law answers to the traction of a cell (in Pa) and its sliding. From a single
-    /// earlier place, and under a law in the total displacement, it slides straight.
+    /// What the law answers to the traction of a cell (in Pa) and its sliding.
     fn answer(&self, p: &[f64], u: &[f64], k: usize) -> Answer {
-        let (bound, track) = (self.bound[k], &self.tracks[k]);
-        let pull = |sliding: [f64; 2]| [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
-        let compliance = self.gamma / self.law.interface.stiffness();
-        match self.law.interface {
+        let track = &self.tracks[k];
+        let mut bristles = Bristles {
+            compliance: self.gamma / self.law.interface.stiffness(),
+            ..Bristles::default()
+        };
+        let sliding = match self.law.interface {
             ContactLaw::TotalDisplacement(_) => {
+                bristles.nodes[0] = Node { weight: -1.0, distance: 1.0, saturation: [0.0; 2] };
                 let change = self.change(u, k);
-                let sliding = [0, 1].map(|c| track.sliding[c] + change[c]);
-                Answer::straight(pull(sliding), bound, [0.0; 2], compliance)
+                [0, 1].map(|c| track.sliding[c] + change[c])
             }
-            ContactLaw::Coulomb => {
-                Answer::to(pull(self.sliding(u, k)), bound, &Bristles::default())
-            }
-            ContactLaw::Incremental(_) if track.places.len() < 2 => {
-                let before = track.places.first().map_or(track.saturation, |from| from.saturation);
-                Answer::straight(pull(self.sliding(u, k)), bound, before, compliance)
-            }
+            ContactLaw::Coulomb => self.sliding(u, k),
             ContactLaw::Incremental(_) => {
-                let PathSlip { inherited, weight, .. } = &self.slips[k];
-                let bristles = Bristles::that_inherit(*inherited, *weight, compliance);
-                Answer::to(pull(self.sliding(u, k)), bound, &bristles)
+                bristles.nodes = self.slips[k].nodes;
+                self.sliding(u, k)
             }
-        }
+        };
+        let pull = [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
+        Answer::to(pull, self.bound[k], &bristles)
     }
 
     /// Weight of the change of a cell in what its law sees, dimensionless.
@@ -239,20 +237,13 @@ impl<'a> StickSlipStep<'a> {
             let here = TrackPoint { distance: 0.0, sliding, saturation };
             // Slivers at the leading edge say nothing of their own.
             let here = (!self.law.contact.slivers.leads[k]).then_some(here);
-            let mut places = track.places.clone();
-            if here.is_some()
-                && let [entry] = &mut places[..]
-                && entry.saturation == [0.0; 2]
-            {
-                (entry.saturation, _) = entry_value(saturation);
-            }
             let way = self.slips[k].way;
             let slides = self.answers[k].is_sliding();
             let slip = if slides && way > 0.0 { self.sliding(u, k) } else { [0.0; 2] };
             Moved {
                 saturation,
                 sliding,
-                track: here.into_iter().chain(places.iter().copied()).collect(),
+                track: here.into_iter().chain(track.places.iter().copied()).collect(),
                 slip: slip.map(|s| if s == 0.0 { 0.0 } else { s / way }),
             }
         };

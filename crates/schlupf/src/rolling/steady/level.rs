@@ -155,12 +155,16 @@ impl Level {
         2 * self.strips.len()
     }
 
-    /// Guesses the tractions where cells do not displace each other: the solution, if the friction is
-    /// the present one.
-    pub fn guess_uncoupled(&mut self) {
-        let [own, ..] = self.contact.row_compliances();
-        self.traction.fill(0.0);
-        self.strips.uncoupled_state(own, &mut self.traction);
+    /// The tractions if cells were displaced by their own ones only, with a compliance (in m/Pa) in
+    /// both directions, and friction followed the rigid slip.
+    pub fn uncoupled_state(&mut self, problem: &Problem, compliance: [f64; 2], p: &mut [f64]) {
+        p.fill(0.0);
+        self.strips.uncoupled_state(compliance, p);
+        if self.friction.is_coupled {
+            let patch = &self.contact.patch;
+            self.friction.rigid_slip_state(problem, patch, self.strips.bound(), p);
+            self.strips.complete(p);
+        }
     }
 
     /// Reduces tractions that exceed μ pₙ to the bound.

@@ -318,7 +318,10 @@ impl Setup {
         let (levels, coarser) = self.levels.split_at_mut(depth + 1);
         let level = &mut levels[depth];
         if !level.contact.compliance.couples_cells() {
-            level.guess_uncoupled();
+            let [own, ..] = level.contact.row_compliances();
+            let mut traction = std::mem::take(&mut level.traction);
+            level.uncoupled_state(&self.problem, own, &mut traction);
+            level.traction = traction;
             return;
         }
         let [last, before] = &level.earlier;

@@ -97,11 +97,7 @@ impl Equilibrium for SteadyState<'_> {
     /// The state of rigid bodies, which is a good guess where friction follows a high slip speed.
     fn other_guess(&mut self, p: &mut [f64]) -> bool {
         if self.is_coupled() {
-            let Level { contact, strips, friction, .. } = &mut self.levels[0];
-            p.fill(0.0);
-            strips.uncoupled_state([0.0; 2], p);
-            friction.rigid_slip_state(self.problem, &contact.patch, strips.bound(), p);
-            strips.complete(p);
+            self.levels[0].uncoupled_state(self.problem, [0.0; 2], p);
         }
         self.is_coupled()
     }

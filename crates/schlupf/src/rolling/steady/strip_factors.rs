@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use crate::patch::Patch;
 use crate::rolling::shared::contact::at_distance;
-use crate::rolling::shared::coulomb::{Answer, CoulombContact, Matrix, SlipStencil, product_2x2};
+use crate::rolling::shared::coulomb::{Answer, CoulombContact, Matrix, SlipStencil};
 
 use super::block::{Block, Twice, image, reduced_by};
 
@@ -101,7 +101,7 @@ impl StripFactors {
                         *block = block.plus(stiffness, slope.times(*slip));
                     }
                     if let Some(bristles) = &interface.bristles {
-                        bristles.add(&mut row, &interface.answers[k].by_inherited, k);
+                        bristles.add(&mut row, &interface.answers[k], k);
                     }
                     self.factorise_row((k, n), row, slope);
                 }
@@ -174,37 +174,23 @@ pub(super) struct Interface<'a> {
 /// How the bristles of a cell depend on the tractions upstream.
 pub(super) struct Upstream<'a> {
     pub stencils: &'a [SlipStencil],
-    /// The first cell of the strip of each cell, and see [`entry_value`].
-    ///
-    /// [`entry_value`]: crate::rolling::shared::coulomb::entry_value
-    pub first: &'a [usize],
-    pub entries: &'a [([f64; 2], Matrix)],
-    /// γ/k_c, in Pa.
-    pub compliance: f64,
     /// μ pₙ, in Pa.
     pub bound: &'a [f64],
 }
 
 impl Upstream<'_> {
     /// Takes what the traction of cell `k` owes to those upstream off its row.
-    fn add(&self, row: &mut Row<Block>, by_inherited: &Matrix, k: usize) {
-        let first = self.first[k];
-        if k == first {
-            return;
-        }
-        let mut take = |j: usize, weight: f64, by: &Matrix| {
-            if let Some(at) = row.get_mut((LOWER + j).wrapping_sub(k))
-                && self.bound[j] > 0.0
+    fn add(&self, row: &mut Row<Block>, answer: &Answer, k: usize) {
+        let by_inherited = Block::of(&answer.by_inherited);
+        for (place, cell, _) in self.stencils[k].upstream(k) {
+            if let Some(cell) = cell
+                && let Some(at) = row.get_mut((LOWER + cell).wrapping_sub(k))
+                && self.bound[cell] > 0.0
             {
-                let weight = weight * self.compliance / self.bound[j];
-                *at = at.plus(-weight as f32, Block::of(by));
+                let share = answer.shares[place - 1] / self.bound[cell];
+                *at = at.plus(-share as f32, by_inherited);
             }
-        };
-        let stencil = &self.stencils[k];
-        for (j, weight) in stencil.cells(k).filter(|(j, _)| *j != k) {
-            take(j, weight, by_inherited);
         }
-        take(first, stencil.entry(), &product_2x2(by_inherited, &self.entries[first].1));
     }
 }
 

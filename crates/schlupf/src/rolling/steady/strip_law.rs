@@ -14,7 +14,7 @@ use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::coulomb::{
     Answer, Bristles, Calibrated, Calibration, CoulombContact, Discretisation, Matrix, SlipStencil,
-    entry_value, saturation, slide,
+    saturation, slide,
 };
 use crate::rolling::shared::passage::pair;
 use crate::state::{Element, Places, TrackPoint};
@@ -37,10 +37,6 @@ pub(super) struct StripLaw {
     is_factorised: bool,
     /// Whether a cell is the first of its strip.
     is_first: Vec<bool>,
-    /// The first cell of its strip with an equation of its own.
-    first: Vec<usize>,
-    /// See [`entry_value`], with the derivative, for each of these.
-    entries: Vec<([f64; 2], Matrix)>,
     /// Rigid sliding since entry, and over the way into each cell, in m.
     rigid_since_entry: Vec<f64>,
     rigid: Vec<f64>,
@@ -96,10 +92,8 @@ impl StripLaw {
         };
         let cells = patch.len();
         let mut is_first = vec![false; cells];
-        let mut first = vec![0; cells];
-        for (strip, kept) in patch.strips.iter().zip(kept) {
+        for strip in &patch.strips {
             is_first[strip.cells.start] = true;
-            first[strip.cells.clone()].fill(kept.start);
         }
         Ok(Self {
             law: problem.contact_law,
@@ -109,8 +103,6 @@ impl StripLaw {
             stencils,
             is_factorised: false,
             is_first,
-            first,
-            entries: vec![Default::default(); cells],
             rigid_since_entry: vec![0.0; 2 * cells],
             rigid: vec![0.0; 2 * cells],
             saturation: vec![0.0; 2 * cells],
@@ -194,84 +186,51 @@ impl StripLaw {
     pub fn uncoupled_state(&self, compliance: [f64; 2], p: &mut [f64]) {
         let mean = 0.5 * (compliance[0] + compliance[1]);
         let mut saturation = vec![0.0; p.len()];
-        for cells in &self.contact.slivers.kept {
-            let mut entry = [0.0; 2];
-            for k in cells.clone() {
-                let known = self.stencils[k].own();
-                let gamma = if mean > 0.0 { (known * mean).recip() } else { self.gamma };
-                let upstream = self.upstream(&saturation, entry, k);
-                let slid = |p: &[f64]| {
-                    let moved = self.stencils[k].apply(p, k);
-                    [0, 1].map(|c| self.rigid[2 * k + c] - compliance[c] * moved[c])
-                };
-                for _ in 0..MOST_SWEEPS {
-                    let sliding = slid(p);
-                    let before = pair(p, k);
-                    let pull = [0, 1].map(|c| before[c] + gamma * sliding[c]);
-                    let Answer { traction, .. } = self.answer((pull, gamma), upstream, k);
-                    p[2 * k..2 * k + 2].copy_from_slice(&traction);
-                    if traction == before {
-                        break;
-                    }
-                }
-                let over = inverse(self.bound[k]);
-                saturation[2 * k] = over * p[2 * k];
-                saturation[2 * k + 1] = over * p[2 * k + 1];
-                if k == cells.start {
-                    (entry, _) = entry_value(pair(&saturation, k));
+        for k in self.contact.kept() {
+            let known = self.stencils[k].own();
+            let gamma = if mean > 0.0 { (known * mean).recip() } else { self.gamma };
+            for _ in 0..MOST_SWEEPS {
+                let moved = self.stencils[k].apply(p, k);
+                let before = pair(p, k);
+                let pull = [0, 1].map(|c| {
+                    let sliding = self.rigid[2 * k + c] - compliance[c] * moved[c];
+                    before[c] + gamma * sliding
+                });
+                let Answer { traction, .. } = self.answer((pull, gamma), &saturation, k);
+                p[2 * k..2 * k + 2].copy_from_slice(&traction);
+                if traction == before {
+                    break;
                 }
             }
+            saturation[2 * k..2 * k + 2].copy_from_slice(&self.saturated(p, k));
         }
         self.contact.slivers.complete(p);
     }
 
-    /// c of a cell, from p/(μ pₙ) of the cells upstream and at the entry; dimensionless.
-    fn upstream(&self, saturation: &[f64], entry: [f64; 2], k: usize) -> [f64; 2] {
-        let stencil = &self.stencils[k];
-        let mut sum = entry.map(|q| stencil.entry() * q);
-        for (j, weight) in stencil.cells(k).filter(|(j, _)| *j != k) {
-            sum = [0, 1].map(|c| sum[c] + weight * saturation[2 * j + c]);
+    /// The answer of a cell to a pull with a γ, and to p/(μ pₙ) of the cells upstream.
+    fn answer(&self, (pull, gamma): ([f64; 2], f64), saturation: &[f64], k: usize) -> Answer {
+        let mut bristles =
+            Bristles { compliance: gamma / self.law.stiffness(), ..Bristles::default() };
+        if bristles.compliance > 0.0 {
+            bristles.nodes = self.stencils[k].nodes(saturation, k);
         }
-        sum
-    }
-
-    /// The answer of a cell to a pull with a γ, and to c.
-    fn answer(&self, (pull, gamma): ([f64; 2], f64), upstream: [f64; 2], k: usize) -> Answer {
-        let compliance = gamma / self.law.stiffness();
-        if self.law.is_coulomb() {
-            Answer::to(pull, self.bound[k], &Bristles::default())
-        } else if self.is_straight(k) {
-            Answer::straight(pull, self.bound[k], [0.0; 2], compliance)
-        } else {
-            let bristles = Bristles::that_inherit(upstream, self.stencils[k].own(), compliance);
-            Answer::to(pull, self.bound[k], &bristles)
-        }
+        Answer::to(pull, self.bound[k], &bristles)
     }
 
     /// F(p), in Pa; prepares the tangent.
     pub fn residual(&mut self, p: &[f64], b: &[f64], residual: &mut [f64]) {
         residual.fill(0.0);
-        let has_bristles = self.has_bristles();
-        if has_bristles {
+        if self.remembers() {
             for k in 0..self.len() {
-                let over = inverse(self.bound[k]);
-                self.saturation[2 * k] = over * p[2 * k];
-                self.saturation[2 * k + 1] = over * p[2 * k + 1];
+                let saturated = self.saturated(p, k);
+                self.saturation[2 * k..2 * k + 2].copy_from_slice(&saturated);
             }
         }
         for strip in 0..self.contact.slivers.kept.len() {
-            let cells = self.contact.slivers.kept[strip].clone();
-            let entry = entry_value(pair(&self.saturation, cells.start));
-            self.entries[cells.start] = entry;
-            for k in cells {
+            for k in self.contact.slivers.kept[strip].clone() {
                 let sliding = self.sliding(b, k);
                 let pull = [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
-                let upstream = if has_bristles {
-                    self.upstream(&self.saturation, entry.0, k)
-                } else {
-                    [0.0; 2]
-                };
-                let answer = self.answer((pull, self.gamma), upstream, k);
+                let answer = self.answer((pull, self.gamma), &self.saturation, k);
                 for c in 0..2 {
                     residual[2 * k + c] = p[2 * k + c] - answer.traction[c];
                 }
@@ -279,6 +238,12 @@ impl StripLaw {
             }
         }
         self.is_factorised = false;
+    }
+
+    /// p/(μ pₙ) of a cell, dimensionless.
+    fn saturated(&self, p: &[f64], k: usize) -> [f64; 2] {
+        let over = inverse(self.bound[k]);
+        pair(p, k).map(|p| over * p)
     }
 
     /// Change of F due to small changes.
@@ -303,7 +268,7 @@ impl StripLaw {
                 }
             }
         }
-        if self.has_bristles() {
+        if self.remembers() {
             self.add_upstream(change, product);
         }
         let Some(cause) = cause else { return };
@@ -323,13 +288,8 @@ impl StripLaw {
         matches!(self.law, ContactLaw::TotalDisplacement(_))
     }
 
-    /// Whether the path from the entry to a cell is taken for straight: to the first cell, and under
-    /// a law in the total displacement.
-    fn is_straight(&self, k: usize) -> bool {
-        self.is_total() || self.first[k] == k
-    }
-
-    fn has_bristles(&self) -> bool {
+    /// Whether a cell depends on p/(μ pₙ) upstream.
+    fn remembers(&self) -> bool {
         matches!(self.law, ContactLaw::Incremental(_))
     }
 
@@ -343,14 +303,17 @@ impl StripLaw {
                 self.changes[at] = inverse(self.bound[k]) * changed;
             }
         }
-        let compliance = self.gamma / self.law.stiffness();
         for k in self.contact.kept() {
-            let first = self.first[k];
-            let entry = times(&self.entries[first].1, pair(&self.changes, first));
-            let changed = self.upstream(&self.changes, entry, k);
-            let moved = times(&self.answers[k].by_inherited, changed);
+            let answer = &self.answers[k];
+            let mut inherited = [0.0; 2];
+            for (place, cell, _) in self.stencils[k].upstream(k) {
+                let Some(cell) = cell else { continue };
+                let changed = pair(&self.changes, cell);
+                inherited = [0, 1].map(|c| inherited[c] + answer.shares[place - 1] * changed[c]);
+            }
+            let moved = times(&answer.by_inherited, inherited);
             for c in 0..2 {
-                product[2 * k + c] -= compliance * moved[c];
+                product[2 * k + c] -= moved[c];
             }
         }
     }
@@ -382,13 +345,9 @@ impl StripLaw {
             kept: &self.contact.slivers.kept,
             answers: &self.answers,
             gamma: self.gamma,
-            bristles: self.has_bristles().then_some(Upstream {
-                stencils: &self.stencils,
-                first: &self.first,
-                entries: &self.entries,
-                compliance: self.gamma / self.law.stiffness(),
-                bound: &self.bound,
-            }),
+            bristles: self
+                .remembers()
+                .then_some(Upstream { stencils: &self.stencils, bound: &self.bound }),
         };
         self.factors.factorise(&interface);
         if is_coupled {
@@ -431,9 +390,7 @@ impl StripLaw {
         let (strip, k) = at;
         let kept = self.contact.slivers.kept[strip].clone();
         let here = patch.cells[k].since_entry.distance;
-        let first = saturation(pair(p, kept.start), self.bound[kept.start]);
-        let (entered, _) = if k < kept.start { Default::default() } else { entry_value(first) };
-        let entry = TrackPoint { distance: here, saturation: entered, ..TrackPoint::default() };
+        let entry = TrackPoint { distance: here, ..TrackPoint::default() };
         let cells = (kept.start..=k).rev().filter(|cell| kept.contains(cell) || *cell == k);
         let cells = cells.map(|j| TrackPoint {
             distance: here - patch.cells[j].since_entry.distance,

@@ -37,7 +37,5 @@ impl Discretisation {
 
 pub(in crate::rolling) use calibration::{Calibrated, Calibration};
 pub(in crate::rolling) use contact::CoulombContact;
-pub(in crate::rolling) use resolvent::{
-    Answer, Bristles, Matrix, entry_value, product_2x2, reduced, saturation,
-};
-pub(in crate::rolling) use slip_stencil::{SlipStencil, slide, through};
+pub(in crate::rolling) use resolvent::{Answer, Bristles, Matrix, Node, reduced, saturation};
+pub(in crate::rolling) use slip_stencil::{SlipStencil, slide, through, whole};

@@ -5,6 +5,8 @@ use std::ops::Range;
 use crate::patch::Patch;
 use crate::state::MOST_PLACES;
 
+use super::resolvent::Node;
+
 /// Number of nodes of the polynomial, which is of third order: the cell and the places of a track.
 const NODES: usize = MOST_PLACES + 1;
 
@@ -17,9 +19,13 @@ const NEAREST: f64 = 0.4;
 /// too. The first cell of a strip is thus of first order, the second one of second order.
 #[derive(Debug, Clone, Copy, Default)]
 pub(in crate::rolling) struct SlipStencil {
-    /// Weights (dimensionless) of the cell itself and of those upstream of it; zero where there is
-    /// none.
+    /// Weights (dimensionless) of the cell itself and of the nodes upstream of it; zero where there
+    /// is none.
     weight: [f64; NODES],
+    /// Distances of these nodes, over the way.
+    distance: [f64; NODES],
+    /// Number of nodes upstream that are cells; one more is the entry.
+    cells: usize,
     /// Way into the cell from the one upstream of it, or from the entry, in m.
     pub way: f64,
 }
@@ -38,12 +44,11 @@ impl SlipStencil {
         stencils
     }
 
-    /// The values themselves in place of their derivatives.
+    /// The values themselves in place of their derivatives: from the entry at once.
     pub fn since_entry(patch: &Patch, kept: &[Range<usize>]) -> Vec<Self> {
         let mut stencils = vec![Self::default(); patch.len()];
         for k in kept.iter().flat_map(Clone::clone) {
-            let way = patch.cells[k].since_entry.distance;
-            stencils[k] = Self { weight: [1.0, 0.0, 0.0, 0.0], way };
+            stencils[k] = Self::at(&[patch.cells[k].since_entry.distance]);
         }
         stencils
     }
@@ -52,20 +57,42 @@ impl SlipStencil {
     fn at(distances: &[f64]) -> Self {
         let mut upstream = distances.iter().rev();
         let own = upstream.next().copied().unwrap_or_default();
-        let before = || upstream.clone().chain([&0.0]);
-        let mut weight = through(before().map(|before| own - before));
-        let way = before().next().map_or(0.0, |before| own - before);
-        // The entry has no value.
-        if let Some(entry) = weight.get_mut(distances.len()..) {
-            entry.fill(0.0);
+        let backs = upstream.chain([&0.0]).take(NODES - 1).map(|before| own - before);
+        let mut stencil =
+            Self { cells: distances.len().saturating_sub(1).min(NODES - 1), ..Self::default() };
+        stencil.weight = through(backs.clone());
+        stencil.way = backs.clone().next().unwrap_or_default();
+        for (distance, back) in stencil.distance[1..].iter_mut().zip(backs) {
+            *distance = whole(back / stencil.way);
         }
-        Self { weight, way }
+        stencil
+    }
+
+    /// Its nodes upstream of cell `k`: place, the cell if it is one and not the entry, and the
+    /// weight (dimensionless).
+    pub fn upstream(&self, k: usize) -> impl Iterator<Item = (usize, Option<usize>, f64)> {
+        let nodes = self.weight.into_iter().enumerate().skip(1);
+        let cells = self.cells;
+        nodes
+            .filter(|(_, weight)| *weight != 0.0)
+            .map(move |(place, weight)| (place, (place <= cells).then(|| k - place), weight))
+    }
+
+    /// The nodes of cell `k`, with the values of p/(μ pₙ) (x and y of each cell in turn).
+    pub fn nodes(&self, saturation: &[f64], k: usize) -> [Node; NODES - 1] {
+        let mut nodes = [Node::default(); NODES - 1];
+        for (place, cell, weight) in self.upstream(k) {
+            let saturation =
+                cell.map_or([0.0; 2], |cell| [saturation[2 * cell], saturation[2 * cell + 1]]);
+            nodes[place - 1] = Node { weight, distance: self.distance[place], saturation };
+        }
+        nodes
     }
 
     /// Its cells at cell `k`, with their weights; dimensionless.
     pub fn cells(&self, k: usize) -> impl Iterator<Item = (usize, f64)> {
-        let weights = self.weight.into_iter().enumerate().filter(|(_, weight)| *weight != 0.0);
-        weights.map(move |(place, weight)| (k - place, weight))
+        let cells = self.upstream(k).filter_map(|(_, cell, weight)| Some((cell?, weight)));
+        cells.chain([(k, self.weight[0])])
     }
 
     /// Weight of the cell itself, dimensionless.
@@ -73,16 +100,12 @@ impl SlipStencil {
         self.weight[0]
     }
 
-    /// Weight of the entry, dimensionless.
-    pub fn entry(&self) -> f64 {
-        -self.weight.iter().sum::<f64>()
-    }
-
     /// Applied to values at the cells, x and y of each cell in turn, at cell `k`; in the unit of the
     /// values.
     pub fn apply(&self, values: &[f64], k: usize) -> [f64; 2] {
         let mut sum = [0.0; 2];
-        for (weight, value) in self.weight.iter().zip(values[..2 * k + 2].rchunks_exact(2)) {
+        let weights = &self.weight[..=self.cells];
+        for (weight, value) in weights.iter().zip(values[..2 * k + 2].rchunks_exact(2)) {
             sum[0] += weight * value[0];
             sum[1] += weight * value[1];
         }
@@ -97,6 +120,12 @@ pub(in crate::rolling) fn slide(stencils: &[SlipStencil], values: &mut [f64]) {
         let changed = stencil.apply(values, k);
         values[2 * k..2 * k + 2].copy_from_slice(&changed);
     }
+}
+
+/// A number that differs from a whole one by rounding.
+pub(in crate::rolling) fn whole(number: f64) -> f64 {
+    let nearest = number.round();
+    if (number - nearest).abs() < 1e-9 { nearest } else { number }
 }
 
 /// Weights (dimensionless) of the derivative at a place, times the way to the nearest node, of the
