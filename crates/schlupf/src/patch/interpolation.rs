@@ -1,7 +1,7 @@
 //! Interpolation from the centres of the grid's cells to points of the patch, and the transpose.
 
 use crate::grid::{Grid, VectorField};
-use crate::numerics::interpolation::bilinear;
+use crate::numerics::interpolation::{bilinear, cubic};
 
 use super::{Cell, Patch};
 
@@ -9,9 +9,8 @@ use super::{Cell, Patch};
 ///
 /// In a fully covered cell the point is the centre. In others it is the centroid of the covered
 /// part, with bilinear interpolation between four centres; forces are spread by the transpose, so
-/// that they act at the centroid and a symmetric compliance stays symmetric. At the leading edge it
-/// is bilinear, too: the displacement has a kink there where material sticks from its entry on, and
-/// negative weights would let adjacent strips oscillate against each other.
+/// that they act at the centroid and a symmetric compliance stays symmetric. At the leading edge,
+/// where the displacement changes rapidly, the interpolation along rolling is cubic.
 #[derive(Debug, Clone)]
 pub struct Interpolation {
     index: Vec<usize>,
@@ -22,7 +21,7 @@ pub struct Interpolation {
     partial: Vec<(usize, Stencil<4>)>,
     /// Entry point of the material of each cell, as an index into `entries`.
     entry_of: Vec<usize>,
-    entries: Vec<Stencil<4>>,
+    entries: Vec<Stencil<8>>,
 }
 
 /// A weighted sum of values on the grid.
@@ -171,15 +170,14 @@ fn centroid(grid: &Grid, cell: &Cell) -> Option<Stencil<4>> {
     })
 }
 
-/// Bilinear weights at a point of the leading edge.
-fn at_edge(grid: &Grid, row: usize, [x, y]: [f64; 2]) -> Stencil<4> {
-    let position = ((x - grid.x(0)) / grid.spacing_x).clamp(0.0, (grid.columns - 1) as f64);
-    let i = (position as usize).min(grid.columns - 2);
+/// Weights at a point of the leading edge: cubic (Lagrange) along x, linear along y.
+fn at_edge(grid: &Grid, row: usize, [x, y]: [f64; 2]) -> Stencil<8> {
+    let position = (x - grid.x(0)) / grid.spacing_x;
+    let (first, smooth) = cubic(position, grid.columns);
     let (other, weight) = beside(row, (y - grid.y(row)) / grid.spacing_y, grid.rows);
-    let corners = [(i, row), (i + 1, row), (i, other), (i + 1, other)];
     Stencil {
-        index: corners.map(|(i, j)| grid.index(i, j)),
-        weight: bilinear([position - i as f64, weight]),
+        index: std::array::from_fn(|k| grid.index(first + k % 4, if k < 4 { row } else { other })),
+        weight: std::array::from_fn(|k| smooth[k % 4] * if k < 4 { 1.0 - weight } else { weight }),
     }
 }
 
@@ -211,7 +209,7 @@ mod tests {
         for j in 0..grid.rows {
             for i in 0..grid.columns {
                 field.x[grid.index(i, j)] = 3.0 * grid.x(i) - 2.0 * grid.y(j);
-                field.y[grid.index(i, j)] = grid.x(i);
+                field.y[grid.index(i, j)] = grid.x(i).powi(2);
             }
         }
         let mut values = vec![0.0; 2 * patch.len()];
@@ -223,6 +221,8 @@ mod tests {
             assert_relative_eq!(values[2 * k], exact, epsilon = 1e-15, max_relative = 1e-12);
             let exact = 3.0 * cell.entry_x() - 2.0 * cell.y;
             assert_relative_eq!(at_entries[2 * k], exact, epsilon = 1e-15, max_relative = 1e-9);
+            let square = cell.entry_x().powi(2);
+            assert_relative_eq!(at_entries[2 * k + 1], square, max_relative = 1e-9);
         }
         let p: Vec<f64> = (0..2 * patch.len()).map(|k| ((k * 7) % 11) as f64 - 4.0).collect();
         let mut spread = VectorField::zeros(grid.len());
