@@ -32,7 +32,9 @@ fn main() {
     for k in KS.with(|k| k.clone()) {
         let (mut products, mut bad, mut marched, mut errors) = (vec![], vec![], 0, vec![]);
         let start = std::time::Instant::now();
-        for row in rows.iter().step_by(every) {
+        for row in
+            rows.iter().step_by(every).filter(|r| std::env::var("ONLY").map_or(true, |o| r[0] == o))
+        {
             let n = |i: usize| row[i].parse::<f64>().unwrap();
             let ratio: f64 =
                 std::env::var("RATIO").ok().map_or(n(2) / n(3), |r| r.parse().unwrap());

@@ -19,8 +19,8 @@ use crate::problem::Problem;
 use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::coulomb::{
-    Answer, Bristles, CoulombContact, Discretisation, Matrix, Node, reduced, saturation, through,
-    whole,
+    Answer, Bristles, CoulombContact, Discretisation, Matrix, Node, reduced, remembered,
+    saturation, through, whole,
 };
 use crate::rolling::shared::passage::pair;
 use crate::state::{MOST_PLACES, Places, TrackPoint};
@@ -88,6 +88,13 @@ struct PathSlip {
     way: f64,
 }
 
+/// A single node with p/(μ pₙ).
+fn from(saturation: [f64; 2]) -> [Node; MOST_PLACES] {
+    let mut nodes = [Node::default(); MOST_PLACES];
+    nodes[0] = Node { weight: -1.0, distance: 1.0, saturation };
+    nodes
+}
+
 /// Earlier places of the path of the material in a cell.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Track {
@@ -110,16 +117,19 @@ impl Track {
         let weights = through(places.iter().map(|place| place.distance));
         let Some(nearest) = places.first() else {
             // All of the change is in the step.
-            let mut slip = PathSlip { weight: 1.0, ..PathSlip::default() };
-            slip.nodes[0] = Node { weight: -1.0, distance: 1.0, saturation: self.saturation };
-            return slip;
+            let nodes = from(self.saturation);
+            return PathSlip { weight: 1.0, nodes, ..PathSlip::default() };
         };
         let known = sliding.map(|s| weights[0] * s);
         let way = nearest.distance;
         let mut slip = PathSlip { weight: weights[0], known, way, ..PathSlip::default() };
-        for ((weight, node), place) in weights[1..].iter().zip(&mut slip.nodes).zip(places.iter()) {
+        for ((node, weight), place) in
+            slip.nodes.iter_mut().zip(remembered(&weights)).zip(places.iter())
+        {
             let distance = if way > 0.0 { whole(place.distance / way) } else { 1.0 };
-            *node = Node { weight: *weight, distance, saturation: place.saturation };
+            *node = Node { weight, distance, saturation: place.saturation };
+        }
+        for (weight, place) in weights[1..].iter().zip(places.iter()) {
             for c in 0..2 {
                 slip.known[c] += weight * place.sliding[c];
             }
@@ -194,24 +204,17 @@ impl<'a> StickSlipStep<'a> {
     /// What the law answers to the traction of a cell (in Pa) and its sliding.
     fn answer(&self, p: &[f64], u: &[f64], k: usize) -> Answer {
         let track = &self.tracks[k];
-        let mut bristles = Bristles {
-            compliance: self.gamma / self.law.interface.stiffness(),
-            ..Bristles::default()
-        };
-        let sliding = match self.law.interface {
+        let compliance = self.gamma / self.law.interface.stiffness();
+        let (nodes, sliding) = match self.law.interface {
+            ContactLaw::Coulomb => (Default::default(), self.sliding(u, k)),
+            ContactLaw::Incremental(_) => (self.slips[k].nodes, self.sliding(u, k)),
             ContactLaw::TotalDisplacement(_) => {
-                bristles.nodes[0] = Node { weight: -1.0, distance: 1.0, saturation: [0.0; 2] };
                 let change = self.change(u, k);
-                [0, 1].map(|c| track.sliding[c] + change[c])
-            }
-            ContactLaw::Coulomb => self.sliding(u, k),
-            ContactLaw::Incremental(_) => {
-                bristles.nodes = self.slips[k].nodes;
-                self.sliding(u, k)
+                (from([0.0; 2]), [0, 1].map(|c| track.sliding[c] + change[c]))
             }
         };
         let pull = [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
-        Answer::to(pull, self.bound[k], &bristles)
+        Answer::to(pull, self.bound[k], &Bristles::new(compliance, nodes))
     }
 
     /// Weight of the change of a cell in what its law sees, dimensionless.

@@ -181,14 +181,12 @@ pub(super) struct Upstream<'a> {
 impl Upstream<'_> {
     /// Takes what the traction of cell `k` owes to those upstream off its row.
     fn add(&self, row: &mut Row<Block>, answer: &Answer, k: usize) {
-        let by_inherited = Block::of(&answer.by_inherited);
-        for (place, cell, _) in self.stencils[k].upstream(k) {
-            if let Some(cell) = cell
-                && let Some(at) = row.get_mut((LOWER + cell).wrapping_sub(k))
+        let by_upstream = Block::of(&answer.by_upstream);
+        for (cell, weight) in self.stencils[k].remembered(k) {
+            if let Some(at) = row.get_mut((LOWER + cell).wrapping_sub(k))
                 && self.bound[cell] > 0.0
             {
-                let share = answer.shares[place - 1] / self.bound[cell];
-                *at = at.plus(-share as f32, by_inherited);
+                *at = at.plus((-weight / self.bound[cell]) as f32, by_upstream);
             }
         }
     }

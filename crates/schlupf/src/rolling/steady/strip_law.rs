@@ -209,11 +209,12 @@ impl StripLaw {
 
     /// The answer of a cell to a pull with a γ, and to p/(μ pₙ) of the cells upstream.
     fn answer(&self, (pull, gamma): ([f64; 2], f64), saturation: &[f64], k: usize) -> Answer {
-        let mut bristles =
-            Bristles { compliance: gamma / self.law.stiffness(), ..Bristles::default() };
-        if bristles.compliance > 0.0 {
-            bristles.nodes = self.stencils[k].nodes(saturation, k);
-        }
+        let compliance = gamma / self.law.stiffness();
+        let bristles = if compliance > 0.0 {
+            Bristles::new(compliance, self.stencils[k].nodes(saturation, k))
+        } else {
+            Bristles::default()
+        };
         Answer::to(pull, self.bound[k], &bristles)
     }
 
@@ -304,14 +305,11 @@ impl StripLaw {
             }
         }
         for k in self.contact.kept() {
-            let answer = &self.answers[k];
-            let mut inherited = [0.0; 2];
-            for (place, cell, _) in self.stencils[k].upstream(k) {
-                let Some(cell) = cell else { continue };
-                let changed = pair(&self.changes, cell);
-                inherited = [0, 1].map(|c| inherited[c] + answer.shares[place - 1] * changed[c]);
+            let mut upstream = [0.0; 2];
+            for (cell, weight) in self.stencils[k].remembered(k) {
+                upstream = [0, 1].map(|c| upstream[c] + weight * self.changes[2 * cell + c]);
             }
-            let moved = times(&answer.by_inherited, inherited);
+            let moved = times(&self.answers[k].by_upstream, upstream);
             for c in 0..2 {
                 product[2 * k + c] -= moved[c];
             }

@@ -38,4 +38,4 @@ impl Discretisation {
 pub(in crate::rolling) use calibration::{Calibrated, Calibration};
 pub(in crate::rolling) use contact::CoulombContact;
 pub(in crate::rolling) use resolvent::{Answer, Bristles, Matrix, Node, reduced, saturation};
-pub(in crate::rolling) use slip_stencil::{SlipStencil, slide, through, whole};
+pub(in crate::rolling) use slip_stencil::{SlipStencil, remembered, slide, through, whole};

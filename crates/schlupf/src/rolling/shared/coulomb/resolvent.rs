@@ -1,19 +1,18 @@
 //! The law of a cell as one equation, for bristles of any stiffness.
 //!
-//! Per cell let q = p/(μ pₙ), v the sliding over the way into it, and wⱼ the weights of the stencil
-//! that gives v, of the nodes upstream at the distances dⱼ, as multiples of that way. The incremental
-//! law dq = k_c (ds − q |ds|) with that stencil applied to q is
+//! Per cell let q = p/(μ pₙ), v the sliding over the way into it, and wⱼ the weights of nodes upstream
+//! at the distances dⱼ, as multiples of that way, in its derivative there. The incremental law
+//! dq = k_c (ds − q |ds|) with that derivative applied to q is, with τ = −Σ wⱼ and c = Σ wⱼ qⱼ,
 //!
-//! Σⱼ wⱼ g(k_c |v| dⱼ) (qⱼ − q) = k_c (v − |v| q),    g(x) = x/(eˣ − 1).
+//! (τ q + c) φ(k_c |v|) = k_c (v − |v| q),    φ(K) = K/Σ wⱼ (1 − exp(K dⱼ)).
 //!
-//! With g = 1 this is of the order of the stencil. g keeps the order, because Σ wⱼ dⱼⁿ = 0 for the
-//! powers n > 1 that the stencil differentiates exactly, and makes the equation exact along every
-//! straight path (exponential fitting: Scharfetter and Gummel 1969): however far a cell slides, it
-//! has forgotten what is farther upstream. From one node q = 0 it is the law in the total
+//! With φ = 1 this is of the order of the derivative. φ keeps the order and makes the equation exact
+//! along every straight path (exponential fitting: Scharfetter and Gummel 1969): however far a cell
+//! slides, it has forgotten what is upstream. From one node q = 0 it is the law in the total
 //! displacement.
 //!
-//! With the pull Y = p + γ v, m = γ |v|, κ = −γ/k_c Σ wⱼ gⱼ and G = γ/k_c Σ wⱼ gⱼ qⱼ (all in Pa)
-//! this is a traction p = R(Y; q₁, q₂, …) that follows from one number:
+//! With the pull Y = p + γ v, m = γ |v|, κ = τ φ γ/k_c and G = c φ γ/k_c (all in Pa) this is a traction
+//! p = R(Y, c) that follows from one number:
 //!
 //! R = μpₙ (Y − G)/(μpₙ + κ + m), where m (μpₙ + κ + m) = |(κ + m) Y + μpₙ G|.
 //!
@@ -56,78 +55,84 @@ pub(in crate::rolling) struct Node {
 #[derive(Debug, Clone, Copy, Default)]
 pub(in crate::rolling) struct Bristles {
     /// γ/k_c, in Pa; zero without bristles.
-    pub compliance: f64,
-    pub nodes: [Node; MOST_PLACES],
-}
-
-/// κ, G and wⱼ gⱼ γ/k_c, and the derivatives of the first two by m.
-#[derive(Debug, Clone, Copy, Default)]
-struct Inherited {
+    compliance: f64,
+    /// τ, dimensionless.
     own: f64,
-    own_slope: f64,
-    from: [f64; 2],
-    from_slope: [f64; 2],
-    shares: [f64; MOST_PLACES],
+    /// c, dimensionless.
+    upstream: [f64; 2],
+    nodes: [Node; MOST_PLACES],
 }
 
 impl Bristles {
-    /// After a sliding of m, in Pa.
-    fn at(&self, sliding: f64) -> Inherited {
-        let mut sum = Inherited::default();
+    /// From γ/k_c (in Pa): one node, or three; with two φ would not be positive.
+    pub fn new(compliance: f64, nodes: [Node; MOST_PLACES]) -> Self {
+        let mut made = Self { compliance, nodes, ..Self::default() };
+        for Node { weight, saturation, .. } in &nodes {
+            made.own -= weight;
+            made.upstream = [0, 1].map(|c| made.upstream[c] + weight * saturation[c]);
+        }
+        made
+    }
+
+    /// Reduces |c| to τ if it is larger, with the derivative of the result by c. q extrapolated to
+    /// the cell is then at most one: a stencil overshoots a kink, and where it does, a larger
+    /// sliding would go with a smaller traction, and a pull with several states.
+    fn limit(&mut self) -> Matrix {
+        let size = length(self.upstream);
+        if size <= self.own {
+            return IDENTITY;
+        }
+        let (share, n) = (self.own / size, self.upstream.map(|c| c / size));
+        self.upstream = n.map(|n| self.own * n);
+        across(share, n)
+    }
+
+    /// φ and its derivative by m (in 1/Pa), where m is given in Pa.
+    fn forgotten(&self, sliding: f64) -> [f64; 2] {
         let relaxed = sliding / self.compliance;
-        let nearest = relaxed.exp();
-        for (node, share) in self.nodes.iter().zip(&mut sum.shares) {
-            let Node { weight, distance, saturation } = *node;
-            if weight == 0.0 {
-                continue;
-            }
-            let [value, slope] =
-                bernoulli(distance * relaxed, || power(nearest, relaxed, distance));
-            *share = self.compliance * weight * value;
-            let steeper = weight * distance * slope;
-            sum.own -= *share;
-            sum.own_slope -= steeper;
-            for c in 0..2 {
-                sum.from[c] += *share * saturation[c];
-                sum.from_slope[c] += steeper * saturation[c];
+        let near = relaxed.exp_m1();
+        let (mut sum, mut slope, mut curvature) = (0.0, 0.0, 0.0);
+        for Node { weight, distance, .. } in &self.nodes {
+            if *weight != 0.0 {
+                let grown = grown(near, relaxed, *distance);
+                sum -= weight * grown;
+                slope -= weight * distance * (grown + 1.0);
+                curvature -= weight * distance * distance;
             }
         }
-        sum
-    }
-
-    /// A bound of |G|, in Pa.
-    fn most_inherited(&self) -> f64 {
-        let of = |node: &Node| node.weight.abs() * length(node.saturation);
-        self.compliance * self.nodes.iter().map(of).sum::<f64>()
+        if relaxed < LINEAR {
+            return [1.0 - 0.5 * curvature * relaxed, -0.5 * curvature / self.compliance];
+        }
+        let value = relaxed / sum;
+        if value == 0.0 {
+            return [0.0; 2];
+        }
+        [value, value / relaxed * (1.0 - value * slope) / self.compliance]
     }
 }
 
-/// exp(x d) from exp(x): nodes are mostly one, two and three cells away.
-fn power(exp: f64, x: f64, distance: f64) -> f64 {
+/// Below this k_c |v| φ is linear, to rounding of what it does.
+const LINEAR: f64 = 1e-8;
+
+/// exp(x d) − 1 from exp(x) − 1: nodes are mostly one, two and three cells away.
+fn grown(near: f64, x: f64, distance: f64) -> f64 {
     if distance == 1.0 {
-        exp
+        near
     } else if distance == 2.0 {
-        exp * exp
+        near * (near + 2.0)
     } else if distance == 3.0 {
-        exp * exp * exp
+        near * (near * (near + 3.0) + 3.0)
     } else {
-        (x * distance).exp()
+        (x * distance).exp_m1()
     }
 }
 
-/// x/(eˣ − 1) and its derivative, for x ≥ 0.
-fn bernoulli(x: f64, exp: impl FnOnce() -> f64) -> [f64; 2] {
-    if x < SERIES {
-        let square = x * x;
-        let value = 1.0 - 0.5 * x + square * (1.0 / 12.0 - square * (1.0 / 720.0));
-        return [value, -0.5 + x * (1.0 / 6.0 - square * (1.0 / 180.0))];
-    }
-    let value = x / (exp() - 1.0);
-    [value, (value * (1.0 - x) - value * value) / x]
-}
+const IDENTITY: Matrix = [[1.0, 0.0], [0.0, 1.0]];
 
-/// Below this x these are their series, to rounding.
-const SERIES: f64 = 1e-2;
+/// The projection across a direction, times a factor.
+fn across(factor: f64, n: [f64; 2]) -> Matrix {
+    [0, 1].map(|r| [0, 1].map(|c| factor * (IDENTITY[r][c] - n[r] * n[c])))
+}
 
 /// The traction of a cell, and its derivatives.
 #[derive(Debug, Clone, Copy, Default)]
@@ -138,10 +143,8 @@ pub(in crate::rolling) struct Answer {
     pub sliding: f64,
     /// By the pull, dimensionless.
     pub by_pull: Matrix,
-    /// By G, dimensionless.
-    pub by_inherited: Matrix,
-    /// ∂G/∂q of every node, in Pa.
-    pub shares: [f64; MOST_PLACES],
+    /// By c, in Pa.
+    pub by_upstream: Matrix,
     /// By μ pₙ, dimensionless.
     pub by_bound: [f64; 2],
     /// By the logarithm of k_c, in Pa.
@@ -155,28 +158,41 @@ const STEPS: usize = 60;
 const ACCURACY: f64 = 1e-14;
 
 impl Answer {
-    /// Under a pull, with a bound μ pₙ (both in Pa). Where p/(μ pₙ) has a kink, a stencil of third
-    /// order overshoots it: tractions are reduced to the bound.
+    /// Under a pull, with a bound μ pₙ (both in Pa).
     pub fn to(pull: [f64; 2], bound: f64, bristles: &Bristles) -> Self {
-        let answer = if bristles.compliance > 0.0 {
-            Self::of_bristles(pull, bound, bristles)
-        } else {
-            Self { traction: pull, by_pull: [[1.0, 0.0], [0.0, 1.0]], ..Self::default() }
-        };
-        let size = length(answer.traction);
-        if size <= bound { answer } else { answer.reduced(size, bound) }
+        if bristles.compliance > 0.0 {
+            return Self::of_bristles(pull, bound, bristles);
+        }
+        let size = length(pull);
+        if size <= bound {
+            return Self { traction: pull, by_pull: IDENTITY, ..Self::default() };
+        }
+        let (share, n) = (bound / size, pull.map(|p| p / size));
+        Self {
+            traction: n.map(|n| bound * n),
+            sliding: size - bound,
+            by_pull: across(share, n),
+            by_bound: n,
+            ..Self::default()
+        }
     }
 
     fn of_bristles(pull: [f64; 2], bound: f64, bristles: &Bristles) -> Self {
-        let sliding = sliding(pull, bound, bristles);
-        let Inherited { own, own_slope, from, from_slope, shares } = bristles.at(sliding);
-        let free = own + sliding;
+        let mut bristles = *bristles;
+        let by_c = bristles.limit();
+        let sliding = sliding(pull, bound, &bristles);
+        let Bristles { compliance, own, upstream, .. } = bristles;
+        let [left, fading] = bristles.forgotten(sliding);
+        let (kept, kept_slope) = (compliance * own * left, compliance * own * fading);
+        let from = upstream.map(|c| compliance * left * c);
+        let from_slope = upstream.map(|c| compliance * fading * c);
+        let free = kept + sliding;
         let whole = bound + free;
         let along = [0, 1].map(|c| free * pull[c] + bound * from[c]);
         let size = length(along);
         let n = along.map(|along| if size > 0.0 { along / size } else { 0.0 });
         let dot = |v: [f64; 2]| n[0] * v[0] + n[1] * v[1];
-        let looser = 1.0 + own_slope;
+        let looser = 1.0 + kept_slope;
         // m follows from an excess of zero.
         let by_sliding = whole + sliding * looser - looser * dot(pull) - bound * dot(from_slope);
         let steepness = by_sliding.recip();
@@ -185,49 +201,24 @@ impl Answer {
         let slides = [0, 1].map(|c| -share * from_slope[c] - traction[c] * looser / whole);
         let block = |own: f64, moved: f64| {
             let moved = moved * steepness;
-            [0, 1]
-                .map(|r| [0, 1].map(|c| if r == c { own } else { 0.0 } + slides[r] * moved * n[c]))
+            [0, 1].map(|r| [0, 1].map(|c| own * IDENTITY[r][c] + slides[r] * moved * n[c]))
         };
         let by_bound = (dot(from) - sliding) * steepness;
         // κ and G go with γ/k_c at the same k_c m.
-        let softer = [sliding * own_slope - own, sliding * dot(from_slope) - dot(from)];
-        let by_stiffness = (softer[0] * (dot(pull) - sliding) + bound * softer[1]) * steepness;
+        let softer = sliding * kept_slope - kept;
+        let stiffer = [0, 1].map(|c| sliding * from_slope[c] - from[c]);
+        let by_stiffness = (softer * (dot(pull) - sliding) + bound * dot(stiffer)) * steepness;
+        let by_inherited = block(-compliance * left * share, compliance * left * bound);
         Self {
             traction,
             sliding,
             by_pull: block(share, free),
-            by_inherited: block(-share, bound),
-            shares,
+            by_upstream: product_2x2(&by_inherited, &by_c),
             by_bound: [0, 1]
                 .map(|c| (1.0 - share) * (pull[c] - from[c]) / whole + slides[c] * by_bound),
             by_stiffness: [0, 1].map(|c| {
-                let stiffer = sliding * from_slope[c] - from[c];
-                -share * stiffer - traction[c] * softer[0] / whole + slides[c] * by_stiffness
+                -share * stiffer[c] - traction[c] * softer / whole + slides[c] * by_stiffness
             }),
-        }
-    }
-
-    /// Reduced from a size to a bound, in Pa.
-    fn reduced(self, size: f64, bound: f64) -> Self {
-        let share = bound / size;
-        let n = self.traction.map(|p| p / size);
-        let across = |v: [f64; 2]| {
-            let along = n[0] * v[0] + n[1] * v[1];
-            [0, 1].map(|c| share * (v[c] - along * n[c]))
-        };
-        let block = |m: Matrix| {
-            let columns = [0, 1].map(|c| across([m[0][c], m[1][c]]));
-            [0, 1].map(|r| [columns[0][r], columns[1][r]])
-        };
-        let by_bound = across(self.by_bound);
-        Self {
-            traction: n.map(|n| bound * n),
-            sliding: self.sliding + (size - bound),
-            by_pull: block(self.by_pull),
-            by_inherited: block(self.by_inherited),
-            by_bound: [0, 1].map(|c| by_bound[c] + n[c]),
-            by_stiffness: across(self.by_stiffness),
-            ..self
         }
     }
 
@@ -247,14 +238,17 @@ impl Answer {
 
 /// m, in Pa.
 fn sliding(pull: [f64; 2], bound: f64, bristles: &Bristles) -> f64 {
-    // By the triangle inequality it lies between these.
+    let Bristles { compliance, own, upstream, .. } = *bristles;
     let size = length(pull);
-    let (mut low, mut high) = (0.0, size.max(bristles.most_inherited()));
+    // By the triangle inequality it is no larger.
+    let (mut low, mut high) = (0.0, size.max(compliance * length(upstream)));
     let mut at = (size - bound).max(0.0);
     for _ in 0..STEPS {
-        let Inherited { own, own_slope, from, from_slope, .. } = bristles.at(at);
-        let free = own + at;
-        let along = [0, 1].map(|c| free * pull[c] + bound * from[c]);
+        let [left, fading] = bristles.forgotten(at);
+        let free = compliance * own * left + at;
+        let looser = 1.0 + compliance * own * fading;
+        let from = bound * compliance * left;
+        let along = [0, 1].map(|c| free * pull[c] + from * upstream[c]);
         let size = length(along);
         let excess = at * (bound + free) - size;
         if excess > 0.0 {
@@ -264,8 +258,9 @@ fn sliding(pull: [f64; 2], bound: f64, bristles: &Bristles) -> f64 {
         }
         let n = along.map(|along| if size > 0.0 { along / size } else { 0.0 });
         let dot = |v: [f64; 2]| n[0] * v[0] + n[1] * v[1];
-        let looser = 1.0 + own_slope;
-        let slope = bound + free + at * looser - looser * dot(pull) - bound * dot(from_slope);
+        let slope = bound + free + at * looser
+            - looser * dot(pull)
+            - bound * compliance * fading * dot(upstream);
         let next = at - excess / slope;
         let next = if next >= low && next <= high { next } else { 0.5 * (low + high) };
         let is_near = (next - at).abs() <= ACCURACY * next;
@@ -289,29 +284,36 @@ mod tests {
 
     const H: f64 = 1e-6;
 
-    /// Stencils of first to third order, equally spaced and not.
+    /// Stencils of first and of third order, equally spaced and not.
     fn nodes(number: usize) -> Vec<[f64; 2]> {
         match number {
             0 => vec![[-1.0, 1.0]],
-            1 => vec![[-2.0, 1.0], [0.5, 2.0]],
-            2 => vec![[-3.0, 1.0], [1.5, 2.0], [-1.0 / 3.0, 3.0]],
-            _ => vec![[-3.6, 1.0], [3.0 / 1.75, 1.75], [-4.0 / 9.0, 2.5]],
+            1 => vec![[-3.0, 1.0], [1.5, 2.0], [-1.0 / 3.0, 3.0]],
+            _ => vec![[-35.0 / 9.0, 1.0], [160.0 / 63.0, 1.75], [-28.0 / 45.0, 2.5]],
         }
     }
 
-    fn bristles(number: usize, compliance: f64, q: impl Fn(f64) -> [f64; 2]) -> Bristles {
-        let mut made = Bristles { compliance, ..Bristles::default() };
-        for (node, [weight, distance]) in made.nodes.iter_mut().zip(nodes(number)) {
+    fn bristles(
+        number: usize,
+        compliance: f64,
+        change: [f64; 2],
+        q: impl Fn(f64) -> [f64; 2],
+    ) -> Bristles {
+        let mut made = [Node::default(); MOST_PLACES];
+        for (node, [weight, distance]) in made.iter_mut().zip(nodes(number)) {
             *node = Node { weight, distance, saturation: q(distance) };
         }
-        made
+        for c in 0..2 {
+            made[0].saturation[c] += change[c];
+        }
+        Bristles::new(compliance, made)
     }
 
     /// Changes of pull, bound, q at the first node and ln k_c.
     type Changes = ([f64; 2], f64, [f64; 2], f64);
 
     /// Derivatives against central differences.
-    fn assert_derivatives(answer: &Answer, at: impl Fn(Changes) -> Answer) {
+    fn assert_derivatives(answer: &Answer, weight: f64, at: impl Fn(Changes) -> Answer) {
         let difference = |plus: Changes, minus: Changes| {
             let [plus, minus] = [plus, minus].map(|change| at(change).traction);
             [0, 1].map(|c| (plus[c] - minus[c]) / (2.0 * H))
@@ -324,7 +326,7 @@ mod tests {
             let [by_pull, by_node] =
                 [difference(pulled(H), pulled(-H)), difference(upstream(H), upstream(-H))];
             for r in 0..2 {
-                let of_node = answer.by_inherited[r][c] * answer.shares[0];
+                let of_node = weight * answer.by_upstream[r][c];
                 assert_relative_eq!(answer.by_pull[r][c], by_pull[r], epsilon = 1e-6);
                 assert_relative_eq!(of_node, by_node[r], epsilon = 1e-6);
             }
@@ -342,31 +344,30 @@ mod tests {
     fn the_law_holds_in_a_cell() {
         let bound = 0.5;
         let q = |distance: f64| [0.5 - 0.1 * distance, 0.1 * distance * distance - 0.3];
-        for number in 0..4 {
+        for number in 0..3 {
             for compliance in [3.0, 0.1, 1e-3, 0.0] {
                 for pull in [[0.3, -0.2], [0.3, -0.8], [-2.0, 1.0], [1e-3, 0.0]] {
                     let at = |(pulled, raised, upstream, stiffer): Changes| {
-                        let mut made = bristles(number, compliance * f64::exp(-stiffer), q);
-                        for c in 0..2 {
-                            made.nodes[0].saturation[c] += upstream[c];
-                        }
+                        let made = bristles(number, compliance * f64::exp(-stiffer), upstream, q);
                         Answer::to([0, 1].map(|k| pull[k] + pulled[k]), bound + raised, &made)
                     };
                     let answer = at(([0.0; 2], 0.0, [0.0; 2], 0.0));
-                    assert_derivatives(&answer, at);
+                    assert_derivatives(&answer, nodes(number)[0][0], at);
                     let p = answer.traction;
                     assert!(length(p) <= bound * (1.0 + 1e-12));
-                    if length(p) > bound * (1.0 - 1e-12) {
-                        continue;
-                    }
                     let slid = [0, 1].map(|k| pull[k] - p[k]);
                     assert_relative_eq!(length(slid), answer.sliding, epsilon = 1e-12);
+                    let relaxed = answer.sliding / compliance;
+                    let (mut own, mut sum, mut c) = (0.0, 0.0, [0.0; 2]);
+                    for [weight, distance] in nodes(number) {
+                        own -= weight;
+                        sum -= weight * (relaxed * distance).exp_m1();
+                        c = [0, 1].map(|k| c[k] + weight * q(distance)[k]);
+                    }
+                    let reduced = (own / length(c)).min(1.0);
+                    let left = if compliance > 0.0 { compliance * relaxed / sum } else { 0.0 };
                     for k in 0..2 {
-                        let kept = nodes(number).iter().fold(0.0, |sum, [weight, distance]| {
-                            let x = distance * answer.sliding / compliance;
-                            let g = if compliance > 0.0 { x / x.exp_m1() } else { 0.0 };
-                            sum + compliance * weight * g * (q(*distance)[k] - p[k] / bound)
-                        });
+                        let kept = left * (own * p[k] / bound + reduced * c[k]);
                         let stretched = slid[k] - answer.sliding * p[k] / bound;
                         assert_relative_eq!(kept, stretched, epsilon = 1e-10);
                     }
@@ -380,7 +381,7 @@ mod tests {
     #[test]
     fn straight_paths_are_exact() {
         let (bound, along) = (0.5, [0.6, -0.8]);
-        for number in 0..4 {
+        for number in 0..3 {
             for relaxed in [1e-4, 0.3, 1.0, 3.0, 30.0] {
                 let sliding = 0.7;
                 let since = 3.0;
@@ -390,7 +391,8 @@ mod tests {
                 };
                 let exact = q(0.0).map(|q| bound * q);
                 let pull = [0, 1].map(|c| exact[c] + sliding * along[c]);
-                let answer = Answer::to(pull, bound, &bristles(number, sliding / relaxed, q));
+                let answer =
+                    Answer::to(pull, bound, &bristles(number, sliding / relaxed, [0.0; 2], q));
                 assert_relative_eq!(answer.sliding, sliding, max_relative = 1e-10);
                 for c in 0..2 {
                     assert_relative_eq!(answer.traction[c], exact[c], max_relative = 1e-9);

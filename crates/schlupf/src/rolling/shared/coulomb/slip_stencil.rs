@@ -68,31 +68,31 @@ impl SlipStencil {
         stencil
     }
 
-    /// Its nodes upstream of cell `k`: place, the cell if it is one and not the entry, and the
-    /// weight (dimensionless).
-    pub fn upstream(&self, k: usize) -> impl Iterator<Item = (usize, Option<usize>, f64)> {
-        let nodes = self.weight.into_iter().enumerate().skip(1);
-        let cells = self.cells;
-        nodes
-            .filter(|(_, weight)| *weight != 0.0)
-            .map(move |(place, weight)| (place, (place <= cells).then(|| k - place), weight))
+    /// The cells upstream of cell `k` from which p/(μ pₙ) follows, with their weights;
+    /// dimensionless.
+    pub fn remembered(&self, k: usize) -> impl Iterator<Item = (usize, f64)> {
+        let weights = remembered(&self.weight).into_iter().take(self.cells).enumerate();
+        weights.filter(|(_, weight)| *weight != 0.0).map(move |(at, weight)| (k - 1 - at, weight))
     }
 
     /// The nodes of cell `k`, with the values of p/(μ pₙ) (x and y of each cell in turn).
     pub fn nodes(&self, saturation: &[f64], k: usize) -> [Node; NODES - 1] {
-        let mut nodes = [Node::default(); NODES - 1];
-        for (place, cell, weight) in self.upstream(k) {
-            let saturation =
-                cell.map_or([0.0; 2], |cell| [saturation[2 * cell], saturation[2 * cell + 1]]);
-            nodes[place - 1] = Node { weight, distance: self.distance[place], saturation };
-        }
-        nodes
+        let weights = remembered(&self.weight);
+        std::array::from_fn(|at| {
+            let saturation = if at < self.cells {
+                let cell = k - 1 - at;
+                [saturation[2 * cell], saturation[2 * cell + 1]]
+            } else {
+                [0.0; 2]
+            };
+            Node { weight: weights[at], distance: self.distance[at + 1], saturation }
+        })
     }
 
     /// Its cells at cell `k`, with their weights; dimensionless.
     pub fn cells(&self, k: usize) -> impl Iterator<Item = (usize, f64)> {
-        let cells = self.upstream(k).filter_map(|(_, cell, weight)| Some((cell?, weight)));
-        cells.chain([(k, self.weight[0])])
+        let weights = self.weight[..=self.cells].iter().copied().enumerate();
+        weights.filter(|(_, weight)| *weight != 0.0).map(move |(at, weight)| (k - at, weight))
     }
 
     /// Weight of the cell itself, dimensionless.
@@ -120,6 +120,18 @@ pub(in crate::rolling) fn slide(stencils: &[SlipStencil], values: &mut [f64]) {
         let changed = stencil.apply(values, k);
         values[2 * k..2 * k + 2].copy_from_slice(&changed);
     }
+}
+
+/// Weights of the nodes upstream for p/(μ pₙ), from those of the slip: of all three, or of the
+/// nearest, see [`Bristles::new`](super::Bristles::new).
+pub(in crate::rolling) fn remembered(weight: &[f64; NODES]) -> [f64; NODES - 1] {
+    let mut upstream = [0.0; NODES - 1];
+    if weight[1..].iter().all(|weight| *weight != 0.0) {
+        upstream.copy_from_slice(&weight[1..]);
+    } else {
+        upstream[0] = -1.0;
+    }
+    upstream
 }
 
 /// A number that differs from a whole one by rounding.
