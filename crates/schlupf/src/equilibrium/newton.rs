@@ -99,15 +99,6 @@ impl Newton {
             if outcome.converged || given_up {
                 return Ok(Solved { outcome, response: &self.u });
             }
-            if std::env::var("TRACE").is_ok() {
-                eprintln!(
-                    "{} it {} res {:e} products {}",
-                    p.len(),
-                    outcome.iterations,
-                    outcome.residual,
-                    outcome.products
-                );
-            }
             let (change, done) = (Some(outcome.residual), outcome.iterations);
             let progress = Progress { change, ..Progress::count(Stage::Steady, done) };
             let continues = || tell(watch, progress);
@@ -116,35 +107,6 @@ impl Newton {
             let enough = ENOUGH * limits.tolerance / outcome.residual;
             let forcing_now = forcing.max(enough).min(0.5);
             outcome.products += self.direction(system, forcing_now, &continues)?;
-            if std::env::var("CHECK").is_ok() {
-                let eps = 1e-5;
-                let mut t = self.residual.clone();
-                system.tangent_product(&self.step, &self.response_step, &mut t);
-                let mut at = |e: f64| {
-                    let mut q = p.to_vec();
-                    let mut u = self.u.clone();
-                    add_scaled(&mut q, e, &self.step);
-                    add_scaled(&mut u, e, &self.response_step);
-                    let mut r = self.residual.clone();
-                    system.residual(&q, &u, &mut r);
-                    r
-                };
-                let (a, b) = (at(eps), at(-eps));
-                let d: Vec<f64> = a.iter().zip(&b).map(|(a, b)| (a - b) / (2.0 * eps)).collect();
-                let mut worst: Vec<(f64, usize)> =
-                    d.iter().zip(&t).map(|(d, t)| (d - t).abs()).zip(0..).collect();
-                worst.sort_by(|a, b| b.0.total_cmp(&a.0));
-                eprintln!(
-                    "size {} check {:e} of {:e} worst {:?} fd {:e} tan {:e}",
-                    d.len(),
-                    worst[0].0,
-                    norm(&t),
-                    &worst[..3.min(worst.len())],
-                    d[worst[0].1],
-                    t[worst[0].1]
-                );
-                at(0.0);
-            }
             let before = length;
             if !limits.is_monotone {
                 recent[outcome.iterations % MEMORY] = before;

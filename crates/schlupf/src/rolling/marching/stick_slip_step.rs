@@ -19,11 +19,10 @@ use crate::problem::Problem;
 use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::coulomb::{
-    Answer, Bristles, CoulombContact, Discretisation, Matrix, Node, reduced, remembered,
-    saturation, through, whole,
+    Answer, Bristles, CoulombContact, Discretisation, Matrix, order, reduced, saturation, through,
 };
 use crate::rolling::shared::passage::pair;
-use crate::state::{MOST_PLACES, Places, TrackPoint};
+use crate::state::{Places, TrackPoint};
 
 use super::arrival::Arrival;
 use super::moved::Moved;
@@ -83,16 +82,14 @@ struct PathSlip {
     weight: f64,
     /// In m.
     known: [f64; 2],
-    nodes: [Node; MOST_PLACES],
+    bristles: Bristles,
     /// Way from the nearest place, in m.
     way: f64,
 }
 
-/// A single node with p/(μ pₙ).
-fn from(saturation: [f64; 2]) -> [Node; MOST_PLACES] {
-    let mut nodes = [Node::default(); MOST_PLACES];
-    nodes[0] = Node { weight: -1.0, distance: 1.0, saturation };
-    nodes
+/// From a single node with p/(μ pₙ).
+fn from(saturation: [f64; 2]) -> Bristles {
+    Bristles { own: 1.0, upstream: saturation.map(|q| -q), order: 1, ..Bristles::default() }
 }
 
 /// Earlier places of the path of the material in a cell.
@@ -117,21 +114,17 @@ impl Track {
         let weights = through(places.iter().map(|place| place.distance));
         let Some(nearest) = places.first() else {
             // All of the change is in the step.
-            let nodes = from(self.saturation);
-            return PathSlip { weight: 1.0, nodes, ..PathSlip::default() };
+            let bristles = from(self.saturation);
+            return PathSlip { weight: 1.0, bristles, ..PathSlip::default() };
         };
         let known = sliding.map(|s| weights[0] * s);
         let way = nearest.distance;
-        let mut slip = PathSlip { weight: weights[0], known, way, ..PathSlip::default() };
-        for ((node, weight), place) in
-            slip.nodes.iter_mut().zip(remembered(&weights)).zip(places.iter())
-        {
-            let distance = if way > 0.0 { whole(place.distance / way) } else { 1.0 };
-            *node = Node { weight, distance, saturation: place.saturation };
-        }
+        let bristles = Bristles { own: weights[0], order: order(&weights), ..Bristles::default() };
+        let mut slip = PathSlip { weight: weights[0], known, bristles, way };
         for (weight, place) in weights[1..].iter().zip(places.iter()) {
             for c in 0..2 {
                 slip.known[c] += weight * place.sliding[c];
+                slip.bristles.upstream[c] += weight * place.saturation[c];
             }
         }
         slip
@@ -205,16 +198,17 @@ impl<'a> StickSlipStep<'a> {
     fn answer(&self, p: &[f64], u: &[f64], k: usize) -> Answer {
         let track = &self.tracks[k];
         let compliance = self.gamma / self.law.interface.stiffness();
-        let (nodes, sliding) = match self.law.interface {
-            ContactLaw::Coulomb => (Default::default(), self.sliding(u, k)),
-            ContactLaw::Incremental(_) => (self.slips[k].nodes, self.sliding(u, k)),
+        let (bristles, sliding) = match self.law.interface {
             ContactLaw::TotalDisplacement(_) => {
                 let change = self.change(u, k);
                 (from([0.0; 2]), [0, 1].map(|c| track.sliding[c] + change[c]))
             }
+            ContactLaw::Coulomb | ContactLaw::Incremental(_) => {
+                (self.slips[k].bristles, self.sliding(u, k))
+            }
         };
         let pull = [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
-        Answer::to(pull, self.bound[k], &Bristles::new(compliance, nodes))
+        Answer::to(pull, self.bound[k], &Bristles { compliance, ..bristles })
     }
 
     /// Weight of the change of a cell in what its law sees, dimensionless.

@@ -182,7 +182,7 @@ impl Upstream<'_> {
     /// Takes what the traction of cell `k` owes to those upstream off its row.
     fn add(&self, row: &mut Row<Block>, answer: &Answer, k: usize) {
         let by_upstream = Block::of(&answer.by_upstream);
-        for (cell, weight) in self.stencils[k].remembered(k) {
+        for (cell, weight) in self.stencils[k].upstream(k) {
             if let Some(at) = row.get_mut((LOWER + cell).wrapping_sub(k))
                 && self.bound[cell] > 0.0
             {

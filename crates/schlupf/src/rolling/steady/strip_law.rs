@@ -211,7 +211,7 @@ impl StripLaw {
     fn answer(&self, (pull, gamma): ([f64; 2], f64), saturation: &[f64], k: usize) -> Answer {
         let compliance = gamma / self.law.stiffness();
         let bristles = if compliance > 0.0 {
-            Bristles::new(compliance, self.stencils[k].nodes(saturation, k))
+            self.stencils[k].bristles(compliance, saturation, k)
         } else {
             Bristles::default()
         };
@@ -306,7 +306,7 @@ impl StripLaw {
         }
         for k in self.contact.kept() {
             let mut upstream = [0.0; 2];
-            for (cell, weight) in self.stencils[k].remembered(k) {
+            for (cell, weight) in self.stencils[k].upstream(k) {
                 upstream = [0, 1].map(|c| upstream[c] + weight * self.changes[2 * cell + c]);
             }
             let moved = times(&self.answers[k].by_upstream, upstream);

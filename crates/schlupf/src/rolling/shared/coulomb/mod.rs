@@ -37,5 +37,5 @@ impl Discretisation {
 
 pub(in crate::rolling) use calibration::{Calibrated, Calibration};
 pub(in crate::rolling) use contact::CoulombContact;
-pub(in crate::rolling) use resolvent::{Answer, Bristles, Matrix, Node, reduced, saturation};
-pub(in crate::rolling) use slip_stencil::{SlipStencil, remembered, slide, through, whole};
+pub(in crate::rolling) use resolvent::{Answer, Bristles, Matrix, reduced, saturation};
+pub(in crate::rolling) use slip_stencil::{SlipStencil, order, slide, through};

@@ -1,15 +1,15 @@
 //! The law of a cell as one equation, for bristles of any stiffness.
 //!
-//! Per cell let q = p/(μ pₙ), v the sliding over the way into it, and wⱼ the weights of nodes upstream
-//! at the distances dⱼ, as multiples of that way, in its derivative there. The incremental law
-//! dq = k_c (ds − q |ds|) with that derivative applied to q is, with τ = −Σ wⱼ and c = Σ wⱼ qⱼ,
+//! Per cell let q = p/(μ pₙ), v the sliding over the way into it, and τ and c the weight of the cell
+//! itself and the part of n nodes upstream in the derivative there, times that way. The incremental
+//! law dq = k_c (ds − q |ds|) with that derivative applied to q is
 //!
-//! (τ q + c) φ(k_c |v|) = k_c (v − |v| q),    φ(K) = K/Σ wⱼ (1 − exp(K dⱼ)).
+//! (τ q + c) φ(k_c |v|) = k_c (v − |v| q),    φ(K) = (K + K²/2 + … + Kⁿ/n!)/(exp(K) − 1).
 //!
-//! With φ = 1 this is of the order of the derivative. φ keeps the order and makes the equation exact
-//! along every straight path (exponential fitting: Scharfetter and Gummel 1969): however far a cell
-//! slides, it has forgotten what is upstream. From one node q = 0 it is the law in the total
-//! displacement.
+//! With φ = 1 this is of the order n of the derivative, which φ = 1 − O(Kⁿ) keeps; however far a cell
+//! slides, it forgets what is upstream, and no polynomial has to follow the exponential. With one
+//! node this is exact along a straight path (exponential fitting: Scharfetter and Gummel 1969), and
+//! with q = 0 there the law in the total displacement.
 //!
 //! With the pull Y = p + γ v, m = γ |v|, κ = τ φ γ/k_c and G = c φ γ/k_c (all in Pa) this is a traction
 //! p = R(Y, c) that follows from one number:
@@ -19,8 +19,6 @@
 //! Where k_c is infinite, m = max(0, |Y| − μpₙ), and R reduces what exceeds μpₙ to it: in stick m =
 //! 0, in slip p = μpₙ along v. The derivative is then that of stick or of slip (semismooth Newton:
 //! Alart and Curnier 1991; Hüeber, Stadler and Wohlmuth 2008).
-
-use crate::state::MOST_PLACES;
 
 pub(in crate::rolling) type Matrix = [[f64; 2]; 2];
 
@@ -40,40 +38,20 @@ pub(in crate::rolling) fn saturation(traction: [f64; 2], bound: f64) -> [f64; 2]
     reduced(traction.map(|p| over * p), 1.0)
 }
 
-/// A node upstream of a cell.
-#[derive(Debug, Clone, Copy, Default)]
-pub(in crate::rolling) struct Node {
-    /// Weight in the derivative at the cell, times the way into it; zero if there is no node.
-    pub weight: f64,
-    /// Distance over that way, dimensionless.
-    pub distance: f64,
-    /// p/(μ pₙ) there, dimensionless.
-    pub saturation: [f64; 2],
-}
-
 /// What the material of a cell brings along.
 #[derive(Debug, Clone, Copy, Default)]
 pub(in crate::rolling) struct Bristles {
     /// γ/k_c, in Pa; zero without bristles.
-    compliance: f64,
+    pub compliance: f64,
     /// τ, dimensionless.
-    own: f64,
+    pub own: f64,
     /// c, dimensionless.
-    upstream: [f64; 2],
-    nodes: [Node; MOST_PLACES],
+    pub upstream: [f64; 2],
+    /// n: the nodes upstream.
+    pub order: usize,
 }
 
 impl Bristles {
-    /// From γ/k_c (in Pa): one node, or three; with two φ would not be positive.
-    pub fn new(compliance: f64, nodes: [Node; MOST_PLACES]) -> Self {
-        let mut made = Self { compliance, nodes, ..Self::default() };
-        for Node { weight, saturation, .. } in &nodes {
-            made.own -= weight;
-            made.upstream = [0, 1].map(|c| made.upstream[c] + weight * saturation[c]);
-        }
-        made
-    }
-
     /// Reduces |c| to τ if it is larger, with the derivative of the result by c. q extrapolated to
     /// the cell is then at most one: a stencil overshoots a kink, and where it does, a larger
     /// sliding would go with a smaller traction, and a pull with several states.
@@ -90,42 +68,28 @@ impl Bristles {
     /// φ and its derivative by m (in 1/Pa), where m is given in Pa.
     fn forgotten(&self, sliding: f64) -> [f64; 2] {
         let relaxed = sliding / self.compliance;
-        let near = relaxed.exp_m1();
-        let (mut sum, mut slope, mut curvature) = (0.0, 0.0, 0.0);
-        for Node { weight, distance, .. } in &self.nodes {
-            if *weight != 0.0 {
-                let grown = grown(near, relaxed, *distance);
-                sum -= weight * grown;
-                slope -= weight * distance * (grown + 1.0);
-                curvature -= weight * distance * distance;
-            }
-        }
-        if relaxed < LINEAR {
-            return [1.0 - 0.5 * curvature * relaxed, -0.5 * curvature / self.compliance];
-        }
-        let value = relaxed / sum;
-        if value == 0.0 {
+        if relaxed > FORGOTTEN {
             return [0.0; 2];
         }
-        [value, value / relaxed * (1.0 - value * slope) / self.compliance]
+        if relaxed < LINEAR {
+            let slope = if self.order == 1 { -0.5 } else { 0.0 };
+            return [1.0 + slope * relaxed, slope / self.compliance];
+        }
+        let (mut term, mut sum, mut slope) = (1.0, 0.0, 0.0);
+        for n in 1..=self.order {
+            slope += term;
+            term *= relaxed / n as f64;
+            sum += term;
+        }
+        let grown = relaxed.exp_m1();
+        let value = sum / grown;
+        [value, (slope - value * (grown + 1.0)) / grown / self.compliance]
     }
 }
 
-/// Below this k_c |v| φ is linear, to rounding of what it does.
+/// Below this k_c |v| φ is linear, and beyond the other one zero, to rounding of what it does.
 const LINEAR: f64 = 1e-8;
-
-/// exp(x d) − 1 from exp(x) − 1: nodes are mostly one, two and three cells away.
-fn grown(near: f64, x: f64, distance: f64) -> f64 {
-    if distance == 1.0 {
-        near
-    } else if distance == 2.0 {
-        near * (near + 2.0)
-    } else if distance == 3.0 {
-        near * (near * (near + 3.0) + 3.0)
-    } else {
-        (x * distance).exp_m1()
-    }
-}
+const FORGOTTEN: f64 = 50.0;
 
 const IDENTITY: Matrix = [[1.0, 0.0], [0.0, 1.0]];
 
@@ -284,36 +248,11 @@ mod tests {
 
     const H: f64 = 1e-6;
 
-    /// Stencils of first and of third order, equally spaced and not.
-    fn nodes(number: usize) -> Vec<[f64; 2]> {
-        match number {
-            0 => vec![[-1.0, 1.0]],
-            1 => vec![[-3.0, 1.0], [1.5, 2.0], [-1.0 / 3.0, 3.0]],
-            _ => vec![[-35.0 / 9.0, 1.0], [160.0 / 63.0, 1.75], [-28.0 / 45.0, 2.5]],
-        }
-    }
-
-    fn bristles(
-        number: usize,
-        compliance: f64,
-        change: [f64; 2],
-        q: impl Fn(f64) -> [f64; 2],
-    ) -> Bristles {
-        let mut made = [Node::default(); MOST_PLACES];
-        for (node, [weight, distance]) in made.iter_mut().zip(nodes(number)) {
-            *node = Node { weight, distance, saturation: q(distance) };
-        }
-        for c in 0..2 {
-            made[0].saturation[c] += change[c];
-        }
-        Bristles::new(compliance, made)
-    }
-
-    /// Changes of pull, bound, q at the first node and ln k_c.
+    /// Changes of pull, bound, c and ln k_c.
     type Changes = ([f64; 2], f64, [f64; 2], f64);
 
     /// Derivatives against central differences.
-    fn assert_derivatives(answer: &Answer, weight: f64, at: impl Fn(Changes) -> Answer) {
+    fn assert_derivatives(answer: &Answer, at: impl Fn(Changes) -> Answer) {
         let difference = |plus: Changes, minus: Changes| {
             let [plus, minus] = [plus, minus].map(|change| at(change).traction);
             [0, 1].map(|c| (plus[c] - minus[c]) / (2.0 * H))
@@ -323,12 +262,11 @@ mod tests {
         for c in 0..2 {
             let pulled = |h: f64| (along(c, h), 0.0, none, 0.0);
             let upstream = |h: f64| (none, 0.0, along(c, h), 0.0);
-            let [by_pull, by_node] =
+            let [by_pull, by_upstream] =
                 [difference(pulled(H), pulled(-H)), difference(upstream(H), upstream(-H))];
             for r in 0..2 {
-                let of_node = weight * answer.by_upstream[r][c];
                 assert_relative_eq!(answer.by_pull[r][c], by_pull[r], epsilon = 1e-6);
-                assert_relative_eq!(of_node, by_node[r], epsilon = 1e-6);
+                assert_relative_eq!(answer.by_upstream[r][c], by_upstream[r], epsilon = 1e-6);
             }
         }
         let by_bound = difference((none, H, none, 0.0), (none, -H, none, 0.0));
@@ -343,29 +281,31 @@ mod tests {
     #[test]
     fn the_law_holds_in_a_cell() {
         let bound = 0.5;
-        let q = |distance: f64| [0.5 - 0.1 * distance, 0.1 * distance * distance - 0.3];
-        for number in 0..3 {
+        for (order, own, c) in [
+            (1, 1.0, [0.3, -0.4]),
+            (2, 1.5, [-0.9, 0.2]),
+            (3, 1.8, [1.5, -1.6]),
+            (3, 1.8, [0.0; 2]),
+        ] {
             for compliance in [3.0, 0.1, 1e-3, 0.0] {
                 for pull in [[0.3, -0.2], [0.3, -0.8], [-2.0, 1.0], [1e-3, 0.0]] {
-                    let at = |(pulled, raised, upstream, stiffer): Changes| {
-                        let made = bristles(number, compliance * f64::exp(-stiffer), upstream, q);
+                    let at = |(pulled, raised, changed, stiffer): Changes| {
+                        let compliance = compliance * f64::exp(-stiffer);
+                        let upstream = [0, 1].map(|k| c[k] + changed[k]);
+                        let made = Bristles { compliance, own, upstream, order };
                         Answer::to([0, 1].map(|k| pull[k] + pulled[k]), bound + raised, &made)
                     };
                     let answer = at(([0.0; 2], 0.0, [0.0; 2], 0.0));
-                    assert_derivatives(&answer, nodes(number)[0][0], at);
+                    assert_derivatives(&answer, at);
                     let p = answer.traction;
                     assert!(length(p) <= bound * (1.0 + 1e-12));
                     let slid = [0, 1].map(|k| pull[k] - p[k]);
                     assert_relative_eq!(length(slid), answer.sliding, epsilon = 1e-12);
-                    let relaxed = answer.sliding / compliance;
-                    let (mut own, mut sum, mut c) = (0.0, 0.0, [0.0; 2]);
-                    for [weight, distance] in nodes(number) {
-                        own -= weight;
-                        sum -= weight * (relaxed * distance).exp_m1();
-                        c = [0, 1].map(|k| c[k] + weight * q(distance)[k]);
-                    }
                     let reduced = (own / length(c)).min(1.0);
-                    let left = if compliance > 0.0 { compliance * relaxed / sum } else { 0.0 };
+                    let relaxed = answer.sliding / compliance;
+                    let terms = [relaxed, relaxed.powi(2) / 2.0, relaxed.powi(3) / 6.0];
+                    let left = terms[..order].iter().sum::<f64>() / relaxed.exp_m1();
+                    let left = if relaxed < 100.0 { compliance * left } else { 0.0 };
                     for k in 0..2 {
                         let kept = left * (own * p[k] / bound + reduced * c[k]);
                         let stretched = slid[k] - answer.sliding * p[k] / bound;
@@ -376,27 +316,21 @@ mod tests {
         }
     }
 
-    /// On a straight path with uniform sliding p/(μ pₙ) relaxes to its direction exactly,
-    /// whatever the stencil and however far a cell slides.
+    /// From one node on a straight path p/(μ pₙ) relaxes to its direction exactly.
     #[test]
     fn straight_paths_are_exact() {
-        let (bound, along) = (0.5, [0.6, -0.8]);
-        for number in 0..3 {
-            for relaxed in [1e-4, 0.3, 1.0, 3.0, 30.0] {
-                let sliding = 0.7;
-                let since = 3.0;
-                let q = |distance: f64| {
-                    let slid: f64 = relaxed * (since - distance);
-                    along.map(|n| -(-slid).exp_m1() * n)
-                };
-                let exact = q(0.0).map(|q| bound * q);
-                let pull = [0, 1].map(|c| exact[c] + sliding * along[c]);
-                let answer =
-                    Answer::to(pull, bound, &bristles(number, sliding / relaxed, [0.0; 2], q));
-                assert_relative_eq!(answer.sliding, sliding, max_relative = 1e-10);
-                for c in 0..2 {
-                    assert_relative_eq!(answer.traction[c], exact[c], max_relative = 1e-9);
-                }
+        let (bound, along, sliding) = (0.5, [0.6, -0.8], 0.7);
+        for relaxed in [1e-4, 0.3, 1.0, 3.0, 30.0] {
+            let at = |slid: f64| along.map(|n| -(-slid).exp_m1() * n);
+            let before = at(2.0 * relaxed);
+            let exact = at(3.0 * relaxed).map(|q| bound * q);
+            let pull = [0, 1].map(|c| exact[c] + sliding * along[c]);
+            let (compliance, upstream) = (sliding / relaxed, before.map(|q| -q));
+            let bristles = Bristles { compliance, own: 1.0, upstream, order: 1 };
+            let answer = Answer::to(pull, bound, &bristles);
+            assert_relative_eq!(answer.sliding, sliding, max_relative = 1e-10);
+            for c in 0..2 {
+                assert_relative_eq!(answer.traction[c], exact[c], max_relative = 1e-9);
             }
         }
     }

@@ -5,7 +5,7 @@ use std::ops::Range;
 use crate::patch::Patch;
 use crate::state::MOST_PLACES;
 
-use super::resolvent::Node;
+use super::resolvent::Bristles;
 
 /// Number of nodes of the polynomial, which is of third order: the cell and the places of a track.
 const NODES: usize = MOST_PLACES + 1;
@@ -22,8 +22,6 @@ pub(in crate::rolling) struct SlipStencil {
     /// Weights (dimensionless) of the cell itself and of the nodes upstream of it; zero where there
     /// is none.
     weight: [f64; NODES],
-    /// Distances of these nodes, over the way.
-    distance: [f64; NODES],
     /// Number of nodes upstream that are cells; one more is the entry.
     cells: usize,
     /// Way into the cell from the one upstream of it, or from the entry, in m.
@@ -60,33 +58,25 @@ impl SlipStencil {
         let backs = upstream.chain([&0.0]).take(NODES - 1).map(|before| own - before);
         let mut stencil =
             Self { cells: distances.len().saturating_sub(1).min(NODES - 1), ..Self::default() };
-        stencil.weight = through(backs.clone());
         stencil.way = backs.clone().next().unwrap_or_default();
-        for (distance, back) in stencil.distance[1..].iter_mut().zip(backs) {
-            *distance = whole(back / stencil.way);
-        }
+        stencil.weight = through(backs);
         stencil
     }
 
-    /// The cells upstream of cell `k` from which p/(μ pₙ) follows, with their weights;
-    /// dimensionless.
-    pub fn remembered(&self, k: usize) -> impl Iterator<Item = (usize, f64)> {
-        let weights = remembered(&self.weight).into_iter().take(self.cells).enumerate();
-        weights.filter(|(_, weight)| *weight != 0.0).map(move |(at, weight)| (k - 1 - at, weight))
+    /// τ, c from the values of p/(μ pₙ) (x and y of each cell in turn) and n at cell `k`, with γ/k_c
+    /// in Pa.
+    pub fn bristles(&self, compliance: f64, saturation: &[f64], k: usize) -> Bristles {
+        let mut upstream = [0.0; 2];
+        for (cell, weight) in self.upstream(k) {
+            upstream[0] += weight * saturation[2 * cell];
+            upstream[1] += weight * saturation[2 * cell + 1];
+        }
+        Bristles { compliance, own: self.weight[0], upstream, order: order(&self.weight) }
     }
 
-    /// The nodes of cell `k`, with the values of p/(μ pₙ) (x and y of each cell in turn).
-    pub fn nodes(&self, saturation: &[f64], k: usize) -> [Node; NODES - 1] {
-        let weights = remembered(&self.weight);
-        std::array::from_fn(|at| {
-            let saturation = if at < self.cells {
-                let cell = k - 1 - at;
-                [saturation[2 * cell], saturation[2 * cell + 1]]
-            } else {
-                [0.0; 2]
-            };
-            Node { weight: weights[at], distance: self.distance[at + 1], saturation }
-        })
+    /// The cells upstream of cell `k`, with their weights; dimensionless.
+    pub fn upstream(&self, k: usize) -> impl Iterator<Item = (usize, f64)> {
+        self.cells(k).filter(move |(cell, _)| *cell != k)
     }
 
     /// Its cells at cell `k`, with their weights; dimensionless.
@@ -122,22 +112,9 @@ pub(in crate::rolling) fn slide(stencils: &[SlipStencil], values: &mut [f64]) {
     }
 }
 
-/// Weights of the nodes upstream for p/(μ pₙ), from those of the slip: of all three, or of the
-/// nearest, see [`Bristles::new`](super::Bristles::new).
-pub(in crate::rolling) fn remembered(weight: &[f64; NODES]) -> [f64; NODES - 1] {
-    let mut upstream = [0.0; NODES - 1];
-    if weight[1..].iter().all(|weight| *weight != 0.0) {
-        upstream.copy_from_slice(&weight[1..]);
-    } else {
-        upstream[0] = -1.0;
-    }
-    upstream
-}
-
-/// A number that differs from a whole one by rounding.
-pub(in crate::rolling) fn whole(number: f64) -> f64 {
-    let nearest = number.round();
-    if (number - nearest).abs() < 1e-9 { nearest } else { number }
+/// Order of the derivative with some weights: the number of nodes upstream.
+pub(in crate::rolling) fn order(weight: &[f64; NODES]) -> usize {
+    weight[1..].iter().filter(|weight| **weight != 0.0).count()
 }
 
 /// Weights (dimensionless) of the derivative at a place, times the way to the nearest node, of the
