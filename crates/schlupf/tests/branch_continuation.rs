@@ -2,9 +2,11 @@
 
 mod common;
 
+use std::ops::Range;
 use std::sync::Arc;
 
-use common::{layer, problem, rolling};
+use common::{problem, rolling};
+use schlupf::elasticity::winkler::Winkler;
 use schlupf::grid::{Grid, VectorField};
 use schlupf::interface::contact_law::Incremental;
 use schlupf::interface::friction::linear::Linear;
@@ -17,16 +19,22 @@ const SPEED: f64 = 15.0;
 const COLD: f64 = 0.4;
 const KINETIC: f64 = 0.05;
 
-/// Constants of the equations of longitudinal creepage, with dense matrices row by row: how the
-/// relative displacement changes on the way into a cell, and the displacement in passing it.
+/// In Pa/m.
+const BEDDING: f64 = 2e13;
+
+/// The equations of longitudinal creepage on a bedding, cell by cell down the strips.
 struct Equations {
     stiffness: f64,
     half_speed: f64,
     spacing: f64,
     pressure: Vec<f64>,
-    ways: Vec<f64>,
-    is_first: Vec<bool>,
-    on_the_way: Vec<Vec<f64>>,
+    /// Distance since the entry.
+    distance: Vec<f64>,
+    strips: Vec<Range<usize>>,
+    /// The cells of each strip that are loaded by more than 0.35 of their neighbour's pressure; the
+    /// others have its traction over pressure.
+    kept: Vec<Range<usize>>,
+    /// Change of the displacement in passing a cell under the tractions, row by row.
     in_passing: Vec<Vec<f64>>,
 }
 
@@ -37,23 +45,34 @@ struct State {
     traction: Vec<f64>,
 }
 
+/// Derivative at the first of some points of the polynomial through all of them (Lagrange), times
+/// the distance to the second: a weight for each.
+fn derivative(points: &[f64]) -> Vec<f64> {
+    let way = points[0] - points[1];
+    let mut weights = vec![0.0; points.len()];
+    for j in 1..points.len() {
+        let others = || (1..points.len()).filter(|m| *m != j);
+        let above: f64 = others().map(|m| points[0] - points[m]).product();
+        let below: f64 = others().map(|m| points[j] - points[m]).product();
+        weights[j] = way * above / (below * (points[j] - points[0]));
+        weights[0] -= weights[j];
+    }
+    weights
+}
+
 impl Equations {
-    /// On an ellipse of the common problem, whose layer moves along x under traction along x only.
+    /// On an ellipse of the common problem.
     fn new(case: &Problem, across: usize, (stiffness, half_speed): (f64, f64)) -> Self {
         let normal = case.normal.normal_contact(None).unwrap();
         let patch = Patch::new(&normal, Grid::across(&normal.extent(), across, across));
         let grid = patch.grid;
-        // Bristles so soft that the interpolation at the leading edge is all cubic.
-        let interpolation = Interpolation::new(&patch);
+        let interpolation = Interpolation::uncoupled(&patch);
         let mut compliance = case.elasticity.compliance(&grid).unwrap();
         let cells = patch.len();
-        let is_first: Vec<bool> =
-            (0..cells).map(|k| patch.strips.iter().any(|strip| strip.cells.start == k)).collect();
-        let mut on_the_way = vec![vec![0.0; cells]; cells];
-        let mut in_passing = on_the_way.clone();
+        let mut in_passing = vec![vec![0.0; cells]; cells];
         let mut fields = [0; 3].map(|_| VectorField::zeros(grid.len()));
         let [traction, displacement, passing] = &mut fields;
-        let mut values = [0; 3].map(|_| vec![0.0; 2 * cells]);
+        let mut passed = vec![0.0; 2 * cells];
         for j in 0..cells {
             let mut unit = vec![0.0; 2 * cells];
             unit[2 * j] = 1.0;
@@ -65,64 +84,103 @@ impl Equations {
                     passing.x[at] = 0.5 * (displacement.x[at - 1] - displacement.x[at + 1]);
                 }
             }
-            let [here, entry, passed] = &mut values;
-            interpolation.gather(displacement, here);
-            interpolation.gather_at_entries(displacement, entry);
-            interpolation.gather_means(passing, passed);
-            let relative = |k: usize| here[2 * k] - entry[2 * k];
+            interpolation.gather_means(passing, &mut passed);
             for k in 0..cells {
-                let before = if is_first[k] { 0.0 } else { relative(k - 1) };
-                on_the_way[k][j] = relative(k) - before;
                 in_passing[k][j] = passed[2 * k];
             }
         }
+        let pressure: Vec<f64> = patch.cells.iter().map(|cell| cell.pressure).collect();
+        let strips: Vec<Range<usize>> =
+            patch.strips.iter().map(|strip| strip.cells.clone()).collect();
+        let loaded = |strip: &Range<usize>| {
+            let (mut first, mut last) = (strip.start, strip.end - 1);
+            while first < last && pressure[first] < 0.35 * pressure[first + 1] {
+                first += 1;
+            }
+            while last > first && pressure[last] < 0.35 * pressure[last - 1] {
+                last -= 1;
+            }
+            first..last + 1
+        };
         Self {
             stiffness,
             half_speed,
             spacing: grid.spacing_x,
-            pressure: patch.cells.iter().map(|cell| cell.pressure).collect(),
-            ways: patch.cells.iter().map(|cell| cell.path_in.distance).collect(),
-            is_first,
-            on_the_way,
+            distance: patch.cells.iter().map(|cell| cell.since_entry.distance).collect(),
+            kept: strips.iter().map(loaded).collect(),
+            strips,
+            pressure,
             in_passing,
         }
     }
 
-    /// p − μ(s) pₙ τ with its Jacobian, the last column being that by the creepage.
-    fn residual(&self, state: &State) -> (Vec<f64>, Vec<Vec<f64>>) {
-        let State { creepage, traction } = state;
-        let cells = traction.len();
-        let times = |row: &[f64]| row.iter().zip(traction).map(|(a, p)| a * p).sum::<f64>();
-        let (mut saturation, mut by) = (0.0, vec![0.0; cells + 1]);
-        let mut residual = vec![0.0; cells];
-        let mut jacobian = vec![vec![0.0; cells + 1]; cells];
-        for k in 0..cells {
-            if self.is_first[k] {
-                (saturation, by) = (0.0, vec![0.0; cells + 1]);
+    /// p − μ pₙ q, with q from the law of a strip: of the third order through the cell and up to
+    /// three nodes upstream, the last one of which is the entry.
+    fn defect(&self, State { creepage, traction }: &State) -> Vec<f64> {
+        let mut residual = vec![0.0; traction.len()];
+        for (strip, kept) in self.strips.iter().zip(&self.kept) {
+            let mut q = vec![0.0; traction.len()];
+            for k in kept.clone() {
+                let here = self.distance[k];
+                // A node nearer to the one before than 0.4 of the first way is left out.
+                let mut nodes = vec![(Some(k), here)];
+                let upstream = (kept.start..k).rev().map(|j| (Some(j), self.distance[j]));
+                for node in upstream.chain([(None, 0.0)]).take(3) {
+                    let last = nodes[nodes.len() - 1].1;
+                    if nodes.len() == 1 || last - node.1 >= 0.4 * (here - nodes[1].1) {
+                        nodes.push(node);
+                    }
+                }
+                let points: Vec<f64> = nodes.iter().map(|node| node.1).collect();
+                let weights = derivative(&points);
+                let (mut v, mut c) = (0.0, 0.0);
+                for ((cell, distance), weight) in nodes.iter().zip(&weights) {
+                    let moved = cell.map_or(0.0, |j| traction[j] / BEDDING);
+                    v += weight * (creepage * distance - moved);
+                    c += weight * cell.filter(|j| *j != k).map_or(0.0, |j| q[j]);
+                }
+                let (own, relaxed) = (weights[0], self.stiffness * v.abs());
+                let c = c.clamp(-own, own);
+                let terms = [relaxed, relaxed.powi(2) / 2.0, relaxed.powi(3) / 6.0];
+                let left: f64 = terms[..nodes.len() - 1].iter().sum();
+                let left = if relaxed > 0.0 { left / relaxed.exp_m1() } else { 1.0 };
+                q[k] = (self.stiffness * v - left * c) / (relaxed + left * own);
+                let passing: f64 =
+                    self.in_passing[k].iter().zip(traction).map(|(a, p)| a * p).sum();
+                let slip = (SPEED * (creepage - passing / self.spacing)).abs();
+                let fall = (COLD - KINETIC) / (2.0 * self.half_speed);
+                let friction = (COLD - fall * slip).max(KINETIC);
+                residual[k] = traction[k] - friction * self.pressure[k] * q[k];
             }
-            // Eq. (8) for the increment of the sliding distance.
-            let increment = creepage * self.ways[k] - times(&self.on_the_way[k]);
-            let kept = (-self.stiffness * increment.abs()).exp();
-            let slope = self.stiffness * kept * (1.0 - increment.signum() * saturation);
-            for (j, by) in by.iter_mut().enumerate() {
-                let change = self.on_the_way[k].get(j).map_or(self.ways[k], |b| -b);
-                *by = kept * *by + slope * change;
+            for k in strip.clone().filter(|k| !kept.contains(k)) {
+                let after = if k < kept.start { kept.start } else { kept.end - 1 };
+                residual[k] =
+                    traction[k] - self.pressure[k] / self.pressure[after] * traction[after];
             }
-            saturation = kept * saturation + (1.0 - kept) * increment.signum();
-            let slip = SPEED * (creepage - times(&self.in_passing[k]) / self.spacing);
-            let falls = slip.abs() < 2.0 * self.half_speed;
-            let fall = (COLD - KINETIC) / (2.0 * self.half_speed);
-            let friction = if falls { COLD - fall * slip.abs() } else { KINETIC };
-            let by_slip = if falls { -fall * slip.signum() } else { 0.0 };
-            residual[k] = traction[k] - friction * self.pressure[k] * saturation;
-            for (j, by) in by.iter().enumerate() {
-                let change = self.in_passing[k].get(j).map_or(SPEED, |c| -SPEED * c / self.spacing);
-                jacobian[k][j] =
-                    -self.pressure[k] * (friction * by + saturation * by_slip * change);
-            }
-            jacobian[k][k] += 1.0;
         }
-        (residual, jacobian)
+        residual
+    }
+
+    /// The same with its Jacobian by differences, the last column being that by the creepage.
+    fn residual(&self, state: &State) -> (Vec<f64>, Vec<Vec<f64>>) {
+        let cells = state.traction.len();
+        let scale = COLD * self.pressure.iter().copied().fold(0.0, f64::max);
+        let mut jacobian = vec![vec![0.0; cells + 1]; cells];
+        for j in 0..=cells {
+            let h = if j < cells { 1e-7 * scale } else { 1e-10 };
+            let [plus, minus] = [h, -h].map(|h| {
+                let mut moved = state.clone();
+                match moved.traction.get_mut(j) {
+                    Some(p) => *p += h,
+                    None => moved.creepage += h,
+                }
+                self.defect(&moved)
+            });
+            for k in 0..cells {
+                jacobian[k][j] = (plus[k] - minus[k]) / (2.0 * h);
+            }
+        }
+        (self.defect(state), jacobian)
     }
 
     /// Newton's method at a creepage, in shorter steps where the equations have kinks; nothing
@@ -143,7 +201,7 @@ impl Equations {
             let parts = [1.0, 0.5, 0.25, 0.1, 0.03, 0.01];
             let better =
                 parts.into_iter().map(|part| (part, shortened(part))).find(|(part, next)| {
-                    norm(&self.residual(next).0) < (1.0 - 0.1 * part) * norm(&residual)
+                    norm(&self.defect(next)) < (1.0 - 0.1 * part) * norm(&residual)
                 });
             // At the end there is nothing but rounding.
             state = better.map_or_else(|| shortened(1.0), |(_, next)| next);
@@ -229,7 +287,7 @@ fn solve(mut rows: Vec<Vec<f64>>, right: Vec<f64>) -> Option<[Vec<f64>; 2]> {
 fn falling(creepage: f64, stiffness: f64, half_speed: f64) -> Problem {
     let mut falling = problem(rolling(creepage, 0.0, 0.0));
     falling.kinematics.speed = SPEED;
-    falling.elasticity = layer();
+    falling.elasticity = Arc::new(Winkler::new(BEDDING, BEDDING).unwrap());
     falling.contact_law = Incremental::new(stiffness).unwrap().into();
     let law = Linear(SlipTerms::new(COLD, KINETIC, half_speed, None).unwrap());
     falling.friction.law = Arc::new(law);
@@ -273,7 +331,7 @@ fn both_states_are_those_of_a_continuation() {
                 .any(|text| text.to_string().contains("several steady states"));
             assert!(warning, "{:?}", found.warnings);
             let traction = found.fields.traction_x.iter().map(|t| -t).collect();
-            let (residual, _) = equations.residual(&State { creepage, traction });
+            let residual = equations.defect(&State { creepage, traction });
             assert!(norm(&residual) < 1e-7 * norm(&bound), "{branch:?}: {:e}", norm(&residual));
             found
         });

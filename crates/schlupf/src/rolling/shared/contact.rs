@@ -146,7 +146,9 @@ impl DiscreteContact {
         let grid = &self.patch.grid;
         let cell = grid.spacing_y / grid.spacing_x;
         let ratio = |[columns, rows]: [usize; 2]| cell * columns as f64 / rows as f64;
-        let largest = self.patch.sizes_of_parts().into_iter().map(ratio).fold(0.0, f64::max);
+        // A single row has no edge along rolling.
+        let parts = self.patch.sizes_of_parts().into_iter().filter(|[_, rows]| *rows > 1);
+        let largest = parts.map(ratio).fold(0.0, f64::max);
         let fewest = (grid.rows as f64 * (largest / WIDEST).sqrt()).ceil() as usize;
         (grid.rows < fewest).then_some(fewest)
     }

@@ -59,7 +59,8 @@ impl StripFactors {
     ) -> Self {
         let mut slips = Vec::with_capacity(patch.len());
         let is_alike = |c: usize| row[1][c] > MOST_ALIKE * row[0][c];
-        let has_neighbours = !is_alike(0) && !is_alike(1);
+        let couples = row[1] != [0.0; 2];
+        let has_neighbours = couples && !is_alike(0) && !is_alike(1);
         let local = Local { patch, contact, row, has_neighbours };
         let own = row[0][0];
         for cells in &contact.slivers.kept {

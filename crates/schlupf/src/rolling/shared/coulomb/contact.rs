@@ -43,7 +43,9 @@ impl CoulombContact {
         let missing = Missing::new(problem, normal, contact, Calibrated::Displacement)?;
         let missing = missing.unwrap_or_else(|| Missing::nothing(contact.patch.len()));
         let patch = &contact.patch;
-        let worth: Vec<Worth> = (0..patch.len()).map(|k| worth(k, patch, &missing, &row)).collect();
+        let couples = contact.compliance.couples_cells();
+        let of = |k| if couples { worth(k, patch, &missing, &row) } else { Worth::FULL };
+        let worth: Vec<Worth> = (0..patch.len()).map(of).collect();
         let slivers = Slivers::new(patch, &worth, discretisation);
         let calibration = Calibration::new(&missing, patch, &slivers.kept);
         let local = calibration.at_cells.iter().map(|[xx, yy, xy]| {
@@ -77,9 +79,6 @@ impl CoulombContact {
 fn worth(k: usize, patch: &Patch, missing: &Missing, row: &Row) -> Worth {
     let cell = &patch.cells[k];
     let [own, ..] = row;
-    if own[0] <= 0.0 || own[1] <= 0.0 {
-        return Worth { missing: 0.0, slid: 1.0 };
-    }
     let at_entry = at_distance(row, cell.since_entry.distance / patch.grid.spacing_x);
     let smaller = |of: [f64; 2]| of[0].min(of[1]);
     let over = |missing: &[Symmetric], c: usize| missing[k][c] / (own[c] * cell.pressure);

@@ -27,6 +27,11 @@ pub(in crate::rolling) struct Worth {
     pub slid: f64,
 }
 
+impl Worth {
+    /// Where cells do not displace each other.
+    pub const FULL: Self = Self { missing: 0.0, slid: 1.0 };
+}
+
 /// A cell that takes the traction over the pressure of another cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::rolling) struct Sliver {
