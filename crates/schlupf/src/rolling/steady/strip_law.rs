@@ -33,6 +33,8 @@ pub(super) struct StripLaw {
     /// Of the slip, and of what the bristles do.
     stencils: Vec<SlipStencil>,
     factors: StripFactors,
+    /// Whether tangents are exact, for derivatives of a solution; see [`Bristles::is_exact`].
+    pub is_exact: bool,
     /// Whether factors and inverses are those of the last residual.
     is_factorised: bool,
     /// Whether a cell is the first of its strip.
@@ -101,6 +103,7 @@ impl StripLaw {
             bound: vec![0.0; cells],
             factors: StripFactors::new(patch, &contact, &stencils, &row),
             stencils,
+            is_exact: false,
             is_factorised: false,
             is_first,
             rigid_since_entry: vec![0.0; 2 * cells],
@@ -187,8 +190,14 @@ impl StripLaw {
         let mean = 0.5 * (compliance[0] + compliance[1]);
         let mut saturation = vec![0.0; p.len()];
         for k in self.contact.kept() {
-            let known = self.stencils[k].own();
-            let gamma = if mean > 0.0 { (known * mean).recip() } else { self.gamma };
+            let own = self.stencils[k].own();
+            let [x, y] = pair(&self.rigid, k);
+            let gamma = if mean > 0.0 {
+                (own * mean).recip()
+            } else {
+                // So stiff that the traction moves nothing.
+                RIGID * self.bound[k] / x.hypot(y).max(f64::MIN_POSITIVE)
+            };
             for _ in 0..MOST_SWEEPS {
                 let moved = self.stencils[k].apply(p, k);
                 let before = pair(p, k);
@@ -211,7 +220,8 @@ impl StripLaw {
     fn answer(&self, (pull, gamma): ([f64; 2], f64), saturation: &[f64], k: usize) -> Answer {
         let compliance = gamma / self.law.stiffness();
         let bristles = if compliance > 0.0 {
-            self.stencils[k].bristles(compliance, saturation, k)
+            let is_exact = self.is_exact;
+            Bristles { is_exact, ..self.stencils[k].bristles(compliance, saturation, k) }
         } else {
             Bristles::default()
         };
@@ -442,6 +452,9 @@ impl StripLaw {
 fn inverse(bound: f64) -> f64 {
     if bound > 0.0 { bound.recip() } else { 0.0 }
 }
+
+/// Pull of a cell of rigid bodies over its bound, dimensionless.
+const RIGID: f64 = 1e10;
 
 /// Most fixed-point steps to the traction of a cell that is displaced by itself only: one where it
 /// gives way alike in both directions.

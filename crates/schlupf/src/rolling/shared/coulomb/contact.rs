@@ -43,10 +43,13 @@ impl CoulombContact {
         let missing = Missing::new(problem, normal, contact, Calibrated::Displacement)?;
         let missing = missing.unwrap_or_else(|| Missing::nothing(contact.patch.len()));
         let patch = &contact.patch;
-        let couples = contact.compliance.couples_cells();
-        let of = |k| if couples { worth(k, patch, &missing, &row) } else { Worth::FULL };
-        let worth: Vec<Worth> = (0..patch.len()).map(of).collect();
-        let slivers = Slivers::new(patch, &worth, discretisation);
+        let slivers = if contact.compliance.couples_cells() {
+            let worth: Vec<Worth> =
+                (0..patch.len()).map(|k| worth(k, patch, &missing, &row)).collect();
+            Slivers::new(patch, &worth, discretisation)
+        } else {
+            Slivers::none(patch)
+        };
         let calibration = Calibration::new(&missing, patch, &slivers.kept);
         let local = calibration.at_cells.iter().map(|[xx, yy, xy]| {
             let along = |own: f64, missing: f64| own + missing.max(-MOST_REDUCED * own);

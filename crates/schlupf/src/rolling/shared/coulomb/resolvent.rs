@@ -49,6 +49,10 @@ pub(in crate::rolling) struct Bristles {
     pub upstream: [f64; 2],
     /// n: the nodes upstream.
     pub order: usize,
+    /// Whether derivatives are exact. Where |c| is reduced to τ, Newton's method takes the reduction
+    /// for a constant factor: where everything slides |c| is nearly τ, and would be reduced in one
+    /// step and not in the next.
+    pub is_exact: bool,
 }
 
 impl Bristles {
@@ -62,7 +66,11 @@ impl Bristles {
         }
         let (share, n) = (self.own / size, self.upstream.map(|c| c / size));
         self.upstream = n.map(|n| self.own * n);
-        across(share, n)
+        if self.is_exact {
+            across(share, n)
+        } else {
+            IDENTITY.map(|row| row.map(|one| share * one))
+        }
     }
 
     /// φ and its derivative by m (in 1/Pa), where m is given in Pa.
@@ -292,7 +300,7 @@ mod tests {
                     let at = |(pulled, raised, changed, stiffer): Changes| {
                         let compliance = compliance * f64::exp(-stiffer);
                         let upstream = [0, 1].map(|k| c[k] + changed[k]);
-                        let made = Bristles { compliance, own, upstream, order };
+                        let made = Bristles { compliance, own, upstream, order, is_exact: true };
                         Answer::to([0, 1].map(|k| pull[k] + pulled[k]), bound + raised, &made)
                     };
                     let answer = at(([0.0; 2], 0.0, [0.0; 2], 0.0));
@@ -326,7 +334,7 @@ mod tests {
             let exact = at(3.0 * relaxed).map(|q| bound * q);
             let pull = [0, 1].map(|c| exact[c] + sliding * along[c]);
             let (compliance, upstream) = (sliding / relaxed, before.map(|q| -q));
-            let bristles = Bristles { compliance, own: 1.0, upstream, order: 1 };
+            let bristles = Bristles { compliance, own: 1.0, upstream, order: 1, is_exact: true };
             let answer = Answer::to(pull, bound, &bristles);
             assert_relative_eq!(answer.sliding, sliding, max_relative = 1e-10);
             for c in 0..2 {

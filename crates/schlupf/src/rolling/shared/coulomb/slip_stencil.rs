@@ -71,7 +71,8 @@ impl SlipStencil {
             upstream[0] += weight * saturation[2 * cell];
             upstream[1] += weight * saturation[2 * cell + 1];
         }
-        Bristles { compliance, own: self.weight[0], upstream, order: order(&self.weight) }
+        let (own, order) = (self.weight[0], order(&self.weight));
+        Bristles { compliance, own, upstream, order, is_exact: false }
     }
 
     /// The cells upstream of cell `k`, with their weights; dimensionless.

@@ -27,11 +27,6 @@ pub(in crate::rolling) struct Worth {
     pub slid: f64,
 }
 
-impl Worth {
-    /// Where cells do not displace each other.
-    pub const FULL: Self = Self { missing: 0.0, slid: 1.0 };
-}
-
 /// A cell that takes the traction over the pressure of another cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::rolling) struct Sliver {
@@ -52,6 +47,12 @@ pub(in crate::rolling) struct Slivers {
 }
 
 impl Slivers {
+    /// Where cells do not displace each other, all have equations of their own.
+    pub fn none(patch: &Patch) -> Self {
+        let kept = patch.strips.iter().map(|strip| strip.cells.clone());
+        Self { all: Vec::new(), kept: kept.collect(), leads: vec![false; patch.len()] }
+    }
+
     /// Of a patch, and of what the equations of its cells are worth.
     pub fn new(patch: &Patch, worth: &[Worth], discretisation: Discretisation) -> Self {
         let pressure = |k: usize| patch.cells[k].pressure;
