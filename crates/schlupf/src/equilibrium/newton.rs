@@ -99,14 +99,6 @@ impl Newton {
             if outcome.converged || given_up {
                 return Ok(Solved { outcome, response: &self.u });
             }
-                eprintln!(
-                    "{} it {} res {:e} products {}",
-                    p.len(),
-                    outcome.iterations,
-                    outcome.residual,
-                    outcome.products
-                );
-            }
             let (change, done) = (Some(outcome.residual), outcome.iterations);
             let progress = Progress { change, ..Progress::count(Stage::Steady, done) };
             let continues = || tell(watch, progress);
