@@ -30,6 +30,8 @@ struct Equations {
     pressure: Vec<f64>,
     /// Distance since the entry.
     distance: Vec<f64>,
+    /// Displacement of every cell under its own traction.
+    compliance: Vec<f64>,
     strips: Vec<Range<usize>>,
     /// Change of the displacement in passing a cell under the tractions, row by row.
     in_passing: Vec<Vec<f64>>,
@@ -69,7 +71,8 @@ impl Equations {
         let mut in_passing = vec![vec![0.0; cells]; cells];
         let mut fields = [0; 3].map(|_| VectorField::zeros(grid.len()));
         let [traction, displacement, passing] = &mut fields;
-        let mut passed = vec![0.0; 2 * cells];
+        let (mut passed, mut here) = (vec![0.0; 2 * cells], vec![0.0; 2 * cells]);
+        let mut own = vec![0.0; cells];
         for j in 0..cells {
             let mut unit = vec![0.0; 2 * cells];
             unit[2 * j] = 1.0;
@@ -81,6 +84,8 @@ impl Equations {
                     passing.x[at] = 0.5 * (displacement.x[at - 1] - displacement.x[at + 1]);
                 }
             }
+            interpolation.gather(displacement, &mut here);
+            own[j] = here[2 * j];
             interpolation.gather_means(passing, &mut passed);
             for k in 0..cells {
                 in_passing[k][j] = passed[2 * k];
@@ -91,6 +96,7 @@ impl Equations {
             stiffness,
             half_speed,
             spacing: grid.spacing_x,
+            compliance: own,
             distance: patch.cells.iter().map(|cell| cell.since_entry.distance).collect(),
             strips: patch.strips.iter().map(|strip| strip.cells.clone()).collect(),
             pressure,
@@ -119,7 +125,7 @@ impl Equations {
                 let weights = derivative(&points);
                 let (mut v, mut c) = (0.0, 0.0);
                 for ((cell, distance), weight) in nodes.iter().zip(&weights) {
-                    let moved = cell.map_or(0.0, |j| traction[j] / BEDDING);
+                    let moved = cell.map_or(0.0, |j| self.compliance[j] * traction[j]);
                     v += weight * (creepage * distance - moved);
                     c += weight * cell.filter(|j| *j != k).map_or(0.0, |j| q[j]);
                 }

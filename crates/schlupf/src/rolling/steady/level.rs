@@ -155,9 +155,24 @@ impl Level {
         2 * self.strips.len()
     }
 
-    /// The tractions if cells were displaced by their own ones only, with a compliance (in m/Pa) in
-    /// both directions, and friction followed the rigid slip.
-    pub fn uncoupled_state(&mut self, problem: &Problem, compliance: [f64; 2], p: &mut [f64]) {
+    /// Guesses the tractions where cells do not displace each other: the solution, if friction is
+    /// the present one.
+    pub fn guess_uncoupled(&mut self, problem: &Problem) {
+        let mut compliance = vec![0.0; self.size()];
+        self.contact.product(&vec![1.0; self.size()]).at_cells(&mut compliance);
+        let mut traction = std::mem::take(&mut self.traction);
+        self.uncoupled_state(problem, &compliance, &mut traction);
+        self.traction = traction;
+    }
+
+    /// The tractions of rigid bodies, with friction that follows their slip.
+    pub fn rigid_state(&mut self, problem: &Problem, p: &mut [f64]) {
+        self.uncoupled_state(problem, &vec![0.0; p.len()], p);
+    }
+
+    /// The tractions if cells were displaced by their own ones only, with the compliance (in m/Pa) of
+    /// each in both directions, and friction followed the rigid slip.
+    fn uncoupled_state(&mut self, problem: &Problem, compliance: &[f64], p: &mut [f64]) {
         p.fill(0.0);
         self.strips.uncoupled_state(compliance, p);
         if self.friction.is_coupled {

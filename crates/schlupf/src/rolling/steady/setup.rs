@@ -318,10 +318,7 @@ impl Setup {
         let (levels, coarser) = self.levels.split_at_mut(depth + 1);
         let level = &mut levels[depth];
         if !level.contact.compliance.couples_cells() {
-            let [own, ..] = level.contact.row_compliances();
-            let mut traction = std::mem::take(&mut level.traction);
-            level.uncoupled_state(&self.problem, own, &mut traction);
-            level.traction = traction;
+            level.guess_uncoupled(&self.problem);
             return;
         }
         let [last, before] = &level.earlier;

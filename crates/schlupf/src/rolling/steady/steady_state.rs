@@ -97,7 +97,7 @@ impl Equilibrium for SteadyState<'_> {
     /// The state of rigid bodies, which is a good guess where friction follows a high slip speed.
     fn other_guess(&mut self, p: &mut [f64]) -> bool {
         if self.is_coupled() {
-            self.levels[0].uncoupled_state(self.problem, [0.0; 2], p);
+            self.levels[0].rigid_state(self.problem, p);
         }
         self.is_coupled()
     }

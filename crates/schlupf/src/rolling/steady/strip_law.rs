@@ -184,13 +184,13 @@ impl StripLaw {
         [0, 1].map(|c| self.rigid[2 * k + c] - b[2 * k + c])
     }
 
-    /// The tractions if every cell were displaced by its own one only, with a compliance (in m/Pa)
-    /// in both directions: cell by cell from the leading edge.
-    pub fn uncoupled_state(&self, compliance: [f64; 2], p: &mut [f64]) {
-        let mean = 0.5 * (compliance[0] + compliance[1]);
-        let mut saturation = vec![0.0; p.len()];
+    /// The tractions if every cell were displaced by its own one only, with the compliance (in m/Pa)
+    /// of each in both directions: cell by cell from the leading edge.
+    pub fn uncoupled_state(&self, compliance: &[f64], p: &mut [f64]) {
+        let (mut saturation, mut displacement) = (vec![0.0; p.len()], vec![0.0; p.len()]);
         for k in self.contact.kept() {
-            let own = self.stencils[k].own();
+            let (own, of_cell) = (self.stencils[k].own(), pair(compliance, k));
+            let mean = 0.5 * (of_cell[0] + of_cell[1]);
             let [x, y] = pair(&self.rigid, k);
             let gamma = if mean > 0.0 {
                 (own * mean).recip()
@@ -199,12 +199,12 @@ impl StripLaw {
                 RIGID * self.bound[k] / x.hypot(y).max(f64::MIN_POSITIVE)
             };
             for _ in 0..MOST_SWEEPS {
-                let moved = self.stencils[k].apply(p, k);
                 let before = pair(p, k);
-                let pull = [0, 1].map(|c| {
-                    let sliding = self.rigid[2 * k + c] - compliance[c] * moved[c];
-                    before[c] + gamma * sliding
-                });
+                for c in 0..2 {
+                    displacement[2 * k + c] = of_cell[c] * before[c];
+                }
+                let moved = self.stencils[k].apply(&displacement, k);
+                let pull = [0, 1].map(|c| before[c] + gamma * (self.rigid[2 * k + c] - moved[c]));
                 let Answer { traction, .. } = self.answer((pull, gamma), &saturation, k);
                 p[2 * k..2 * k + 2].copy_from_slice(&traction);
                 if traction == before {
@@ -212,6 +212,9 @@ impl StripLaw {
                 }
             }
             saturation[2 * k..2 * k + 2].copy_from_slice(&self.saturated(p, k));
+            for c in 0..2 {
+                displacement[2 * k + c] = of_cell[c] * p[2 * k + c];
+            }
         }
         self.contact.slivers.complete(p);
     }
