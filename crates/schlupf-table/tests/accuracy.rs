@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 use std::path::Path;
 
 use schlupf::elasticity::half_space::HalfSpace;
+use schlupf::interface::contact_law::ContactLaw;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::kinematics::Kinematics;
 use schlupf::material::Material;
@@ -26,7 +27,7 @@ fn problem(semi_axes: [f64; 2], load: f64, poisson_ratio: f64) -> Problem {
     let mut problem = Problem::builder()
         .normal(Ellipse::from_load(semi_axes[0], semi_axes[1], load).unwrap())
         .elasticity(HalfSpace::new(&material, &material).unwrap())
-        .contact_law(Coulomb)
+        .contact_law(ContactLaw::Coulomb)
         .friction(Constant::new(FRICTION).unwrap())
         .build()
         .unwrap();

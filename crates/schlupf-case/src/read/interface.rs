@@ -1,6 +1,5 @@
 //! `[contact_law]`.
 
-
 use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
 use schlupf::material::Material;
 

@@ -1,6 +1,5 @@
 //! What finds the contacts of a wheel on a rail.
 
-
 use schlupf::error::WheelRailError;
 use schlupf::interface::contact_law::ContactLaw;
 use schlupf::kinematics::Kinematics;
