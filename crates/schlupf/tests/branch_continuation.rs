@@ -308,7 +308,7 @@ fn both_states_solve_the_equations() {
         found
     });
     let [low, high] = both.each_ref().map(|solution| -solution.normalised.x);
-    assert!((low - high).abs() > 1e-5, "{low} {high}");
+    assert!((low - high).abs() > 5e-4, "{low} {high}");
 }
 
 /// Goal: where each branch leads to the motion there is one state, that of the continuation from

@@ -195,8 +195,8 @@ fn slender_patches_converge_as_fast() {
     }
     let found = [on_20, on_40].map(quantiles);
     println!("errors in % of slender patches: {found:.3?}");
-    assert_below(found[0], [0.15, 0.5, 1.0]);
-    assert_below(found[1], [0.05, 0.15, 0.3]);
+    assert_below(found[0], [0.15, 0.3, 0.8]);
+    assert_below(found[1], [0.05, 0.1, 0.3]);
 }
 
 /// Products of a cold solution hardly depend on the grid.
@@ -281,7 +281,7 @@ fn warm_work_along_a_creep_curve() {
     let directions = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 200.0], [0.8, 0.4, 50.0]];
     let base = coulomb(semi_axes(1.0), [0.0; 3]);
     for (across, allowed) in
-        [(20, [16.0, 18.0, 20.0]), (40, [18.0, 20.0, 23.0]), (80, [20.0, 22.0, 27.0])]
+        [(20, [16.0, 18.0, 20.0]), (40, [18.0, 20.0, 23.0]), (80, [20.0, 20.0, 27.0])]
     {
         let mut products = Vec::new();
         for direction in directions {

@@ -45,10 +45,10 @@ fn neuhaus_sextro_2014_layer_forces_at_40_cells() {
     check_forces(40, 240, [0.005, 0.01]);
 }
 
-/// At 20 cells within 0.25 % of μN, with spin 0.8 % (of which the reference's digits are 0.2 %).
+/// At 20 cells within 0.1 % of μN, with spin 0.6 % (of which the reference's digits are 0.2 %).
 #[test]
 fn neuhaus_sextro_2014_layer_forces_at_20_cells() {
-    check_forces(20, 120, [0.0025, 0.008]);
+    check_forces(20, 120, [0.001, 0.006]);
 }
 
 /// The error of the force falls at least as h^1.5 on the way from 10 to 40 cells.
@@ -75,7 +75,7 @@ fn friction_power_is_the_power_of_the_creep_forces() {
 }
 
 /// Neuhaus and Sextro 2014, Eq. (8): on a patch the two forms of the contact law agree within
-/// 1e-3 of μN in the forces and 2 % of μp0 in the tractions under pure ξ or η, where the direction
+/// 2e-4 of μN in the forces and 2 % of μp0 in the tractions under pure ξ or η, where the direction
 /// of sliding hardly turns.
 #[test]
 fn neuhaus_sextro_2014_total_displacement_against_increments() {
@@ -86,7 +86,7 @@ fn neuhaus_sextro_2014_total_displacement_against_increments() {
         let (one, two) = (solve(&incremental, &cells(20)), solve(&total, &cells(20)));
         let differs =
             (one.normalised.x - two.normalised.x).hypot(one.normalised.y - two.normalised.y);
-        assert!(differs < 1e-3, "ξ {xi}, η {eta}: {differs}");
+        assert!(differs < 2e-4, "ξ {xi}, η {eta}: {differs}");
         for k in 0..one.fields.len() {
             let x = one.fields.traction_x[k] - two.fields.traction_x[k];
             let y = one.fields.traction_y[k] - two.fields.traction_y[k];

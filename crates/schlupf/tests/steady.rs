@@ -87,7 +87,7 @@ const MOTIONS: [(f64, f64, f64); 7] = [
 /// Products with A of a cold solution do not depend on the grid.
 #[test]
 fn cold_work_does_not_grow_with_the_grid() {
-    for (elasticity, allowed) in [(common::layer(), 42.0), (half_space(), 30.0)] {
+    for (elasticity, allowed) in [(common::layer(), 40.0), (half_space(), 30.0)] {
         for cells_across in [20, 40, 80, 160] {
             for (xi, eta, spin) in MOTIONS {
                 let mut cold = problem(rolling(xi, eta, spin));
@@ -95,7 +95,7 @@ fn cold_work_does_not_grow_with_the_grid() {
                 let work = at_once(&cold, &cells(cells_across)).work;
                 assert!(work.operator_products < allowed, "{elasticity:?} {work:?}");
                 // Those on the coarser grids count too.
-                assert!(work.newton_iterations <= 18, "{work:?}");
+                assert!(work.newton_iterations <= 16, "{work:?}");
             }
         }
     }
@@ -135,7 +135,7 @@ fn along_a_curve(base: &Problem, options: &Options, direction: [f64; 3]) -> [f64
 #[test]
 fn warm_work_along_a_creep_curve() {
     let directions = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 200.0], [0.8, 0.4, 50.0]];
-    for (elasticity, allowed) in [(common::layer(), [26.0, 36.0]), (half_space(), [21.0, 31.0])] {
+    for (elasticity, allowed) in [(common::layer(), [25.0, 34.0]), (half_space(), [18.0, 27.0])] {
         let mut base = problem(rolling(0.0, 0.0, 0.0));
         base.elasticity = elasticity;
         for cells_across in [20, 40, 80] {
