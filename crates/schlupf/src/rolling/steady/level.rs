@@ -174,10 +174,15 @@ impl Level {
     /// each in both directions, and friction followed the rigid slip.
     fn uncoupled_state(&mut self, problem: &Problem, compliance: &[f64], p: &mut [f64]) {
         p.fill(0.0);
+        let patch = &self.contact.patch;
+        if self.friction.is_coupled {
+            let cold = vec![problem.friction.cold_coefficient(); patch.len()];
+            self.strips.set_bound(&patch.cells, &cold);
+        }
         self.strips.uncoupled_state(compliance, p);
         if self.friction.is_coupled {
-            let patch = &self.contact.patch;
-            self.friction.rigid_slip_state(problem, patch, self.strips.bound(), p);
+            let (on, strips) = ((problem, patch), &self.strips);
+            self.friction.rigid_slip_state(on, strips.kept(), strips.bound(), p);
             self.strips.complete(p);
         }
     }

@@ -9,6 +9,8 @@
 //! ([`ContactConduction`]), which couples all cells; then the weights of the upstream cells in a
 //! strip only serve as a preconditioner.
 
+use std::ops::Range;
+
 use crate::heat::contact_conduction::{Conductors, ContactConduction, Surfaces};
 use crate::heat::partition::Conduction;
 use crate::heat::peclet::semi_axes_of_grid;
@@ -238,31 +240,35 @@ impl SteadyFriction {
     }
 
     /// Scales the tractions p of rigid bodies with some bounds μ pₙ (both in Pa), cell by cell down
-    /// the strips, to the friction at the slip and the temperature that result.
+    /// the strips, to the friction at the slip and the temperature that result. Cells upstream of
+    /// those in `kept` have the coefficient of the first one in it.
     pub fn rigid_slip_state(
         &mut self,
-        problem: &Problem,
-        patch: &Patch,
+        (problem, patch): (&Problem, &Patch),
+        kept: &[Range<usize>],
         bound: &[f64],
         p: &mut [f64],
     ) {
         self.slip.copy_from_slice(&self.rigid);
-        for (k, bound) in bound.iter().enumerate() {
-            let over = if *bound > 0.0 { bound.recip() } else { 0.0 };
-            let along = pair(p, k).map(|p| over * p);
-            let start =
-                if k == self.heat.first(k) { None } else { Some(self.coefficients()[k - 1]) };
-            let start = start.unwrap_or_else(|| problem.friction.cold_coefficient());
-            let heat = passage::heat(passage::power(along, self.rigid[k]));
-            let flux = self.pressure[k] * heat * self.flux_over_power[k];
-            let coefficient = fixed_point(start, |coefficient| {
-                self.heat.flux[k] = coefficient * flux;
-                self.warm(k);
-                self.respond(problem, patch, k);
-                self.coefficients()[k]
-            });
-            for c in 0..2 {
-                p[2 * k + c] = coefficient * self.pressure[k] * along[c];
+        for cells in kept {
+            let mut coefficient = problem.friction.cold_coefficient();
+            for k in cells.clone() {
+                let over = if bound[k] > 0.0 { bound[k].recip() } else { 0.0 };
+                let along = pair(p, k).map(|p| over * p);
+                let alike = if k == cells.start { self.heat.first(k)..=k } else { k..=k };
+                coefficient = fixed_point(coefficient, |coefficient| {
+                    for j in alike.clone() {
+                        let heat = passage::heat(passage::power(along, self.rigid[j]));
+                        let flux = self.pressure[j] * heat * self.flux_over_power[j];
+                        self.heat.flux[j] = coefficient * flux;
+                        self.warm(j);
+                        self.respond(problem, patch, j);
+                    }
+                    self.coefficients()[k]
+                });
+                for c in 0..2 {
+                    p[2 * k + c] = coefficient * self.pressure[k] * along[c];
+                }
             }
         }
     }

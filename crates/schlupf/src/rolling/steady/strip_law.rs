@@ -4,6 +4,8 @@
 //! the sliding over the way into the cell, and what the material brings along is what it has done
 //! upstream in its strip.
 
+use std::ops::Range;
+
 use crate::error::Error;
 use crate::interface::contact_law::ContactLaw;
 use crate::normal::NormalContact;
@@ -133,6 +135,11 @@ impl StripLaw {
         self.bound.len()
     }
 
+    /// The cells of each strip that have equations of their own.
+    pub fn kept(&self) -> &[Range<usize>] {
+        &self.contact.slivers.kept
+    }
+
     /// ‖μ pₙ‖₂, in Pa.
     pub fn scale(&self) -> f64 {
         norm(&self.bound)
@@ -196,7 +203,8 @@ impl StripLaw {
                 (own * mean).recip()
             } else {
                 // So stiff that the traction moves nothing.
-                RIGID * self.bound[k] / x.hypot(y).max(f64::MIN_POSITIVE)
+                let slides = x.hypot(y);
+                RIGID * self.bound[k] / if slides > 0.0 { slides } else { 1.0 }
             };
             for _ in 0..MOST_SWEEPS {
                 let before = pair(p, k);
