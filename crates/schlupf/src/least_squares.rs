@@ -81,7 +81,8 @@ pub struct Limits {
     pub tolerance: f64,
     /// Fraction of the sum of squares that the step would still remove (the square of the relative
     /// offset of Bates and Watts 1981), dimensionless: parameters with little effect need not come
-    /// to rest.
+    /// to rest. Where no step, however short, leads down, there is a kink, as where a cell begins to
+    /// slide: the fraction may be a hundred times as large.
     pub reducible: f64,
     /// Reduction of the sum of squares below which it is rounding error of the model,
     /// dimensionless.
@@ -140,6 +141,9 @@ const FIRST_DAMPING: f64 = 1e-3;
 const LEAST_DAMPING: f64 = 1e-12;
 const LARGEST_DAMPING: f64 = 1e10;
 
+/// Multiple of [`Limits::reducible`] that is left in a kink of the model.
+const IN_A_KINK: f64 = 100.0;
+
 /// Fits the parameters from a start within the bounds. Returns `None` if the model cannot be
 /// evaluated there.
 ///
@@ -162,7 +166,10 @@ pub fn minimise(
     here.hold(model);
     let mut damping = FIRST_DAMPING;
     while !here.is_minimum(limits) {
-        if here.iterations == limits.max_iterations || damping > LARGEST_DAMPING {
+        let is_kink = damping > LARGEST_DAMPING;
+        if here.iterations == limits.max_iterations || is_kink {
+            let reducible = IN_A_KINK * limits.reducible;
+            here.converged = is_kink && here.is_minimum(&Limits { reducible, ..*limits });
             return Ok(Some(here));
         }
         here.iterations += 1;
@@ -379,5 +386,23 @@ mod tests {
         }
         let found = minimise(&mut Walled, &[0.0], &LIMITS).unwrap().unwrap();
         assert!(!found.converged && found.parameters[0] > 1.9, "{found:?}");
+    }
+
+    /// From the kink of |p| no step leads down, while either slope promises a little less. It is a
+    /// minimum if that is little enough.
+    #[test]
+    fn a_kink_may_be_a_minimum() {
+        struct Kink;
+        impl Residuals for Kink {
+            fn residuals(&mut self, p: &[f64]) -> Result<Option<Vec<f64>>, Error> {
+                Ok(Some(vec![1.0, 0.05 + 0.02 * p[0].abs()]))
+            }
+        }
+        for (reducible, is_found) in [(1e-4, true), (1e-6, false)] {
+            let found = minimise(&mut Kink, &[-1.0], &Limits { reducible, ..LIMITS });
+            let found = found.unwrap().unwrap();
+            assert_eq!(found.converged, is_found, "{found:?}");
+            assert!(found.parameters[0].abs() < 1e-3, "{found:?}");
+        }
     }
 }

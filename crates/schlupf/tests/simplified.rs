@@ -318,7 +318,8 @@ fn kalker_1982_longitudinal_creepage_by_integrals() {
 
 /// With one flexibility FASTSIM is a Winkler bedding of the stiffness 1/L with Coulomb's law: the
 /// full solver's, a different algorithm, with constant friction to 0.1 % of μ0 N, and with friction
-/// that falls steeply with the slip speed, which sees the slip of springing back there, to 1.5 %.
+/// that falls with the slip speed, which sees the slip of springing back there, to 0.4 %. It falls
+/// so gently that every point of a bedding has one state.
 #[test]
 fn one_flexibility_is_a_winkler_bedding() {
     let method = FastMethod::Fastsim(brush(Flexibilities::One, TractionBound::Elliptic));
@@ -339,8 +340,8 @@ fn one_flexibility_is_a_winkler_bedding() {
         case.elasticity = Arc::new(Winkler::new(1.0 / mean, 1.0 / mean).unwrap());
         case.contact_law = Incremental::new(1e10).unwrap().into();
         let laws: [Arc<dyn FrictionLaw>; 2] =
-            [Arc::new(Constant::new(0.3).unwrap()), Arc::new(Polach::new(0.3, 0.4, 2.0).unwrap())];
-        for (law, tolerance) in laws.into_iter().zip([1e-3, 0.015]) {
+            [Arc::new(Constant::new(0.3).unwrap()), Arc::new(Polach::new(0.3, 0.4, 0.4).unwrap())];
+        for (law, tolerance) in laws.into_iter().zip([1e-3, 4e-3]) {
             case.friction.law = law;
             let full = solve(&case, &cells(40)).normalised;
             let fast = fast(&case, method, 40).normalised;

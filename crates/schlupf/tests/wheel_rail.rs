@@ -350,7 +350,7 @@ fn both_sides_are_mirror_images() {
             let (support, rows) = (Support::Force(force), RowsMove::WithSurface);
             let right = WheelOnRail { motion, support, rows, ..right };
             // What an iteration leaves undone is not mirrored.
-            let options = Options { tolerance: 1e-8, ..Options::default() };
+            let options = Options { tolerance: 1e-9, ..Options::default() };
             let solve = |wheel: &WheelOnRail| {
                 solve_with((&law, 0.3, &options), |with| wheel.solve(with, &unwatched)).unwrap()
             };

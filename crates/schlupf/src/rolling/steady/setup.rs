@@ -317,7 +317,8 @@ impl Setup {
     pub fn guess(&mut self, depth: usize, ahead: f64) {
         let (levels, coarser) = self.levels.split_at_mut(depth + 1);
         let level = &mut levels[depth];
-        if !level.contact.compliance.couples_cells() {
+        let is_alone = self.earlier.is_empty() || !level.friction.is_coupled;
+        if is_alone && !level.contact.compliance.couples_cells() {
             level.guess_uncoupled(&self.problem);
             return;
         }
