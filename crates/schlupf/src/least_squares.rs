@@ -81,8 +81,8 @@ pub struct Limits {
     pub tolerance: f64,
     /// Fraction of the sum of squares that the step would still remove (the square of the relative
     /// offset of Bates and Watts 1981), dimensionless: parameters with little effect need not come
-    /// to rest. Where no step, however short, leads down, there is a kink, as where a cell begins to
-    /// slide: the fraction may be a hundred times as large.
+    /// to rest. Where no step leads down, however short, there is a kink (as where a cell begins to
+    /// slide), and the fraction may be a hundred times as large.
     pub reducible: f64,
     /// Reduction of the sum of squares below which it is rounding error of the model,
     /// dimensionless.

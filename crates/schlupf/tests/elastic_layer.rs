@@ -77,9 +77,10 @@ fn friction_power_is_the_power_of_the_creep_forces() {
     }
 }
 
-/// Neuhaus and Sextro 2014, Eq. (8): under pure ξ or η, where the direction of sliding hardly turns,
-/// the two forms of the contact law are the same: on fine grids within 2e-4 of μN in the forces, to
-/// which their difference falls with the cells, and always within 2 % of μp0 in the tractions.
+/// Neuhaus and Sextro 2014, Eq. (8): under pure ξ or η, where the direction of sliding hardly
+/// turns, the two forms of the contact law are the same: on fine grids within 2e-4 of μN in the
+/// forces, to which their difference falls with the cells, and always within 2 % of μp0 in the
+/// tractions.
 #[test]
 fn neuhaus_sextro_2014_total_displacement_against_increments() {
     let motions = [(0.002, 0.0), (0.0, 0.002)];

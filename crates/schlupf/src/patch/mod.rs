@@ -154,8 +154,8 @@ impl Cell {
     }
 
     /// Derivatives with respect to the logarithm of all lengths of what the strip adds: to the slip
-    /// distance along the path into the cell (in m), and to the slip over the speed (dimensionless).
-    /// `change` is that of the strip.
+    /// distance along the path into the cell (in m), and to the slip over the speed
+    /// (dimensionless). `change` is that of the strip.
     pub(crate) fn row_by_size(&self, change: &StripSlip) -> [[f64; 2]; 2] {
         let Self { row, path_in, .. } = self;
         let longer = Travel {

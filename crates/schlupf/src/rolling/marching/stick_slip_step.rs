@@ -1,13 +1,10 @@
-//! A time step with stick and slip. Under Coulomb's law p = P(p + γ s) for every cell, as in steady
-//! rolling, with s the sliding at the end of the step along the path of its material; if stiff
-//! bristles are in series with the slider, P allows for what they stretch by
-//! ([`Series`](crate::rolling::shared::coulomb::Series)).
+//! A time step: for every cell p = R(p + γ s) as in steady rolling, with s the sliding at the end
+//! of the step along the path of its material, and known what the material has done upstream.
 //!
 //! s is the derivative of the sliding since entry along the path, by the polynomial through its
 //! present value and those at up to three earlier steps. It is thus of third order once the
 //! material has been in contact for three steps, of lower order after entry and after a shift. The
-//! end of a march is the steady state of the direct solver, except on patches much longer than
-//! wide, where the direct solver also uses a cell downstream.
+//! end of a march is the steady state of the direct solver.
 
 use crate::equilibrium::{self, Directions, Equilibrium};
 use crate::error::Error;

@@ -170,8 +170,8 @@ impl Level {
         self.uncoupled_state(problem, &vec![0.0; p.len()], p);
     }
 
-    /// The tractions if cells were displaced by their own ones only, with the compliance (in m/Pa) of
-    /// each in both directions, and friction followed the rigid slip.
+    /// The tractions if cells were displaced by their own ones only, with the compliance (in m/Pa)
+    /// of each in both directions, and friction followed the rigid slip.
     fn uncoupled_state(&mut self, problem: &Problem, compliance: &[f64], p: &mut [f64]) {
         p.fill(0.0);
         let patch = &self.contact.patch;

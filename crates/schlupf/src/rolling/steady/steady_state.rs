@@ -180,8 +180,8 @@ impl SteadyState<'_> {
         friction.evaluate(self.problem, &contact.patch, traction, &passing);
     }
 
-    /// A part or a derivative of the linear response at the solution; returns whether the elasticity
-    /// knows it.
+    /// A part or a derivative of the linear response at the solution; returns whether the
+    /// elasticity knows it.
     ///
     /// # Errors
     /// Those of the compliance on a finer grid.

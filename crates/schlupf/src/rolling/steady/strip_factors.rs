@@ -62,7 +62,7 @@ impl StripFactors {
         let couples = row[1] != [0.0; 2];
         let has_neighbours = couples && !is_alike(0) && !is_alike(1);
         let local = Local { patch, contact, row, has_neighbours };
-        let own = row[0][0];
+        let own = if row[0][0] > 0.0 { row[0][0] } else { 1.0 };
         for cells in &contact.slivers.kept {
             slips.resize(cells.start, Row::default());
             for k in cells.clone() {
@@ -166,7 +166,7 @@ pub(super) struct Interface<'a> {
     /// The cells with equations of their own, strip by strip.
     pub kept: &'a [Range<usize>],
     pub answers: &'a [Answer],
-    /// In Pa/m.
+    /// γ, in Pa/m.
     pub gamma: f64,
     /// What the bristles do, if there are any.
     pub bristles: Option<Upstream<'a>>,

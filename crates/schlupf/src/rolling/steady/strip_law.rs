@@ -170,8 +170,8 @@ impl StripLaw {
         slide(&self.stencils, b);
     }
 
-    /// The same for a part or a derivative of the displacement; returns whether the elasticity knows
-    /// it.
+    /// The same for a part or a derivative of the displacement; returns whether the elasticity
+    /// knows it.
     pub fn relate_part(
         &self,
         what: Calibrated,
@@ -191,8 +191,8 @@ impl StripLaw {
         [0, 1].map(|c| self.rigid[2 * k + c] - b[2 * k + c])
     }
 
-    /// The tractions if every cell were displaced by its own one only, with the compliance (in m/Pa)
-    /// of each in both directions: cell by cell from the leading edge.
+    /// The tractions if every cell were displaced by its own one only, with the compliance (in
+    /// m/Pa) of each in both directions: cell by cell from the leading edge.
     pub fn uncoupled_state(&self, compliance: &[f64], p: &mut [f64]) {
         let (mut saturation, mut displacement) = (vec![0.0; p.len()], vec![0.0; p.len()]);
         for k in self.contact.kept() {

@@ -1,18 +1,18 @@
 //! The law of a cell as one equation, for bristles of any stiffness.
 //!
-//! Per cell let q = p/(μ pₙ), v the sliding over the way into it, and τ and c the weight of the cell
-//! itself and the part of n nodes upstream in the derivative there, times that way. The incremental
-//! law dq = k_c (ds − q |ds|) with that derivative applied to q is
+//! Per cell let q = p/(μ pₙ), v the sliding over the way into it, and τ and c the weight of the
+//! cell itself and the part of n nodes upstream in the derivative there, times that way. The
+//! incremental law dq = k_c (ds − q |ds|) with that derivative applied to q is
 //!
-//! (τ q + c) φ(k_c |v|) = k_c (v − |v| q),    φ(K) = (K + K²/2 + … + Kⁿ/n!)/(exp(K) − 1).
+//! (τ q + c) φ(k_c |v|) = k_c (v − |v| q),  φ(K) = (K + K²/2 + … + Kⁿ/n!)/(exp(K) − 1).
 //!
-//! With φ = 1 this is of the order n of the derivative, which φ = 1 − O(Kⁿ) keeps; however far a cell
-//! slides, it forgets what is upstream, and no polynomial has to follow the exponential. With one
-//! node this is exact along a straight path (exponential fitting: Scharfetter and Gummel 1969), and
-//! with q = 0 there the law in the total displacement.
+//! With φ = 1 this is of the order n of the derivative, which φ = 1 − O(Kⁿ) keeps; however far a
+//! cell slides, it forgets what is upstream, and no polynomial has to follow the exponential. With
+//! one node this is exact along a straight path (exponential fitting: Scharfetter and Gummel 1969),
+//! and with q = 0 there the law in the total displacement.
 //!
-//! With the pull Y = p + γ v, m = γ |v|, κ = τ φ γ/k_c and G = c φ γ/k_c (all in Pa) this is a traction
-//! p = R(Y, c) that follows from one number:
+//! With the pull Y = p + γ v, m = γ |v|, κ = τ φ γ/k_c and G = c φ γ/k_c (all in Pa) this is a
+//! traction p = R(Y, c) that follows from one number:
 //!
 //! R = μpₙ (Y − G)/(μpₙ + κ + m), where m (μpₙ + κ + m) = |(κ + m) Y + μpₙ G|.
 //!
@@ -49,9 +49,9 @@ pub(in crate::rolling) struct Bristles {
     pub upstream: [f64; 2],
     /// n: the nodes upstream.
     pub order: usize,
-    /// Whether derivatives are exact. Where |c| is reduced to τ, Newton's method takes the reduction
-    /// for a constant factor: where everything slides |c| is nearly τ, and would be reduced in one
-    /// step and not in the next.
+    /// Whether derivatives are exact. Where |c| is reduced to τ, Newton's method takes the
+    /// reduction for a constant factor: where everything slides |c| is nearly τ, and would be
+    /// reduced in one step and not in the next.
     pub is_exact: bool,
 }
 
@@ -109,7 +109,7 @@ fn across(factor: f64, n: [f64; 2]) -> Matrix {
 /// The traction of a cell, and its derivatives.
 #[derive(Debug, Clone, Copy, Default)]
 pub(in crate::rolling) struct Answer {
-    /// In Pa.
+    /// p, in Pa.
     pub traction: [f64; 2],
     /// m: γ times the sliding, in Pa; zero where the cell sticks.
     pub sliding: f64,

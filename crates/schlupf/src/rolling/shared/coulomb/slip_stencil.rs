@@ -63,8 +63,8 @@ impl SlipStencil {
         stencil
     }
 
-    /// τ, c from the values of p/(μ pₙ) (x and y of each cell in turn) and n at cell `k`, with γ/k_c
-    /// in Pa.
+    /// τ, c from the values of p/(μ pₙ) (x and y of each cell in turn) and n at cell `k`, with
+    /// γ/k_c in Pa.
     pub fn bristles(&self, compliance: f64, saturation: &[f64], k: usize) -> Bristles {
         let mut upstream = [0.0; 2];
         for (cell, weight) in self.upstream(k) {
@@ -91,8 +91,8 @@ impl SlipStencil {
         self.weight[0]
     }
 
-    /// Applied to values at the cells, x and y of each cell in turn, at cell `k`; in the unit of the
-    /// values.
+    /// Applied to values at the cells, x and y of each cell in turn, at cell `k`; in the unit of
+    /// the values.
     pub fn apply(&self, values: &[f64], k: usize) -> [f64; 2] {
         let mut sum = [0.0; 2];
         let weights = &self.weight[..=self.cells];
