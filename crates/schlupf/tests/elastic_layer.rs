@@ -46,12 +46,10 @@ fn neuhaus_sextro_2014_layer_forces_at_40_cells() {
     check_forces(40, 240, [0.005, 0.01]);
 }
 
-/// At 20 cells within 0.25 % of μN, with spin 0.6 % (of which the reference's digits are 0.2 %). The
-/// correction of displacements at the edge, for which p/pₙ is smooth there, is coarser for bristles
-/// that are not stretched yet where they enter.
+/// At 20 cells within 0.1 % of μN, with spin 0.8 % (of which the reference's digits are 0.2 %).
 #[test]
 fn neuhaus_sextro_2014_layer_forces_at_20_cells() {
-    check_forces(20, 120, [0.0025, 0.006]);
+    check_forces(20, 120, [0.001, 0.008]);
 }
 
 /// The error of the force falls at least as h^1.5 on the way from 10 to 40 cells.

@@ -306,8 +306,7 @@ fn creep_curves_are_over_the_creepages_of_the_file() {
     assert_displaced(&last[0], &last[1], 1e-6 * 0.4 * 60e3);
 }
 
-/// Goal: the same of a profile: a wheel 11 mm off the file's origin, whose rows do not fall on the
-/// same places, so that pressures at the edge differ by half a per cent.
+/// Goal: the same of a profile: a wheel 11 mm off the file's origin.
 #[test]
 fn a_displaced_profile_is_the_same_contact() {
     let pressed = |middle: f64| -> Arc<dyn PressureSource> {
@@ -318,14 +317,14 @@ fn a_displaced_profile_is_the_same_contact() {
     };
     let [xi, eta, spin] = MOTION;
     let base = Problem { elasticity: half_space(), ..problem(rolling(xi, eta, spin)) };
-    let patch = solve(&Problem { normal: pressed(0.0), ..base.clone() }, &cells(40));
+    let patch = solve(&Problem { normal: pressed(0.0), ..base.clone() }, &cells(20));
     let file = Problem {
         normal: pressed(ORIGIN[1]),
         kinematics: rolling(xi + spin * ORIGIN[1], eta, spin),
         reference: ReferencePoint::File,
         ..base
     };
-    let file = solve(&file, &cells(40));
+    let file = solve(&file, &cells(20));
     let scale = 1e-4 * 0.4 * patch.normal.load;
     assert_relative_eq!(file.normal.origin.unwrap()[1], ORIGIN[1], epsilon = 1e-6);
     assert_relative_eq!(file.force.x, patch.force.x, epsilon = scale);

@@ -16,7 +16,7 @@ use crate::problem::Problem;
 use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::coulomb::{
-    Answer, Bristles, CoulombContact, Discretisation, Matrix, order, reduced, saturation, through,
+    Answer, Bristles, CoulombContact, Matrix, order, reduced, saturation, through,
 };
 use crate::rolling::shared::passage::pair;
 use crate::state::{Places, TrackPoint};
@@ -43,7 +43,7 @@ impl StickSlip {
         contact: &mut DiscreteContact,
     ) -> Result<Self, Error> {
         Ok(Self {
-            contact: CoulombContact::new(problem, normal, contact, Discretisation::Exact)?,
+            contact: CoulombContact::new(problem, normal, contact)?,
             interface: problem.contact_law,
             directions: Directions::default(),
             of: Default::default(),

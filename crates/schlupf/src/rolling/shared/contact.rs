@@ -253,6 +253,11 @@ impl DiscreteContact {
         self.compliance.is_short_ranged()
     }
 
+    /// Displacement of bristles under p = pₙ, 1/(μ0 k_c), in m; zero without any.
+    pub fn bristle_deflection(&self) -> f64 {
+        self.bristles.recip()
+    }
+
     /// Ratio of traction to displacement of the middle cell under its own traction, in Pa/m. For
     /// rigid bodies it is so large that only the bristles are compliant.
     pub fn cell_stiffness(&self) -> f64 {

@@ -6,7 +6,6 @@ use crate::normal::NormalContact;
 use crate::problem::{Options, Problem};
 use crate::progress::{Progress, Stage, Watch, tell};
 use crate::rolling::shared::contact::DiscreteContact;
-use crate::rolling::shared::coulomb::Discretisation;
 
 use super::steady_friction::SteadyFriction;
 use super::strip_law::StripLaw;
@@ -66,14 +65,14 @@ pub(super) fn nested(
     problem: &Problem,
     normal: &NormalContact,
     options: &Options,
-    (discretisation, watch): (Discretisation, Watch),
+    watch: Watch,
 ) -> Result<Vec<Level>, Error> {
     let mut cells = [options.cells_x, options.cells_y];
     let mut levels: Vec<Level> = Vec::new();
     loop {
         let grid = Grid::across(&normal.extent(), cells[0], cells[1]);
         tell(watch, Progress::count(Stage::Steady, 0))?;
-        let level = Level::new(problem, normal, grid, discretisation)?;
+        let level = Level::new(problem, normal, grid)?;
         levels.first().unwrap_or(&level).contact.require_rows()?;
         if let Some(finer) = levels.last_mut() {
             let transfer = Transfer::new(&finer.contact.patch, &level.contact.patch);
@@ -96,16 +95,11 @@ pub(super) fn nested(
 }
 
 impl Level {
-    fn new(
-        problem: &Problem,
-        normal: &NormalContact,
-        grid: Grid,
-        discretisation: Discretisation,
-    ) -> Result<Self, Error> {
+    fn new(problem: &Problem, normal: &NormalContact, grid: Grid) -> Result<Self, Error> {
         let mut contact = DiscreteContact::new(problem, normal, grid)?;
         let unknowns = 2 * contact.patch.len();
         let zeros = || vec![0.0; unknowns];
-        let strips = StripLaw::new(problem, normal, &mut contact, discretisation)?;
+        let strips = StripLaw::new(problem, normal, &mut contact)?;
         Ok(Self {
             strips,
             friction: SteadyFriction::new(problem, &contact.patch),
@@ -130,8 +124,7 @@ impl Level {
         let patch = &self.contact.patch;
         self.friction.set_problem(problem, patch);
         self.contact.set_laws(problem);
-        let stiffness = self.contact.cell_stiffness();
-        self.strips.set_problem(problem, &self.contact.patch, stiffness);
+        self.strips.set_problem(problem, &self.contact);
         self.take_bound();
     }
 
@@ -142,7 +135,7 @@ impl Level {
         if self.friction.is_coupled {
             self.friction.set_problem(problem, patch);
         }
-        self.strips.set_problem(problem, patch, self.contact.cell_stiffness());
+        self.strips.set_problem(problem, &self.contact);
     }
 
     /// μ pₙ with the friction of the last evaluation.

@@ -10,7 +10,6 @@ use crate::method::Method;
 use crate::numerics::vector::{dot, norm};
 use crate::problem::{Branch, Options, Problem};
 use crate::progress::Watch;
-use crate::rolling::shared::coulomb::Discretisation;
 use crate::rolling::shared::passage::speed_of;
 use crate::rolling::shared::warnings::warnings;
 use crate::solution::{Extrapolation, Resultant, Solution, Status, Work};
@@ -38,9 +37,6 @@ pub(super) struct Setup {
     /// The problem solved last.
     pub problem: Problem,
     pub levels: Vec<Level>,
-    /// Whether stick and slip are discretised as exactly as possible. Otherwise it is for one
-    /// problem: the next one is not to depend on which it was.
-    is_exact: bool,
     /// Motions of the solutions stored in the levels, the latest first.
     pub earlier: Vec<Kinematics>,
 }
@@ -87,32 +83,13 @@ const FARTHEST: f64 = 2.5;
 
 impl Setup {
     pub fn new(problem: &Problem, options: &Options, watch: Watch) -> Result<Self, Error> {
-        Self::treated(problem, options, (Discretisation::Exact, watch))
-    }
-
-    /// For edges and pressures on which the exact discretisation of stick and slip fails.
-    pub fn robust(problem: &Problem, options: &Options, watch: Watch) -> Result<Self, Error> {
-        Self::treated(problem, options, (Discretisation::Robust, watch))
-    }
-
-    fn treated(
-        problem: &Problem,
-        options: &Options,
-        treated: (Discretisation, Watch),
-    ) -> Result<Self, Error> {
         let normal = problem.normal.normal_contact(None)?;
-        let levels = level::nested(problem, &normal, options, treated)?;
-        Ok(Self {
-            problem: problem.clone(),
-            levels,
-            is_exact: treated.0 == Discretisation::Exact,
-            earlier: Vec::new(),
-        })
+        let levels = level::nested(problem, &normal, options, watch)?;
+        Ok(Self { problem: problem.clone(), levels, earlier: Vec::new() })
     }
 
     pub fn fits(&self, problem: &Problem) -> bool {
-        self.is_exact
-            && Arc::ptr_eq(&self.problem.normal, &problem.normal)
+        Arc::ptr_eq(&self.problem.normal, &problem.normal)
             && Arc::ptr_eq(&self.problem.elasticity, &problem.elasticity)
             && self.problem.layer == problem.layer
             && std::mem::discriminant(&self.problem.contact_law)

@@ -205,13 +205,6 @@ impl SteadySolver {
             watch,
         };
         let mut outcome = setup.find(problem, &mut search)?;
-        let is_lost = |setup: &Setup, outcome: &Outcome| {
-            !outcome.converged && !branches::may_be_several(problem, &setup.levels[0], false)
-        };
-        if is_lost(&setup, &outcome) {
-            setup = Setup::robust(problem, &self.options, watch)?;
-            outcome = setup.find(problem, &mut search)?;
-        }
         let mut warning = None;
         if branches::may_be_several(problem, &setup.levels[0], outcome.converged) {
             (outcome, warning) = setup.follow_branches(problem, &mut search)?;
@@ -257,8 +250,8 @@ impl SteadySolver {
         if is_warm && !found.0.converged {
             found = setup.find_together(&at.problem, &drives, &mut search)?;
         }
-        if !found.0.converged {
-            setup = Setup::robust(&at.problem, &self.options, watch)?;
+        if !found.0.converged && setup.find(&at.problem, &mut search)?.converged {
+            // From the state of the guessed motion.
             found = setup.find_together(&at.problem, &drives, &mut search)?;
         }
         let (outcome, kinematics) = found;

@@ -49,14 +49,9 @@ pub(super) struct StripFactors {
 }
 
 impl StripFactors {
-    /// Of a patch, where `row` is the compliance of cells at a distance of 0, 1, … columns, in
-    /// m/Pa.
-    pub fn new(
-        patch: &Patch,
-        contact: &CoulombContact,
-        stencils: &[SlipStencil],
-        row: &[[f64; 2]],
-    ) -> Self {
+    /// Of a patch.
+    pub fn new(patch: &Patch, contact: &CoulombContact, stencils: &[SlipStencil]) -> Self {
+        let row = &contact.row;
         let mut slips = Vec::with_capacity(patch.len());
         let is_alike = |c: usize| row[1][c] > MOST_ALIKE * row[0][c];
         let couples = row[1] != [0.0; 2];

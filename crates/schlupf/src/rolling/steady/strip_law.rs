@@ -15,8 +15,8 @@ use crate::problem::Problem;
 use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::coulomb::{
-    Answer, Bristles, Calibrated, Calibration, CoulombContact, Discretisation, Matrix, SlipStencil,
-    saturation, slide,
+    Answer, Bristles, Calibrated, Calibration, CoulombContact, Matrix, SlipStencil, saturation,
+    slide,
 };
 use crate::rolling::shared::passage::pair;
 use crate::state::{Element, Places, TrackPoint};
@@ -84,16 +84,10 @@ impl StripLaw {
         problem: &Problem,
         normal: &NormalContact,
         discrete: &mut DiscreteContact,
-        discretisation: Discretisation,
     ) -> Result<Self, Error> {
-        let contact = CoulombContact::new(problem, normal, discrete, discretisation)?;
-        let row = discrete.row_compliances();
+        let contact = CoulombContact::new(problem, normal, discrete)?;
         let patch = &discrete.patch;
-        let kept = &contact.slivers.kept;
-        let stencils = match problem.contact_law {
-            ContactLaw::Coulomb | ContactLaw::Incremental(_) => SlipStencil::of(patch, kept),
-            ContactLaw::TotalDisplacement(_) => SlipStencil::since_entry(patch, kept),
-        };
+        let (stencils, factors) = discretised(problem.contact_law, patch, &contact);
         let cells = patch.len();
         let mut is_first = vec![false; cells];
         for strip in &patch.strips {
@@ -103,7 +97,7 @@ impl StripLaw {
             law: problem.contact_law,
             gamma: 0.0,
             bound: vec![0.0; cells],
-            factors: StripFactors::new(patch, &contact, &stencils, &row),
+            factors,
             stencils,
             is_exact: false,
             is_factorised: false,
@@ -119,10 +113,14 @@ impl StripLaw {
         })
     }
 
-    /// Switches to another motion and other laws of the same kind, with γ in Pa/m.
-    pub fn set_problem(&mut self, problem: &Problem, patch: &Patch, gamma: f64) {
-        self.gamma = gamma;
+    /// Switches to another motion and to the laws, of the same kind, of the contact.
+    pub fn set_problem(&mut self, problem: &Problem, contact: &DiscreteContact) {
+        let patch = &contact.patch;
+        self.gamma = contact.cell_stiffness();
         self.law = problem.contact_law;
+        if self.contact.settle(contact) {
+            (self.stencils, self.factors) = discretised(self.law, patch, &self.contact);
+        }
         let since_entry =
             patch.cells.iter().flat_map(|cell| cell.rigid_slip_since_entry(&problem.kinematics));
         self.rigid_since_entry = since_entry.collect();
@@ -457,6 +455,21 @@ impl StripLaw {
         }
         sums
     }
+}
+
+/// The stencils of the cells, and the factors of their strips.
+fn discretised(
+    law: ContactLaw,
+    patch: &Patch,
+    contact: &CoulombContact,
+) -> (Vec<SlipStencil>, StripFactors) {
+    let kept = &contact.slivers.kept;
+    let stencils = match law {
+        ContactLaw::Coulomb | ContactLaw::Incremental(_) => SlipStencil::of(patch, kept),
+        ContactLaw::TotalDisplacement(_) => SlipStencil::since_entry(patch, kept),
+    };
+    let factors = StripFactors::new(patch, contact, &stencils);
+    (stencils, factors)
 }
 
 /// 1/x of a bound, and zero for none.

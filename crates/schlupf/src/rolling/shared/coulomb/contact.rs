@@ -2,11 +2,9 @@
 
 use crate::error::Error;
 use crate::normal::NormalContact;
-use crate::patch::Patch;
 use crate::problem::Problem;
 use crate::rolling::shared::contact::{DiscreteContact, Row, at_distance};
 
-use super::Discretisation;
 use super::calibration::{Calibrated, Calibration, Missing, Symmetric};
 use super::resolvent::Matrix;
 use super::slivers::{Slivers, Worth};
@@ -21,6 +19,9 @@ pub(in crate::rolling) struct CoulombContact {
     pub calibration: Calibration,
     /// Compliance of each cell under its own traction, in m/Pa.
     pub local: Vec<Matrix>,
+    missing: Missing,
+    /// Compliance of cells at a distance of 0, 1, … columns, in m/Pa.
+    pub row: Row,
 }
 
 impl CoulombContact {
@@ -32,7 +33,6 @@ impl CoulombContact {
         problem: &Problem,
         normal: &NormalContact,
         contact: &mut DiscreteContact,
-        discretisation: Discretisation,
     ) -> Result<Self, Error> {
         let row = contact.row_compliances();
         let [own, ..] = row;
@@ -42,20 +42,24 @@ impl CoulombContact {
         }
         let missing = Missing::new(problem, normal, contact, Calibrated::Displacement)?;
         let missing = missing.unwrap_or_else(|| Missing::nothing(contact.patch.len()));
-        let patch = &contact.patch;
-        let slivers = if contact.compliance.couples_cells() {
-            let worth: Vec<Worth> =
-                (0..patch.len()).map(|k| worth(k, patch, &missing, &row)).collect();
-            Slivers::new(patch, &worth, discretisation)
-        } else {
-            Slivers::none(patch)
-        };
-        let calibration = Calibration::new(&missing, patch, &slivers.kept);
+        let slivers = slivers(contact, &missing, &row);
+        let calibration = Calibration::new(&missing, &contact.patch, &slivers.kept);
         let local = calibration.at_cells.iter().map(|[xx, yy, xy]| {
             let along = |own: f64, missing: f64| own + missing.max(-MOST_REDUCED * own);
             [[along(own[0], *xx), *xy], [*xy, along(own[1], *yy)]]
         });
-        Ok(Self { local: local.collect(), slivers, calibration })
+        Ok(Self { local: local.collect(), slivers, calibration, missing, row })
+    }
+
+    /// Follows a change of the laws of the contact; returns whether other cells are slivers now.
+    pub fn settle(&mut self, contact: &DiscreteContact) -> bool {
+        let slivers = slivers(contact, &self.missing, &self.row);
+        let is_other = slivers.kept != self.slivers.kept;
+        if is_other {
+            self.calibration = Calibration::new(&self.missing, &contact.patch, &slivers.kept);
+            self.slivers = slivers;
+        }
+        is_other
     }
 
     /// A part or a derivative of the calibration, if the elasticity knows it.
@@ -78,8 +82,18 @@ impl CoulombContact {
     }
 }
 
+/// The slivers of a contact; none where cells do not displace each other.
+fn slivers(contact: &DiscreteContact, missing: &Missing, row: &Row) -> Slivers {
+    if !contact.compliance.couples_cells() {
+        return Slivers::none(&contact.patch);
+    }
+    let worth = (0..contact.patch.len()).map(|k| worth(k, contact, missing, row));
+    Slivers::new(&contact.patch, &worth.collect::<Vec<Worth>>())
+}
+
 /// What the equation of cell `k` is worth, for the direction in which it is worth less.
-fn worth(k: usize, patch: &Patch, missing: &Missing, row: &Row) -> Worth {
+fn worth(k: usize, contact: &DiscreteContact, missing: &Missing, row: &Row) -> Worth {
+    let patch = &contact.patch;
     let cell = &patch.cells[k];
     let [own, ..] = row;
     let at_entry = at_distance(row, cell.since_entry.distance / patch.grid.spacing_x);
@@ -90,5 +104,6 @@ fn worth(k: usize, patch: &Patch, missing: &Missing, row: &Row) -> Worth {
         slid: smaller([0, 1].map(|c| {
             1.0 + over(&missing.at_cells, c) - at_entry[c] / own[c] - over(&missing.at_entries, c)
         })),
+        bristles: contact.bristle_deflection() / own[0].max(own[1]),
     }
 }

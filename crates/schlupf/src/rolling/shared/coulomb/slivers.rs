@@ -4,18 +4,22 @@ use std::ops::Range;
 
 use crate::patch::Patch;
 
-use super::Discretisation;
-
 /// Pressure relative to that of the neighbour towards the middle of the strip below which a cell is
-/// a sliver, dimensionless; anything from 0.25 to 0.5 does.
+/// a sliver, both with what the bristles are worth; dimensionless; anything from 0.25 to 0.5 does.
 const LEAST_PRESSURE: f64 = 0.35;
 
-/// Displacement that is missing under p = pₙ, relative to that of the cell under its own traction,
-/// beyond which a cell is a sliver: its equation would be far too stiff; dimensionless.
+/// Displacement that is missing under p = pₙ, relative to that of the cell under its own traction and
+/// of its bristles, beyond which a cell is a sliver: its equation would be far too stiff;
+/// dimensionless.
 const MOST_EXCESS: f64 = 0.12;
 
 /// Covered part above which a cell is not partly covered, dimensionless.
 const COVERED: f64 = 0.999;
+
+/// Sliding of the first cell since entry under its own traction, relative to its displacement, below
+/// which it is a sliver: the traction of its neighbours would determine its own one; dimensionless.
+/// Under an elliptic pressure it is hardly ever less than a third.
+const LEAST_SLID: f64 = 0.25;
 
 /// What the equation of a cell is worth, relative to its displacement under its own traction.
 #[derive(Debug, Clone, Copy)]
@@ -25,6 +29,9 @@ pub(in crate::rolling) struct Worth {
     /// Displacement under its own traction relative to that at its entry, if it is the first cell
     /// of its strip; dimensionless.
     pub slid: f64,
+    /// Pressure (in Pa) under which a cell is displaced as much as bristles under p = pₙ, which is
+    /// 1/(μ0 k_c) under any: cells on soft bristles need no neighbours to tell their traction.
+    pub bristles: f64,
 }
 
 /// A cell that takes the traction over the pressure of another cell.
@@ -54,15 +61,16 @@ impl Slivers {
     }
 
     /// Of a patch, and of what the equations of its cells are worth.
-    pub fn new(patch: &Patch, worth: &[Worth], discretisation: Discretisation) -> Self {
+    pub fn new(patch: &Patch, worth: &[Worth]) -> Self {
         let pressure = |k: usize| patch.cells[k].pressure;
+        let softer = |k: usize| worth[k].bristles / pressure(k);
         let is_sliver = |k: usize, next: usize| {
-            let is_stiff = worth[k].missing < -MOST_EXCESS;
-            pressure(k) < LEAST_PRESSURE * pressure(next)
+            let bristles = worth[k].bristles;
+            let is_stiff = worth[k].missing < -MOST_EXCESS * (1.0 + softer(k));
+            pressure(k) + bristles < LEAST_PRESSURE * (pressure(next) + bristles)
                 || (is_stiff && patch.cells[k].covered < COVERED)
         };
-        let least_slid = discretisation.least_slid();
-        let hardly_slides = |k: usize| worth[k].slid < least_slid;
+        let hardly_slides = |k: usize| worth[k].slid + softer(k) < LEAST_SLID;
         let mut all = Vec::new();
         let mut kept = Vec::with_capacity(patch.strips.len());
         let mut leads = vec![false; patch.len()];
