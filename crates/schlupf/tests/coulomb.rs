@@ -245,8 +245,9 @@ fn bristly(ratio: f64, motion: [f64; 3], stiffness: f64) -> Problem {
     Problem { contact_law, ..coulomb(semi_axes(ratio), motion) }
 }
 
-/// As k_c grows by tenths from soft bristles to stiff ones, no force bends by more than 0.015 % of
-/// μN from one value to the next; and the stiffest ones lead to Coulomb's law.
+/// As k_c grows by tenths from soft bristles to stiff ones, no force bends by more than 0.1 % of μN
+/// from one value to the next, where cells at the edge no longer follow their bristles but their
+/// neighbours; and the stiffest ones lead to Coulomb's law.
 #[test]
 fn forces_do_not_jump_with_the_stiffness_of_the_bristles() {
     let motions = [[1e-3, 0.0, 0.0], [7e-4, 7e-4, 0.0], [0.0, 5e-4, 0.15], [0.0, 0.0, 0.3]];
@@ -267,7 +268,7 @@ fn forces_do_not_jump_with_the_stiffness_of_the_bristles() {
             let stiffest = of(&bristly(ratio, motion, 1e13));
             let off = (0..3).map(|c| (limit[c] - stiffest[c]).abs()).fold(0.0, f64::max);
             println!("{across} cells, a/b = {ratio}, {motion:?}: {largest:.5}, {off:.5}");
-            assert!(largest < 1.5e-4, "{across} {ratio} {motion:?}: {largest}");
+            assert!(largest < 1e-3, "{across} {ratio} {motion:?}: {largest}");
             assert!(off < 1e-5, "{across} {ratio} {motion:?}: {off}");
         }
     }

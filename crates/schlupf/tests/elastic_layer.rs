@@ -46,19 +46,19 @@ fn neuhaus_sextro_2014_layer_forces_at_40_cells() {
     check_forces(40, 240, [0.005, 0.01]);
 }
 
-/// At 20 cells within 0.1 % of μN, with spin 0.8 % (of which the reference's digits are 0.2 %).
+/// At 20 cells within 0.15 % of μN, with spin 0.8 % (of which the reference's digits are 0.2 %).
 #[test]
 fn neuhaus_sextro_2014_layer_forces_at_20_cells() {
-    check_forces(20, 120, [0.001, 0.008]);
+    check_forces(20, 120, [0.0015, 0.008]);
 }
 
 /// The error of the force falls at least as h^1.5 on the way from 10 to 40 cells.
 #[test]
 fn refinement_converges() {
     let force = |n| solve(&problem(rolling(0.002, 0.0, 0.0)), &cells(n)).normalised.x;
-    let finest = force(60);
-    let (coarse, fine) = ((force(10) - finest).abs(), (force(30) - finest).abs());
-    assert!(fine < coarse * (1.0_f64 / 3.0).powf(1.5), "{coarse} → {fine}");
+    let finest = force(80);
+    let (coarse, fine) = ((force(10) - finest).abs(), (force(40) - finest).abs());
+    assert!(fine < coarse * 0.25_f64.powf(1.5), "{coarse} → {fine}");
 }
 
 /// ∫ q dA = −v0 (ξFx + ηFy + φMz) in the steady state: 0.5 % at 20 cells, 0.1 % at 40.

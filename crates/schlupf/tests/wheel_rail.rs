@@ -358,7 +358,7 @@ fn both_sides_are_mirror_images() {
                 &format!("{lateral} m, {force} N"),
                 &solve(&right),
                 &solve(&mirrored(&right)),
-                1e-10,
+                options.tolerance,
             );
         }
     }
