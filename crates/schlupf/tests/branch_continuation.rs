@@ -151,8 +151,7 @@ impl Equations {
     fn residual(&self, state: &State) -> (Vec<f64>, Vec<Vec<f64>>) {
         let cells = state.traction.len();
         let scale = COLD * self.pressure.iter().copied().fold(0.0, f64::max);
-        let mut jacobian = vec![vec![0.0; cells + 1]; cells];
-        for j in 0..=cells {
+        let column = |j: usize| {
             let h = if j < cells { 1e-7 * scale } else { 1e-10 };
             let [plus, minus] = [h, -h].map(|h| {
                 let mut moved = state.clone();
@@ -162,11 +161,12 @@ impl Equations {
                 }
                 self.defect(&moved)
             });
-            for k in 0..cells {
-                jacobian[k][j] = (plus[k] - minus[k]) / (2.0 * h);
-            }
-        }
-        (self.defect(state), jacobian)
+            let changes = plus.iter().zip(&minus).map(|(plus, minus)| (plus - minus) / (2.0 * h));
+            changes.collect::<Vec<f64>>()
+        };
+        let columns: Vec<Vec<f64>> = (0..=cells).map(column).collect();
+        let row = |k: usize| columns.iter().map(|column| column[k]).collect();
+        (self.defect(state), (0..cells).map(row).collect())
     }
 
     /// Newton's method at a creepage, in shorter steps where the equations have kinks; nothing

@@ -149,8 +149,7 @@ fn table(random: &mut Random, noise: f64) -> Tabulated {
     Tabulated::new(PressureTable::new(&x, &y, pressure).unwrap(), Some(60e3)).unwrap()
 }
 
-/// Tables without noise, and with 3 % of it. With 20 % some need the robust discretisation, after
-/// the exact one has failed.
+/// Tables without noise, and with 3 % of it. With 20 % some are found only from faster motions.
 #[test]
 fn coarse_angular_and_noisy_tables_are_solved_directly() {
     for noise in [0.0, 0.03, 0.2] {

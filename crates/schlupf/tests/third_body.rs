@@ -262,7 +262,7 @@ fn the_derivative_by_the_load_with_a_layer() {
                 let motion = Problem::builder().load(load).creepage_x(creepage).creepage_y(1e-3);
                 let bodies = HalfSpace::new(&Material::STEEL, &Material::STEEL).unwrap();
                 let built = motion.spin(0.3).layer(layer).elasticity(bodies).heat(Heat::none());
-                let problem = Problem { contact_law: law.clone(), ..built.build().unwrap() };
+                let problem = Problem { contact_law: *law, ..built.build().unwrap() };
                 found_by(Method::Full, &problem, &options)
             };
             let found = at(80e3).sensitivity.unwrap().load.unwrap();

@@ -344,7 +344,7 @@ fn both_sides_are_mirror_images() {
     for (lateral, yaw, roll) in
         [(0.0, 0.0, 0.0), (-3e-3, 4e-3, -2e-4), (5e-3, 3e-3, 1e-4), (-7e-3, -0.0168, -6.4e-3)]
     {
-        for (force, law) in [(10e3, bristles()), (80e3, coulomb.clone())] {
+        for (force, law) in [(10e3, bristles()), (80e3, coulomb)] {
             let right = wheel(&pair, Side::Right, Position { lateral, yaw, roll });
             let motion = Motion { lateral_velocity: 0.01, yaw_rate: 0.02, ..right.motion };
             let (support, rows) = (Support::Force(force), RowsMove::WithSurface);

@@ -275,8 +275,8 @@ impl<'a> Derivatives<'a> {
             // All paths grow; the contribution of spin grows with the square.
             direct.set_motion(k, cell, &turning);
             let rigid = cell.path_in.rigid_slip(kinematics);
-            for c in 0..2 {
-                direct.cause.rigid[2 * k + c] += rigid[c];
+            for (c, rigid) in rigid.into_iter().enumerate() {
+                direct.cause.rigid[2 * k + c] += rigid;
                 direct.cause.rigid[2 * k + c] *= load_exponent;
                 direct.friction.slip[k][c] *= load_exponent;
             }

@@ -337,8 +337,8 @@ mod tests {
             let bristles = Bristles { compliance, own: 1.0, upstream, order: 1, is_exact: true };
             let answer = Answer::to(pull, bound, &bristles);
             assert_relative_eq!(answer.sliding, sliding, max_relative = 1e-10);
-            for c in 0..2 {
-                assert_relative_eq!(answer.traction[c], exact[c], max_relative = 1e-9);
+            for (found, exact) in answer.traction.into_iter().zip(exact) {
+                assert_relative_eq!(found, exact, max_relative = 1e-9);
             }
         }
     }

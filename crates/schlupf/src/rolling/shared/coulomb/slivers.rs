@@ -5,20 +5,20 @@ use std::ops::Range;
 use crate::patch::Patch;
 
 /// Pressure relative to that of the neighbour towards the middle of the strip below which a cell is
-/// a sliver, both with what the bristles are worth; dimensionless; anything from 0.25 to 0.5 does.
+/// a sliver, both with what the bristles are worth, dimensionless; anything from 0.25 to 0.5 does.
 const LEAST_PRESSURE: f64 = 0.35;
 
-/// Displacement that is missing under p = pₙ, relative to that of the cell under its own traction and
-/// of its bristles, beyond which a cell is a sliver: its equation would be far too stiff;
+/// Displacement that is missing under p = pₙ, relative to that of the cell under its own traction
+/// and of its bristles, beyond which a cell is a sliver: its equation would be far too stiff;
 /// dimensionless.
 const MOST_EXCESS: f64 = 0.12;
 
 /// Covered part above which a cell is not partly covered, dimensionless.
 const COVERED: f64 = 0.999;
 
-/// Sliding of the first cell since entry under its own traction, relative to its displacement, below
-/// which it is a sliver: the traction of its neighbours would determine its own one; dimensionless.
-/// Under an elliptic pressure it is hardly ever less than a third.
+/// Sliding of the first cell since entry under its own traction, relative to its displacement,
+/// below which it is a sliver: the traction of its neighbours would determine its own one;
+/// dimensionless. Under an elliptic pressure it is hardly ever less than a third.
 const LEAST_SLID: f64 = 0.25;
 
 /// What the equation of a cell is worth, relative to its displacement under its own traction.
