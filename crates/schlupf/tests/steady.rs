@@ -95,7 +95,7 @@ fn cold_work_does_not_grow_with_the_grid() {
                 let work = at_once(&cold, &cells(cells_across)).work;
                 assert!(work.operator_products < allowed, "{elasticity:?} {work:?}");
                 // Those on the coarser grids count too.
-                assert!(work.newton_iterations <= 18, "{work:?}");
+                assert!(work.newton_iterations <= 20, "{work:?}");
             }
         }
     }
