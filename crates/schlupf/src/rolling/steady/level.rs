@@ -79,7 +79,9 @@ pub(super) fn nested(
             let (carried, known) = (vec![0.0; level.size()], vec![0.0; level.size()]);
             finer.descent = Some(Descent { transfer, carried, known });
         }
-        if !level.contact.compliance.couples_cells() {
+        if !level.contact.compliance.couples_cells() && (!options.extrapolate || !levels.is_empty())
+        {
+            // Solved cell by cell; forces are extrapolated from two grids.
             levels.push(level);
             return Ok(levels);
         }

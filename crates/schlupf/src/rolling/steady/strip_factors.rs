@@ -85,7 +85,7 @@ impl StripFactors {
 
     /// Factorises the Jacobian of all strips.
     pub fn factorise(&mut self, interface: &Interface) {
-        let stiffness = (interface.gamma * self.own) as f32;
+        let stiffness = (interface.gamma * self.own).min(f64::from(f32::MAX)) as f32;
         for cells in interface.kept.chunks(AT_ONCE) {
             let longest = cells.iter().map(ExactSizeIterator::len).max().unwrap_or(0);
             for n in 0..longest {
@@ -177,12 +177,13 @@ pub(super) struct Upstream<'a> {
 impl Upstream<'_> {
     /// Takes what the traction of cell `k` owes to those upstream off its row.
     fn add(&self, row: &mut Row<Block>, answer: &Answer, k: usize) {
-        let by_upstream = Block::of(&answer.by_upstream);
         for (cell, weight) in self.stencils[k].upstream(k) {
             if let Some(at) = row.get_mut((LOWER + cell).wrapping_sub(k))
                 && self.bound[cell] > 0.0
             {
-                *at = at.plus((-weight / self.bound[cell]) as f32, by_upstream);
+                let per_bound = weight / self.bound[cell];
+                let by = answer.by_upstream.map(|row| row.map(|by| per_bound * by));
+                *at = at.plus(-1.0, Block::of(&by));
             }
         }
     }

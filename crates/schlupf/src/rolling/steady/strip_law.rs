@@ -202,18 +202,25 @@ impl StripLaw {
             } else {
                 // So stiff that the traction moves nothing.
                 let slides = x.hypot(y);
-                RIGID * self.bound[k] / if slides > 0.0 { slides } else { 1.0 }
+                let per_length = if slides > 0.0 { slides.recip() } else { self.law.stiffness() };
+                RIGID * self.bound[k] * per_length
             };
-            for _ in 0..MOST_SWEEPS {
+            let [along, across] = of_cell.map(|of_cell| gamma * own * of_cell);
+            let stiffening = [[along, 0.0], [0.0, across]];
+            for _ in 0..MOST_STEPS {
                 let before = pair(p, k);
                 for c in 0..2 {
                     displacement[2 * k + c] = of_cell[c] * before[c];
                 }
                 let moved = self.stencils[k].apply(&displacement, k);
                 let pull = [0, 1].map(|c| before[c] + gamma * (self.rigid[2 * k + c] - moved[c]));
-                let Answer { traction, .. } = self.answer((pull, gamma), &saturation, k);
-                p[2 * k..2 * k + 2].copy_from_slice(&traction);
-                if traction == before {
+                let answer = self.answer((pull, gamma), &saturation, k);
+                let left = [0, 1].map(|c| before[c] - answer.traction[c]);
+                let step = times(&inverse_2x2(answer.jacobian(&stiffening)), left);
+                for c in 0..2 {
+                    p[2 * k + c] = before[c] - step[c];
+                }
+                if step[0].hypot(step[1]) <= f64::EPSILON * self.bound[k] {
                     break;
                 }
             }
@@ -436,7 +443,8 @@ impl StripLaw {
             return;
         }
         for k in self.contact.kept() {
-            let per_way = speed / self.stencils[k].way;
+            let way = self.stencils[k].way;
+            let per_way = if way > 0.0 { speed / way } else { 0.0 };
             let slides = self.answers[k].is_sliding();
             let sliding = if slides { self.sliding(b, k) } else { [0.0; 2] };
             slip[k] = sliding.map(|s| per_way * s);
@@ -480,6 +488,6 @@ fn inverse(bound: f64) -> f64 {
 /// Pull of a cell of rigid bodies over its bound, dimensionless.
 const RIGID: f64 = 1e10;
 
-/// Most fixed-point steps to the traction of a cell that is displaced by itself only: one where it
-/// gives way alike in both directions.
-const MOST_SWEEPS: usize = 60;
+/// Most Newton steps to the traction of a cell that is displaced by itself only: one where it gives
+/// way alike in both directions.
+const MOST_STEPS: usize = 60;
