@@ -225,13 +225,6 @@ impl History {
         speeds.iter().copied().reduce(f64::max).unwrap_or(otherwise.speed)
     }
 
-    /// The longitudinal creepage of largest magnitude, dimensionless.
-    pub fn largest_creepage_x(&self, otherwise: &Kinematics) -> f64 {
-        let creepages = self.creepage_x.as_deref().unwrap_or(&[]).iter().copied();
-        let larger = |one: f64, other: f64| if other.abs() > one.abs() { other } else { one };
-        creepages.reduce(larger).unwrap_or(otherwise.creepage_x)
-    }
-
     /// First and last time, in s.
     pub fn span(&self) -> [f64; 2] {
         let first = self.time.first().copied().unwrap_or(0.0);

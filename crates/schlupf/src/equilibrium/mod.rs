@@ -1,7 +1,5 @@
-//! The nonlinear equilibrium between elasticity and friction: p = μ pₙ law(D − B p).
-//!
-//! p is the traction on the rail, x and y component of each cell in turn, D the sliding prescribed
-//! by the motion and history of the bodies, B the compliance.
+//! The nonlinear equilibrium between elasticity and friction, F(p) = 0: p is the traction on the
+//! rail, x and y component of each cell in turn.
 
 mod gmres;
 mod recycling;
@@ -30,7 +28,7 @@ pub trait Equilibrium: Send + Sync {
     /// u = L p: one product with the compliance.
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]);
 
-    /// F(p), in Pa, with u = L p given; zero where the defect is zero. Prepares the tangent at p.
+    /// F(p), in Pa, with u = L p given. Prepares the tangent at p.
     /// The step p ← p − F(p) must never lead away from the solution.
     fn residual(&mut self, p: &[f64], u: &[f64], residual: &mut [f64]);
 
@@ -72,7 +70,7 @@ const LARGE: usize = 10_000;
 /// Stopping criteria.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
-    /// Largest admissible ratio of defect to scale, dimensionless.
+    /// Largest admissible ratio of residual to scale, dimensionless.
     pub tolerance: f64,
     /// Maximum number of Newton steps.
     pub max_iterations: usize,
@@ -86,7 +84,7 @@ pub struct Limits {
 pub struct Outcome {
     /// Whether the tolerance was reached.
     pub converged: bool,
-    /// Ratio of defect to scale reached, dimensionless.
+    /// Ratio of residual to scale reached, dimensionless.
     pub residual: f64,
     /// The same of the initial guess, dimensionless.
     pub first_residual: f64,

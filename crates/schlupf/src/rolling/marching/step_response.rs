@@ -34,24 +34,20 @@ impl<'a> StepResponse<'a> {
         Self { contact, prescribed, is_coupled, at_entry }
     }
 
-    /// u = B p, with the displacements calibrated if need be.
-    pub fn product(&mut self, calibration: Option<&Calibration>, p: &[f64], u: &mut [f64]) {
+    /// u = B p, with the displacements calibrated.
+    pub fn product(&mut self, calibration: &Calibration, p: &[f64], u: &mut [f64]) {
         let made = self.contact.product(p);
         made.at_cells(u);
         made.at_entries(&mut self.at_entry);
         let own = self.contact.cell_compliance();
         let Prescribed { in_contact, in_place, .. } = self.prescribed;
-        if let Some(calibration) = calibration {
-            calibration.add_at_entries(p, &mut self.at_entry);
-        }
+        calibration.add_at_entries(p, &mut self.at_entry);
         for (at, u) in u.iter_mut().enumerate() {
             let k = at / 2;
             let is_moved = in_place[k] && self.is_coupled;
             let entry = if is_moved { *u - own * p[at] } else { self.at_entry[at] };
             *u -= (1.0 - in_contact[k]) * entry;
         }
-        if let Some(calibration) = calibration {
-            calibration.add_at_cells(p, u);
-        }
+        calibration.add_at_cells(p, u);
     }
 }

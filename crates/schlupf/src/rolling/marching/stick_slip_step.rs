@@ -255,7 +255,7 @@ impl Equilibrium for StickSlipStep<'_> {
     }
 
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]) {
-        self.response.product(Some(&self.law.contact.calibration), p, u);
+        self.response.product(&self.law.contact.calibration, p, u);
     }
 
     fn residual(&mut self, p: &[f64], u: &[f64], residual: &mut [f64]) {

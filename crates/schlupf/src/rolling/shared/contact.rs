@@ -330,7 +330,7 @@ pub(crate) fn differences(from: &VectorField, columns: usize, to: &mut VectorFie
 /// Newton step.
 const RIGID: f64 = 1e8;
 
-/// The same in Pa/m, if there are no bristles: that of steel for a patch of some millimetres.
+/// The same in Pa/m, at least: that of steel for a patch of some millimetres.
 const LEAST_RIGID: f64 = 1e13;
 
 /// The patch, which must contain at least one cell of the grid.

@@ -2,9 +2,7 @@
 //! the converged equilibrium, one linear solution for each parameter θ.
 //!
 //! ∂F/∂θ is known in closed form: creepages and spin enter through the rigid slip, μ0 through the
-//! bound μ pₙ. The contact law depends only on k_c times lengths, so its derivative with respect to
-//! k_c follows from those with respect to the lengths. A load that enlarges the patch scales all
-//! lengths. Only the change of conduction along the surface with speeds and lengths is a finite
+//! bound μ pₙ, k_c through the law of each cell. A load that enlarges the patch scales all lengths. Only the change of conduction along the surface with speeds and lengths is a finite
 //! difference of two kernels.
 
 use crate::equilibrium::{Equilibrium, Gmres};

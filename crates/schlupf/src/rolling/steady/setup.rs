@@ -41,8 +41,7 @@ pub(super) struct Setup {
     pub earlier: Vec<Kinematics>,
 }
 
-/// Multiples of a motion through which a state under Coulomb's law is approached that is not found
-/// otherwise: the more of the contact slides, the fewer cells change between stick and slip.
+/// Multiples of a motion through which a state is approached that is not found otherwise: the more of the contact slides, the fewer cells change between stick and slip.
 const FASTER: [f64; 3] = [3.0, 1.8, 1.3];
 
 /// Largest creepage of such a motion, dimensionless.
@@ -96,9 +95,8 @@ impl Setup {
                 == std::mem::discriminant(&problem.contact_law)
     }
 
-    /// The steady state, starting from previous solutions; if that fails, from none; and then
-    /// through softer bristles, with which the problem is smoother, or, if they are stiff, from the
-    /// state without any; under Coulomb's law from faster motions.
+    /// The steady state, starting from previous solutions; if that fails, from none; and then from
+    /// those of faster motions.
     pub fn find(&mut self, problem: &Problem, search: &mut Search) -> Result<Outcome, Error> {
         if !self.earlier.is_empty() {
             let outcome = self.find_equilibrium(problem, search)?;

@@ -1,4 +1,4 @@
-//! What Coulomb's law needs to know of a discretised contact.
+//! What the law of a strip needs to know of a discretised contact.
 
 use crate::error::Error;
 use crate::normal::NormalContact;

@@ -1,10 +1,11 @@
-//! Coulomb's law itself, and not a contact law with stiff bristles: where a cell sticks it does not
-//! slide at all, where it slides |p| = μ pₙ along the slip.
+//! The contact law of a strip, for bristles of any stiffness and for Coulomb's law: one equation for
+//! each cell ([`resolvent`]).
 //!
-//! Behind a leading edge that sticks, the traction follows from an equation of the first kind,
-//! whose accuracy on few cells rests on three things: the displacement is calibrated with a
-//! traction for which it is known ([`calibration`]), the slip is of third order ([`slip_stencil`]),
-//! and cells that are hardly loaded take the traction of their neighbours ([`slivers`]).
+//! Where bristles are stiff, or there are none, the traction behind a leading edge that sticks
+//! follows from an equation of the first kind, whose accuracy on few cells rests on three things:
+//! the displacement is calibrated with a traction for which it is known ([`calibration`]), the slip
+//! is of third order ([`slip_stencil`]), and cells that are hardly loaded take the traction of their
+//! neighbours ([`slivers`]).
 
 mod slivers;
 mod calibration;
