@@ -59,8 +59,8 @@ pub struct Solved<'a> {
 }
 
 impl Newton {
-    /// Solves F(p) = 0 from the given p, in place. On return the last evaluation of the system was at
-    /// the p that is returned. `watch` is asked before every step.
+    /// Solves F(p) = 0 from the given p, in place. On return the last evaluation of the system was
+    /// at the p that is returned. `watch` is asked before every step.
     ///
     /// # Errors
     /// [`Error::Stopped`]; p is then that of the previous step.

@@ -2,8 +2,9 @@
 //! the converged equilibrium, one linear solution for each parameter θ.
 //!
 //! ∂F/∂θ is known in closed form: creepages and spin enter through the rigid slip, μ0 through the
-//! bound μ pₙ, k_c through the law of each cell. A load that enlarges the patch scales all lengths. Only the change of conduction along the surface with speeds and lengths is a finite
-//! difference of two kernels.
+//! bound μ pₙ, k_c through the law of each cell. A load that enlarges the patch scales all lengths.
+//! Only the change of conduction along the surface with speeds and lengths is a finite difference
+//! of two kernels.
 
 use crate::equilibrium::{Equilibrium, Gmres};
 use crate::error::Error;

@@ -41,7 +41,8 @@ pub(super) struct Setup {
     pub earlier: Vec<Kinematics>,
 }
 
-/// Multiples of a motion through which a state is approached that is not found otherwise: the more of the contact slides, the fewer cells change between stick and slip.
+/// Multiples of a motion through which a state is approached that is not found otherwise: the more
+/// of the contact slides, the fewer cells change between stick and slip.
 const FASTER: [f64; 3] = [3.0, 1.8, 1.3];
 
 /// Largest creepage of such a motion, dimensionless.

@@ -1,11 +1,11 @@
-//! The contact law of a strip, for bristles of any stiffness and for Coulomb's law: one equation for
-//! each cell ([`resolvent`]).
+//! The contact law of a strip, for bristles of any stiffness and for Coulomb's law: one equation
+//! for each cell ([`resolvent`]).
 //!
 //! Where bristles are stiff, or there are none, the traction behind a leading edge that sticks
 //! follows from an equation of the first kind, whose accuracy on few cells rests on three things:
 //! the displacement is calibrated with a traction for which it is known ([`calibration`]), the slip
-//! is of third order ([`slip_stencil`]), and cells that are hardly loaded take the traction of their
-//! neighbours ([`slivers`]).
+//! is of third order ([`slip_stencil`]), and cells that are hardly loaded take the traction of
+//! their neighbours ([`slivers`]).
 
 mod slivers;
 mod calibration;
