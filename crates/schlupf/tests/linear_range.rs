@@ -104,7 +104,7 @@ fn check_proportional(make: impl Fn(f64) -> Problem) {
     let work = |solution: &Solution| solution.work.newton_iterations;
     let mut fewest = usize::MAX;
     for size in [1e-11, 1e-12, 1e-13, 1e-15] {
-        let solution = at_once(&make(size), &Options { tolerance: 1e-7, ..cells(12) });
+        let solution = at_once(&make(size), &cells(12));
         let differs = relative_difference(per_size(&solution.force, size), slope);
         assert!(differs < 1e-6, "{size:e}: {differs:e} {:?}", make(size));
         fewest = fewest.min(work(&solution));

@@ -15,6 +15,7 @@ use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::normal::tabulated::{PressureTable, Tabulated};
 use schlupf::rolling::marching::march;
 use schlupf::rolling::steady::SteadySolver;
+use schlupf::solution::Resultant;
 use schlupf::{Options, Problem, Solution, Solver, Status, rolling, unwatched};
 use std::sync::Arc;
 
@@ -284,5 +285,27 @@ fn high_slip_converges() {
         let solution = at_once(&hot, &cells(20));
         assert!(solution.temperature.unwrap().max_rise < 700.0);
         assert!(solution.work.outer_iterations < 60, "{:?}", solution.work);
+    }
+}
+
+/// Beddings that are up to a thousand times stiffer along than across are solved cell by cell,
+/// exactly: no Newton step is left. Forces are extrapolated from two grids there, too.
+#[test]
+fn beddings_of_unequal_stiffness_are_solved_cell_by_cell() {
+    for law in [ContactLaw::Coulomb, Incremental::new(1e8).unwrap().into()] {
+        for (along, across) in [(1e15, 1e12), (4e13, 1e13)] {
+            let mut bedded = problem(rolling(1e-4, 1e-4, 0.3));
+            bedded.elasticity = Arc::new(Winkler::new(along, across).unwrap());
+            bedded.contact_law = law;
+            let options = Options { extrapolate: true, tolerance: 1e-10, ..cells(40) };
+            let solution = at_once(&bedded, &options);
+            assert_eq!(solution.work.newton_iterations, 0, "{:?}", solution.work);
+            let finer = at_once(&bedded, &cells(160)).normalised;
+            let off = |force: Resultant| (force.x - finer.x).hypot(force.y - finer.y);
+            let extrapolated = off(solution.extrapolation.unwrap().normalised);
+            let found = off(solution.normalised);
+            // On the coarser grid the stiff direction slides within a cell.
+            assert!(found < 1e-3 && extrapolated < 5e-3, "{found} {extrapolated}");
+        }
     }
 }
