@@ -8,7 +8,7 @@ use crate::damage::{PassageProfile, Profile, RunPoint, WearCells};
 use crate::interface::roughness::load_curve::LoadCurve;
 use crate::interface::roughness::tangential_curve::TangentialCurve;
 use crate::quantity::Quantity;
-use crate::solution::{Fields, Instant, Power, Solution, Status, Temperature};
+use crate::solution::{Fields, Instant, Power, Solution, Status, Strategy, Temperature};
 use crate::subsurface::PointStress;
 use crate::surface::spectrum::RadialSpectrum;
 use crate::wheel_rail::{Contact, WheelSolution};
@@ -68,6 +68,12 @@ impl From<bool> for Value {
 impl From<Status> for Value {
     fn from(status: Status) -> Self {
         Self::Name(status.name())
+    }
+}
+
+impl From<Option<Strategy>> for Value {
+    fn from(strategy: Option<Strategy>) -> Self {
+        strategy.map_or(Self::Unknown, |strategy| Self::Name(strategy.name()))
     }
 }
 
@@ -208,6 +214,7 @@ impl Record for Solution {
             StickArea "area.stick" => |solution, _| solution.area.stick,
             SlipArea "area.slip" => |solution, _| solution.area.slip,
             Residual => |solution, _| solution.residual,
+            Strategy "work.strategy" => |solution, _| solution.work.strategy,
             NewtonIterations "work.newton_iterations" => |solution, _| {
                 solution.work.newton_iterations
             },
@@ -376,6 +383,7 @@ impl Record for CreepCurve {
             StickArea => |curve, k| curve.points[k].area.stick,
             SlipArea => |curve, k| curve.points[k].area.slip,
             Residual => |curve, k| curve.points[k].residual,
+            Strategy => |curve, k| curve.points[k].work.strategy,
             NewtonIterations => |curve, k| curve.points[k].work.newton_iterations,
             OperatorProducts => |curve, k| curve.points[k].work.operator_products,
             Convergence "status" => |curve, k| curve.points[k].status,

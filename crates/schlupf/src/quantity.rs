@@ -270,6 +270,7 @@ quantities! {
     StickArea "stick_area" "" "m^2" "stick area"
     SlipArea "slip_area" "" "m^2" "slip area"
     Residual "residual" "" "" "relative residual"
+    Strategy "strategy" "" "" "what led to the solution: warm, cold, continuation or march"
     NewtonIterations "newton_iterations" "" "" "Newton steps"
     OperatorProducts "operator_products" "" "" "number of products with the compliance"
     ComputingTime "computing_time" "" "s" "computing time with set-up"

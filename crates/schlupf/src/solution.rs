@@ -386,10 +386,43 @@ pub struct Instant {
     pub residual: f64,
 }
 
+/// What led to a steady state of the full equations, in the order in which it is tried.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum Strategy {
+    /// Newton's method from earlier solutions of the same solver.
+    Warm,
+    /// Newton's method from no traction, on nested grids.
+    Cold,
+    /// Newton's method along motions that lead to the one sought: of all that slip more, or from
+    /// rest. Both branches are followed where there may be several states.
+    Continuation,
+    /// Time steps until nothing changes any more.
+    March,
+}
+
+impl Strategy {
+    /// All, in this order.
+    pub const ALL: [Self; 4] = [Self::Warm, Self::Cold, Self::Continuation, Self::March];
+
+    /// Name in results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Warm => "warm",
+            Self::Cold => "cold",
+            Self::Continuation => "continuation",
+            Self::March => "march",
+        }
+    }
+}
+
 /// Work counters.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Work {
+    /// What led to the solution; the last resort, if there are several; none of the fast methods.
+    pub strategy: Option<Strategy>,
     /// Newton steps in total.
     pub newton_iterations: usize,
     /// Products with the compliance A, dimensionless; one on a coarser grid of n' cells counts as
@@ -404,4 +437,17 @@ pub struct Work {
     pub steps: usize,
     /// Contact cells.
     pub cells: usize,
+}
+
+impl Work {
+    /// Adds the work of another solution of the same contact.
+    pub(crate) fn add(&mut self, other: &Self) {
+        self.strategy = self.strategy.max(other.strategy);
+        self.newton_iterations += other.newton_iterations;
+        self.operator_products += other.operator_products;
+        self.sensitivity_products += other.sensitivity_products;
+        self.outer_iterations += other.outer_iterations;
+        self.steps += other.steps;
+        self.cells = other.cells;
+    }
 }

@@ -262,7 +262,7 @@ impl Points<'_> {
         self.move_to(abscissa);
         let watch = within(self.watch, self.progress);
         let solution = self.solver.solve(&self.problem, &watch)?;
-        self.add(&solution.work);
+        self.work.add(&solution.work);
         Ok(solution)
     }
 
@@ -272,22 +272,12 @@ impl Points<'_> {
         let watch = within(self.watch, self.progress);
         let solution = self.solver.solve_with_derivatives(&self.problem, &watch)?;
         if let Some(solution) = &solution {
-            self.add(&solution.work);
+            self.work.add(&solution.work);
         }
         Ok(solution)
     }
 
     fn point(&mut self, abscissa: f64) -> Result<Point, Error> {
         self.solve(abscissa).map(|solution| Point::new(abscissa, &solution))
-    }
-
-    fn add(&mut self, work: &Work) {
-        let total = &mut self.work;
-        total.newton_iterations += work.newton_iterations;
-        total.operator_products += work.operator_products;
-        total.sensitivity_products += work.sensitivity_products;
-        total.outer_iterations += work.outer_iterations;
-        total.steps += work.steps;
-        total.cells = work.cells;
     }
 }

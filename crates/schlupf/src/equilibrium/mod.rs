@@ -1,13 +1,11 @@
 //! The nonlinear equilibrium between elasticity and friction, F(p) = 0: p is the traction on the
 //! rail, x and y component of each cell in turn.
 
-mod gmres;
 mod recycling;
 mod newton;
 
 use crate::error::Error;
 
-pub(crate) use gmres::Gmres;
 pub use newton::Newton;
 pub use recycling::Directions;
 
@@ -48,12 +46,6 @@ pub trait Equilibrium: Send + Sync {
     /// Directions of earlier linear systems with the same L, if they are worth keeping.
     fn directions(&mut self) -> Option<&mut Directions> {
         None
-    }
-
-    /// Whether directions of earlier Newton steps are used in later ones. Where kinks make the
-    /// Jacobian change much from step to step, Newton's method goes astray more often with them.
-    fn recycles(&self) -> bool {
-        false
     }
 
     /// Replaces v by an approximation to the inverse Jacobian times v, linear in v.

@@ -3,7 +3,7 @@
 //! 1986): near Coulomb's law F has kinks, along which a norm that must decrease in every step makes
 //! little progress.
 
-use super::{Continues, Directions, Equilibrium, Gmres, Limits, Outcome};
+use super::{Continues, Directions, Equilibrium, Limits, Outcome};
 use crate::error::Error;
 use crate::numerics::vector::{add_scaled, norm};
 use crate::progress::{Progress, Stage, Watch, tell};
@@ -45,7 +45,6 @@ pub struct Newton {
     step: Vec<f64>,
     response_step: Vec<f64>,
     trial: [Vec<f64>; 3],
-    krylov: Gmres,
     directions: Directions,
 }
 
@@ -124,6 +123,11 @@ impl Newton {
         &self.u
     }
 
+    /// The directions of the last solution.
+    pub(crate) fn directions(&mut self) -> &mut Directions {
+        &mut self.directions
+    }
+
     fn prepare(&mut self, system: &impl Equilibrium) {
         self.directions.clear();
         let [p, u, residual] = &mut self.trial;
@@ -177,10 +181,7 @@ impl Newton {
             }
             return products;
         }
-        if system.recycles() {
-            return self.directions.solve(system, &self.residual, forcing, (target, continues));
-        }
-        self.krylov.solve(system, &self.residual, forcing, (target, continues))
+        self.directions.solve(system, &self.residual, forcing, (target, continues))
     }
 
     /// Goes along the step until the residual norm decreases sufficiently, and returns it; where

@@ -271,7 +271,7 @@ impl Directions {
     ///
     /// # Errors
     /// That of `continues`.
-    pub(super) fn solve(
+    pub(crate) fn solve(
         &mut self,
         system: &mut impl Equilibrium,
         residual: &[f64],

@@ -61,9 +61,7 @@ impl HeldForces {
         let slopes = self.steady.solve_with_slopes(&given, &directions, watch)?;
         let Some((again, slopes)) = slopes else { return Ok(None) };
         for work in [found.work, again.work] {
-            solution.work.newton_iterations += work.newton_iterations;
-            solution.work.operator_products += work.operator_products;
-            solution.work.sensitivity_products += work.sensitivity_products;
+            solution.work.add(&work);
         }
         Ok(held(&by, &slopes, &directions).map(|by| (solution, by)))
     }

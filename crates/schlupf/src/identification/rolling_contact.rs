@@ -272,7 +272,7 @@ impl CreepForceModel for RollingContactModel {
         let mut found = found.into_iter().collect::<Result<Vec<_>, Error>>()?;
         let forces = contact.iter().map(|k| {
             let (force, work) = found[*k].next()?;
-            add(&mut self.work, &work);
+            self.work.add(&work);
             Some(force)
         });
         Ok(forces.collect())
@@ -281,12 +281,4 @@ impl CreepForceModel for RollingContactModel {
     fn work(&self) -> Work {
         self.work
     }
-}
-
-fn add(total: &mut Work, work: &Work) {
-    total.newton_iterations += work.newton_iterations;
-    total.operator_products += work.operator_products;
-    total.sensitivity_products += work.sensitivity_products;
-    total.outer_iterations += work.outer_iterations;
-    total.cells = work.cells;
 }

@@ -90,16 +90,12 @@ impl WheelSolution {
     }
 
     fn work(&self) -> Work {
-        self.contacts.iter().map(|contact| contact.solution.work).fold(
-            Work::default(),
-            |sum, work| Work {
-                newton_iterations: sum.newton_iterations + work.newton_iterations,
-                operator_products: sum.operator_products + work.operator_products,
-                sensitivity_products: sum.sensitivity_products + work.sensitivity_products,
-                outer_iterations: sum.outer_iterations + work.outer_iterations,
-                steps: sum.steps + work.steps,
-                cells: sum.cells + work.cells,
-            },
-        )
+        let mut sum = Work::default();
+        let mut cells = 0;
+        for Contact { solution, .. } in &self.contacts {
+            sum.add(&solution.work);
+            cells += solution.work.cells;
+        }
+        Work { cells, ..sum }
     }
 }

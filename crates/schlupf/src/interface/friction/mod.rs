@@ -139,6 +139,13 @@ impl Friction {
         Self { law, reference_temperature, memory: None }
     }
 
+    /// Whether it is the same law with the same constants, known by its place in memory.
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.law, &other.law)
+            && self.reference_temperature == other.reference_temperature
+            && self.memory == other.memory
+    }
+
     /// Cold coefficient μ0, dimensionless.
     pub fn cold_coefficient(&self) -> f64 {
         self.law.respond(&FrictionState::default()).coefficient

@@ -15,7 +15,7 @@ use crate::quantity::Quantity;
 use crate::reference_point::AtPatch;
 use crate::rolling::shared::contact::{DiscreteContact, Former};
 use crate::rolling::shared::passage::{Passage, speed_of};
-use crate::solution::{FieldsAt, Instant, Solution, Work};
+use crate::solution::{FieldsAt, Instant, Solution, Strategy, Work};
 use crate::state::{Element, State};
 use crate::summary::{
     self,
@@ -207,7 +207,7 @@ impl<'a> March<'a> {
             strip_lengths: [usize::MAX, 0],
             largest_pressure: 0.0,
             failures: 0,
-            work: Work { cells: contact.patch.len(), ..Work::default() },
+            work: Work { strategy: Some(Strategy::March), ..Work::default() },
             instants: Vec::new(),
             field_history: Vec::new(),
             displacement: VectorField::zeros(grid.len()),

@@ -26,6 +26,9 @@ const STEPS_UP: u32 = 16;
 const STEPS_DOWN: u32 = 10;
 const HIGHEST: f64 = 6.0;
 
+/// Number of those steps where there is only one state.
+const FEWEST_STEPS: u32 = 3;
+
 /// Fraction of the largest multiple of the motion with which the wheel still rolls forwards.
 const ROLLING: f64 = 0.95;
 
@@ -67,8 +70,13 @@ fn feedback(problem: &Problem, level: &Level, has_state: bool) -> f64 {
     loosening * fall.fold(0.0, f64::max)
 }
 
-/// The motions along which a branch is followed, the given one last.
-pub(super) fn way_to(kinematics: &Kinematics, branch: Branch) -> Vec<Kinematics> {
+/// The motions along which a branch is followed, the given one last. Fewer steps do where there is
+/// only one state.
+pub(super) fn motions_to(
+    kinematics: &Kinematics,
+    branch: Branch,
+    may_be_several: bool,
+) -> Vec<Kinematics> {
     let part = |share: f64| Kinematics {
         creepage_x: share * kinematics.creepage_x,
         creepage_y: share * kinematics.creepage_y,
@@ -81,12 +89,13 @@ pub(super) fn way_to(kinematics: &Kinematics, branch: Branch) -> Vec<Kinematics>
             (1..=STEPS_UP).map(share).map(part).collect()
         }
         Branch::HighSlip => {
+            let steps = if may_be_several { STEPS_DOWN } else { FEWEST_STEPS };
             let rolls = |share: f64| part(share / ROLLING).check().is_ok();
             let shares =
-                (0..=STEPS_DOWN).rev().map(|n| HIGHEST.powf(f64::from(n) / f64::from(STEPS_DOWN)));
+                (0..=steps).rev().map(|n| HIGHEST.powf(f64::from(n) / f64::from(steps)));
             let highest = shares.into_iter().find(|share| rolls(*share)).unwrap_or(1.0);
-            let share = |n: u32| highest.powf(f64::from(n) / f64::from(STEPS_DOWN));
-            (0..=STEPS_DOWN).rev().map(share).map(part).collect()
+            let share = |n: u32| highest.powf(f64::from(n) / f64::from(steps));
+            (0..=steps).rev().map(share).map(part).collect()
         }
     }
 }

@@ -77,6 +77,15 @@ impl Drives {
         Ok(Self { all: prescribed.under(normal.load).into_iter().map(drive).collect(), place })
     }
 
+    /// None about the same reference point.
+    pub fn without(&self) -> Self {
+        Self { all: Vec::new(), ..*self }
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.all.is_empty()
+    }
+
     /// The forces over their units on the wheel, less those prescribed, in Pa.
     fn excess(&self, force: &Resultant, is_change: bool) -> Vec<f64> {
         let force = force.about(self.place);
@@ -303,10 +312,6 @@ impl Equilibrium for Driven<'_> {
         let (p, unknowns) = p.split_at_mut(split);
         unknowns.copy_from_slice(&self.at);
         self.state().other_guess(p)
-    }
-
-    fn recycles(&self) -> bool {
-        true
     }
 
     /// Block elimination with the preconditioner of the tractions in place of their inverse.

@@ -26,8 +26,8 @@ pub(super) struct Level {
     pub earlier: [Vec<f64>; 2],
     /// Its initial guess from previous solutions alone, in Pa.
     pub predicted: Vec<f64>,
-    /// Whether its solution differs from what was predicted by more than is left undone.
-    pub has_news: bool,
+    /// Whether its solution corrects what is predicted of the next finer one.
+    pub corrects: bool,
     /// Whether it is accurate to the tolerance that was asked for.
     pub is_found: bool,
     pub workspace: Workspace,
@@ -110,7 +110,7 @@ impl Level {
             response: Vec::new(),
             earlier: [zeros(), zeros()],
             predicted: zeros(),
-            has_news: true,
+            corrects: true,
             is_found: false,
             workspace: Workspace {
                 at_entry: zeros(),

@@ -12,9 +12,10 @@ mod level;
 mod steady_state;
 mod sensitivity;
 mod branches;
-mod setup;
 mod driven;
-mod together;
+mod nested;
+mod result;
+mod strategy;
 mod solver;
 
 pub use solver::{SteadySolver, solve};

@@ -6,7 +6,7 @@
 //! Only the change of conduction along the surface with speeds and lengths is a finite difference
 //! of two kernels.
 
-use crate::equilibrium::{Equilibrium, Gmres};
+use crate::equilibrium::{Directions, Equilibrium};
 use crate::error::Error;
 use crate::interface::InterfaceConstant;
 use crate::interface::friction::constants::FrictionConstant;
@@ -34,23 +34,19 @@ const WORST: f64 = 100.0;
 /// The same residual of derivatives for a search.
 const ROUGH: f64 = 1e-3;
 
-/// Largest dimension of a Krylov space: a patch that sticks on stiff bristles takes some hundreds;
-/// and its largest size, as a count of numbers.
-const MAX_DIMENSION: usize = 500;
-const MAX_SIZE: usize = 50_000_000;
-
 /// Maximum number of restarts of the Krylov method for one derivative.
 const RESTARTS: usize = 4;
 
 /// The derivatives at the solution of the first of `levels`, if all linear systems could be solved;
-/// and the number of products. An error if it was stopped.
+/// and the number of products, which those before spare with their directions. An error if it was
+/// stopped.
 pub(super) fn sensitivity(
     problem: &Problem,
-    levels: &mut [Level],
+    (levels, directions): (&mut [Level], &mut Directions),
     tolerance: f64,
     watch: Watch,
 ) -> Result<(Option<Sensitivity>, usize), Error> {
-    let mut derivatives = Derivatives::new(problem, levels, tolerance, watch);
+    let mut derivatives = Derivatives::new(problem, (levels, directions), tolerance, watch);
     let found = derivatives.all();
     derivatives.finished(found)
 }
@@ -59,11 +55,11 @@ pub(super) fn sensitivity(
 /// residual of [`ROUGH`].
 pub(super) fn by_motions(
     problem: &Problem,
-    levels: &mut [Level],
+    (levels, directions): (&mut [Level], &mut Directions),
     motions: &[Kinematics],
     watch: Watch,
 ) -> Result<(Option<Vec<Resultant>>, usize), Error> {
-    let mut derivatives = Derivatives::new(problem, levels, ROUGH, watch);
+    let mut derivatives = Derivatives::new(problem, (levels, directions), ROUGH, watch);
     derivatives.accuracy = ROUGH;
     let warmer = derivatives.warmer();
     let found = motions.iter().map(|motion| derivatives.along(motion, &warmer)).collect();
@@ -73,11 +69,11 @@ pub(super) fn by_motions(
 /// The same with respect to some constants of the interface only, one derivative for each.
 pub(super) fn by_constants(
     problem: &Problem,
-    levels: &mut [Level],
+    (levels, directions): (&mut [Level], &mut Directions),
     tolerance: f64,
     (constants, watch): (&[InterfaceConstant], Watch),
 ) -> Result<(Option<Vec<Resultant>>, usize), Error> {
-    let mut derivatives = Derivatives::new(problem, levels, tolerance, watch);
+    let mut derivatives = Derivatives::new(problem, (levels, directions), tolerance, watch);
     let found = constants.iter().map(|constant| derivatives.by_constant(*constant)).collect();
     derivatives.finished(found)
 }
@@ -85,7 +81,7 @@ pub(super) fn by_constants(
 struct Derivatives<'a> {
     problem: &'a Problem,
     levels: &'a mut [Level],
-    krylov: Gmres,
+    directions: &'a mut Directions,
     products: usize,
     watch: Watch<'a>,
     /// Why the last derivative was not found, if it was stopped.
@@ -99,13 +95,12 @@ struct Derivatives<'a> {
 impl<'a> Derivatives<'a> {
     fn new(
         problem: &'a Problem,
-        levels: &'a mut [Level],
+        (levels, directions): (&'a mut [Level], &'a mut Directions),
         tolerance: f64,
         watch: Watch<'a>,
     ) -> Self {
         let (size, response_size) = (levels[0].size(), levels[0].response.len());
         let [least, largest] = ACCURACY_RANGE;
-        let dimension = (MAX_SIZE / (size + response_size)).clamp(60, MAX_DIMENSION);
         levels[0].strips.is_exact = true;
         let (p, u) = (levels[0].traction.clone(), levels[0].response.clone());
         SteadyState::new(problem, levels).residual(&p, &u, &mut vec![0.0; size]);
@@ -117,7 +112,7 @@ impl<'a> Derivatives<'a> {
             stopped: None,
             problem,
             levels,
-            krylov: Gmres::new(dimension),
+            directions,
             step: vec![0.0; size],
             response_step: vec![0.0; response_size],
             change: vec![0.0; size],
@@ -347,7 +342,7 @@ impl<'a> Derivatives<'a> {
             let targets = [self.step.as_mut_slice(), self.response_step.as_mut_slice()];
             let forcing = (0.5 * self.accuracy * start / left).min(0.5);
             let continues = || tell(self.watch, Progress::count(Stage::Steady, 0));
-            match self.krylov.solve(&mut system, &residual, forcing, (targets, &continues)) {
+            match self.directions.solve(&mut system, &residual, forcing, (targets, &continues)) {
                 Ok(products) => self.products += products,
                 Err(error) => {
                     self.stopped = Some(error);

@@ -1,6 +1,6 @@
 //! The direct solver for steady states.
 
-use crate::equilibrium::{Newton, Outcome};
+use crate::equilibrium::{Directions, Newton};
 use crate::error::Error;
 use crate::interface::InterfaceConstant;
 use crate::method::Method;
@@ -8,17 +8,15 @@ use crate::prescribed_forces::{Direction, PrescribedForces};
 use crate::problem::{Options, Problem};
 use crate::progress::Watch;
 use crate::reference_point::AtPatch;
-use crate::rolling::marching::march;
 use crate::solution::{Resultant, Solution, Work};
 use crate::solver::Solver;
-use crate::transient::Transient;
 use crate::warning::Warning;
 
-use super::branches;
 use super::driven::Drives;
 use super::level::Level;
+use super::nested::{Goal, NestedGrids, Search};
 use super::sensitivity::{by_constants, by_motions, sensitivity};
-use super::setup::{Search, Setup};
+use super::strategy::Found;
 
 /// Solves a problem for its steady state.
 ///
@@ -47,22 +45,21 @@ pub fn solve(problem: &Problem, options: &Options, watch: Watch) -> Result<Solut
 /// Each solution starts from previous ones; if that fails, from none.
 pub struct SteadySolver {
     options: Options,
-    setup: Option<Setup>,
+    grids: Option<NestedGrids>,
     newton: Newton,
 }
 
-/// Outcome of an attempt to find the steady state directly.
-enum Attempt {
+/// Outcome of Newton's method.
+enum State {
     Found(Box<Solution>),
-    /// How far Newton's method got from a cold start, and an additional warning.
-    Failed(Outcome, Option<Warning>),
+    Lost(Found, Work),
 }
 
-impl Attempt {
+impl State {
     fn found(self) -> Option<Solution> {
         match self {
             Self::Found(solution) => Some(*solution),
-            Self::Failed(..) => None,
+            Self::Lost(..) => None,
         }
     }
 }
@@ -78,16 +75,10 @@ impl Solver for SteadySolver {
 
     fn solve(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
         let at = AtPatch::new(problem, watch)?;
-        let attempt = self.attempt(&at.problem, self.options.sensitivity, watch)?;
-        let (outcome, warning) = match attempt {
-            Attempt::Found(solution) => return Ok(at.back(*solution)),
-            Attempt::Failed(outcome, warning) => (outcome, warning),
-        };
-        let mut marched = march(&Transient::to_steady_state(problem), &self.options, watch)?;
-        let (residual, newton_steps) = (outcome.residual, outcome.iterations);
-        marched.warnings.push(Warning::Marched { residual, newton_steps });
-        marched.warnings.extend(warning);
-        Ok(marched)
+        match self.state(&at, &PrescribedForces::default(), self.options.sensitivity, watch)? {
+            State::Found(solution) => Ok(at.back(*solution)),
+            State::Lost(found, work) => found.march(problem, (&self.options, &work), watch),
+        }
     }
 
     fn has_derivatives(&self) -> bool {
@@ -100,8 +91,8 @@ impl Solver for SteadySolver {
         watch: Watch,
     ) -> Result<Option<Solution>, Error> {
         let at = AtPatch::new(problem, watch)?;
-        let found = self.attempt(&at.problem, true, watch)?.found();
-        Ok(found.map(|solution| at.back(solution)))
+        let state = self.state(&at, &PrescribedForces::default(), true, watch)?;
+        Ok(state.found().map(|solution| at.back(solution)))
     }
 
     fn solve_with_slopes(
@@ -110,10 +101,10 @@ impl Solver for SteadySolver {
         directions: &[Direction],
         watch: Watch,
     ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
-        self.solve_with(problem, watch, |at, levels| {
+        self.solve_with(problem, watch, |at, state| {
             let to_centre = at.place().map(|part| -part);
             let motions: Vec<_> = directions.iter().map(|way| way.unit().at(to_centre)).collect();
-            by_motions(&at.problem, levels, &motions, watch)
+            by_motions(&at.problem, state, &motions, watch)
         })
     }
 
@@ -128,12 +119,13 @@ impl Solver for SteadySolver {
     ) -> Result<Option<Solution>, Error> {
         let given = Problem { prescribed: PrescribedForces::default(), ..problem.clone() };
         let at = AtPatch::new(&given, watch)?;
-        self.attempt_together(&at, &problem.prescribed, watch)
+        let state = self.state(&at, &problem.prescribed, self.options.sensitivity, watch)?;
+        Ok(state.found().map(|solution| at.back(solution)))
     }
 
     fn forget(&mut self) {
-        if let Some(setup) = &mut self.setup {
-            setup.earlier.clear();
+        if let Some(grids) = &mut self.grids {
+            grids.earlier.clear();
         }
     }
 }
@@ -141,7 +133,7 @@ impl Solver for SteadySolver {
 impl SteadySolver {
     /// A solver without previous solutions.
     pub fn new(options: &Options) -> Self {
-        Self { options: options.clone(), setup: None, newton: Newton::default() }
+        Self { options: options.clone(), grids: None, newton: Newton::default() }
     }
 
     /// The steady state with the derivatives of forces and moment with respect to some constants of
@@ -154,8 +146,8 @@ impl SteadySolver {
         watch: Watch,
     ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
         let tolerance = self.options.tolerance;
-        self.solve_with(problem, watch, |at, levels| {
-            by_constants(&at.problem, levels, tolerance, (constants, watch))
+        self.solve_with(problem, watch, |at, state| {
+            by_constants(&at.problem, state, tolerance, (constants, watch))
         })
     }
 
@@ -165,14 +157,16 @@ impl SteadySolver {
         &mut self,
         problem: &Problem,
         watch: Watch,
-        derive: impl FnOnce(&AtPatch, &mut [Level]) -> Result<(Option<Vec<Resultant>>, usize), Error>,
+        derive: impl FnOnce(
+            &AtPatch,
+            (&mut [Level], &mut Directions),
+        ) -> Result<(Option<Vec<Resultant>>, usize), Error>,
     ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
         let at = AtPatch::new(problem, watch)?;
-        let Some(mut solution) = self.attempt(&at.problem, false, watch)?.found() else {
-            return Ok(None);
-        };
-        let Some(Setup { levels, .. }) = &mut self.setup else { return Ok(None) };
-        let (found, products) = derive(&at, levels)?;
+        let state = self.state(&at, &PrescribedForces::default(), false, watch)?;
+        let Some(mut solution) = state.found() else { return Ok(None) };
+        let Some(NestedGrids { levels, .. }) = &mut self.grids else { return Ok(None) };
+        let (found, products) = derive(&at, (levels, self.newton.directions()))?;
         solution.work.sensitivity_products = products;
         Ok(found.map(|derivatives| {
             let derivatives = derivatives.iter().map(|by| at.resultant_back(by)).collect();
@@ -180,115 +174,64 @@ impl SteadySolver {
         }))
     }
 
-    /// The steady state of a problem with its creepages at the centre of the patch.
-    fn attempt(
-        &mut self,
-        problem: &Problem,
-        with_derivatives: bool,
-        watch: Watch,
-    ) -> Result<Attempt, Error> {
-        self.options.check()?;
-        let setup = self.setup.take().filter(|setup| setup.fits(problem));
-        let mut setup = match setup {
-            Some(setup) => setup,
-            None => Setup::new(problem, &self.options, watch)?,
-        };
-        let is_plane = setup.levels[0].contact.patch.rows.is_none();
-        if problem.kinematics.is_pure_rolling() && is_plane {
-            // Nothing slides: no earlier solution is closer than none.
-            setup.earlier.clear();
-        }
-        let mut search = Search {
-            options: &self.options,
-            newton: &mut self.newton,
-            work: Work::default(),
-            watch,
-        };
-        let mut outcome = setup.find(problem, &mut search)?;
-        let mut warning = None;
-        if branches::may_be_several(problem, &setup.levels[0], outcome.converged) {
-            (outcome, warning) = setup.follow_branches(problem, &mut search)?;
-        }
-        let work = search.work;
-        let attempt = if outcome.converged {
-            let mut solution = setup.solution(problem, &self.options, &outcome, work);
-            solution.warnings.extend(warning);
-            if with_derivatives {
-                self.differentiate(problem, &mut setup, &mut solution, watch)?;
-            }
-            Attempt::Found(Box::new(solution))
-        } else {
-            Attempt::Failed(outcome, warning)
-        };
-        self.setup = Some(setup);
-        Ok(attempt)
-    }
-
-    /// The state with prescribed forces, from the creepages of a problem at the centre of the
-    /// patch.
-    fn attempt_together(
+    /// The steady state of a problem at the centre of the patch, by Newton's method. Creepages
+    /// whose forces are prescribed are a first guess.
+    fn state(
         &mut self,
         at: &AtPatch,
         prescribed: &PrescribedForces,
+        with_derivatives: bool,
         watch: Watch,
-    ) -> Result<Option<Solution>, Error> {
+    ) -> Result<State, Error> {
         self.options.check()?;
-        let setup = self.setup.take().filter(|setup| setup.fits(&at.problem));
-        let mut setup = match setup {
-            Some(setup) => setup,
-            None => Setup::new(&at.problem, &self.options, watch)?,
+        let problem = &at.problem;
+        let grids = self.grids.take().filter(|grids| grids.fits(problem));
+        let mut grids = match grids {
+            Some(grids) => grids,
+            None => NestedGrids::new(problem, &self.options, watch)?,
         };
-        let drives = Drives::of(&at.problem, &setup.levels[0], (prescribed, at.place()))?;
-        let mut search = Search {
-            options: &self.options,
-            newton: &mut self.newton,
-            work: Work::default(),
-            watch,
-        };
-        let is_warm = !setup.earlier.is_empty();
-        let mut found = setup.find_together(&at.problem, &drives, &mut search)?;
-        if is_warm && !found.0.converged {
-            found = setup.find_together(&at.problem, &drives, &mut search)?;
+        let is_plane = grids.levels[0].contact.patch.rows.is_none();
+        let drives = Drives::of(problem, &grids.levels[0], (prescribed, at.place()))?;
+        if problem.kinematics.is_pure_rolling() && is_plane && drives.is_empty() {
+            // Nothing slides: no earlier solution is closer than none.
+            grids.earlier.clear();
         }
-        if !found.0.converged && setup.find(&at.problem, &mut search)?.converged {
-            // From the state of the guessed motion.
-            found = setup.find_together(&at.problem, &drives, &mut search)?;
-        }
-        let (outcome, kinematics) = found;
-        let work = search.work;
-        let problem = Problem { kinematics, ..at.problem.clone() };
-        if outcome.converged && self.options.extrapolate {
+        let (options, work) = (&self.options, Work::default());
+        let mut search = Search { options, newton: &mut self.newton, work, watch };
+        let mut found = grids.find(Goal { problem, drives: &drives }, &mut search)?;
+        let problem = grids.problem.clone();
+        if found.outcome.converged && !drives.is_empty() && options.extrapolate {
             // Forces are extrapolated at the same motion on all grids.
-            self.setup = Some(setup);
-            let found = self.attempt(&problem, self.options.sensitivity, watch)?.found();
-            return Ok(found.map(|mut solution| {
-                solution.work.operator_products += work.operator_products;
-                solution.work.newton_iterations += work.newton_iterations;
-                at.back(solution)
-            }));
+            let strategy = search.work.strategy;
+            let goal = Goal { problem: &problem, drives: &drives.without() };
+            found = grids.find(goal, &mut search)?;
+            search.work.strategy = strategy;
         }
-        let mut found = None;
-        if outcome.converged {
-            let mut solution = setup.solution(&problem, &self.options, &outcome, work);
-            if self.options.sensitivity {
-                self.differentiate(&problem, &mut setup, &mut solution, watch)?;
+        let work = search.work;
+        let state = if found.outcome.converged {
+            let mut solution = grids.solution(&problem, &self.options, &found.outcome, work);
+            solution.warnings.extend(found.warning);
+            if with_derivatives {
+                self.differentiate(&problem, &mut grids, &mut solution, watch)?;
             }
-            found = Some(at.back(solution));
-        }
-        self.setup = Some(setup);
-        Ok(found)
+            State::Found(Box::new(solution))
+        } else {
+            State::Lost(found, work)
+        };
+        self.grids = Some(grids);
+        Ok(state)
     }
 
     /// Adds the derivatives to a solution that has just been found.
     fn differentiate(
-        &self,
+        &mut self,
         problem: &Problem,
-        setup: &mut Setup,
+        grids: &mut NestedGrids,
         solution: &mut Solution,
         watch: Watch,
     ) -> Result<(), Error> {
         let tolerance = self.options.tolerance;
-        let (found, products) = sensitivity(problem, &mut setup.levels, tolerance, watch)?;
+        let (found, products) = sensitivity(problem, (&mut grids.levels, self.newton.directions()), tolerance, watch)?;
         solution.sensitivity = found;
         solution.work.sensitivity_products = products;
         if found.is_none() {

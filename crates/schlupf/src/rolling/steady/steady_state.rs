@@ -102,10 +102,6 @@ impl Equilibrium for SteadyState<'_> {
         self.is_coupled()
     }
 
-    fn recycles(&self) -> bool {
-        true
-    }
-
     fn precondition(&mut self, v: &mut [f64]) {
         precondition(self.levels, v);
     }
