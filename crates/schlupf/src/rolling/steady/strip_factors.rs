@@ -1,24 +1,19 @@
 //! Jacobians of single strips, factorised.
 //!
 //! Along a strip a cell is displaced by its own traction and by those of two neighbours on either
-//! side, compared with the displacement at the entry. With the slip taken of that, the Jacobian of
+//! side, compared with the displacement at the entry and with that of cells farther away. With the slip taken of that, the Jacobian of
 //! a strip is banded, with blocks of both components.
 
 use std::ops::Range;
 
 use crate::patch::Patch;
-use crate::rolling::shared::contact::at_distance;
+use crate::rolling::shared::contact::{Row as Compliances, at_distance};
 use crate::rolling::shared::coulomb::{Answer, CoulombContact, Matrix, SlipStencil};
 
 use super::block::{Block, Twice, image, reduced_by};
 
 /// Number of neighbours on either side that displace a cell.
 const NEIGHBOURS: usize = 2;
-
-/// Displacement of a neighbour relative to that of a cell itself, dimensionless, above which
-/// neighbours are left out: those farther away then displace a cell nearly as much. So it is where
-/// cells are much narrower than wide, and on fine grids of an elastic layer.
-const MOST_ALIKE: f64 = 0.5;
 
 /// Blocks to the left and to the right of the diagonal.
 const LOWER: usize = 5;
@@ -51,12 +46,10 @@ pub(super) struct StripFactors {
 impl StripFactors {
     /// Of a patch.
     pub fn new(patch: &Patch, contact: &CoulombContact, stencils: &[SlipStencil]) -> Self {
-        let row = &contact.row;
+        let row = short_range(&contact.row);
         let mut slips = Vec::with_capacity(patch.len());
-        let is_alike = |c: usize| row[1][c] > MOST_ALIKE * row[0][c];
-        let couples = row[1] != [0.0; 2];
-        let has_neighbours = couples && !is_alike(0) && !is_alike(1);
-        let local = Local { patch, contact, row, has_neighbours };
+        let has_neighbours = row[1] != [0.0; 2];
+        let local = Local { patch, contact, row: &row, has_neighbours };
         let own = if row[0][0] > 0.0 { row[0][0] } else { 1.0 };
         for cells in &contact.slivers.kept {
             slips.resize(cells.start, Row::default());
@@ -187,6 +180,13 @@ impl Upstream<'_> {
             }
         }
     }
+}
+
+/// What a cell displaces its neighbours more than those farther away: all of these are displaced
+/// nearly alike, which coarser grids know.
+fn short_range(row: &Compliances) -> Compliances {
+    let far = row[NEIGHBOURS + 1];
+    row.map(|at| [0, 1].map(|c| (at[c] - far[c]).max(0.0)))
 }
 
 fn single(v: &[f64], k: usize) -> [f32; 2] {
