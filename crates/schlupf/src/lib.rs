@@ -31,6 +31,7 @@ pub mod normal;
 pub mod patch;
 pub mod elasticity;
 pub mod interface;
+mod settings;
 mod equilibrium;
 pub mod heat;
 pub mod prescribed_forces;

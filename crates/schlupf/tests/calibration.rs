@@ -75,8 +75,7 @@ fn calibrations_over_all_axes_ratios() {
     for axis_ratio in [0.2, 0.5, 1.0, 2.0, 5.0] {
         for (poisson_ratio, part) in [(0.0, 0.6), (0.28, 0.6), (0.4, f64::INFINITY)] {
             let found = calibrate(axis_ratio, poisson_ratio, &options, &unwatched).unwrap();
-            let table =
-                deviation_of_table(axis_ratio, poisson_ratio, &finer, &unwatched).unwrap();
+            let table = deviation_of_table(axis_ratio, poisson_ratio, &finer, &unwatched).unwrap();
             let columns = [found.layer, table, found.winkler].map(percent).join(" | ");
             println!("| {axis_ratio} | {poisson_ratio} | {columns} |");
             let is_near = |d: &Deviation, spin| d.force < 0.02 && d.force_with_spin < spin;

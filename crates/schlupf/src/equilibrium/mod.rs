@@ -5,6 +5,7 @@ mod recycling;
 mod newton;
 
 use crate::error::Error;
+use crate::settings;
 
 pub use newton::Newton;
 pub use recycling::Directions;
@@ -55,10 +56,6 @@ pub trait Equilibrium: Send + Sync {
 /// An error if the computation is to stop.
 pub(crate) type Continues<'a> = &'a dyn Fn() -> Result<(), Error>;
 
-/// Number of unknowns from which a linear system counts as large: the others are solved in a
-/// moment.
-const LARGE: usize = 10_000;
-
 /// Stopping criteria.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
@@ -84,8 +81,6 @@ pub struct Outcome {
     pub iterations: usize,
     /// Products with the compliance.
     pub products: usize,
-    /// Number of safe steps.
-    pub safe_steps: usize,
 }
 
 /// The reference of a residual, in Pa, given ‖μ pₙ‖₂ (`bound`) and ‖p‖₂ (`traction`), both in Pa:
@@ -97,8 +92,5 @@ pub(crate) fn measure(bound: f64, traction: f64) -> f64 {
         return 1.0;
     }
     let share = (traction / bound).min(1.0);
-    bound * (share / RELATIVE).powi(2).max(share).min(1.0)
+    bound * (share / settings::small_traction()).powi(2).max(share).min(1.0)
 }
-
-/// See [`measure`]: the geometric mean of the two parts.
-const RELATIVE: f64 = 0.01;

@@ -7,35 +7,7 @@ use super::{Continues, Directions, Equilibrium, Limits, Outcome};
 use crate::error::Error;
 use crate::numerics::vector::{add_scaled, norm};
 use crate::progress::{Progress, Stage, Watch, tell};
-
-/// Largest forcing term: linear residual allowed in the Krylov method, relative to that of the
-/// Newton step.
-const LARGEST_FORCING: f64 = 0.3;
-
-/// Smallest forcing term: a Newton step is never more accurate than that anyway.
-const LEAST_FORCING: f64 = 1e-4;
-
-/// Fraction of the tolerance that the linear residual may use up.
-const ENOUGH: f64 = 0.8;
-
-/// Smallest decrease of the residual norm required of a step of length λ, relative to λ.
-const SUFFICIENT_FALL: f64 = 1e-4;
-
-/// ‖F‖₂ over the scale above which an initial guess is considered worthless.
-const WORTHLESS: f64 = 0.8;
-
-/// Halvings of a step before the residual norm need only fall below the largest of the last few
-/// steps.
-const MONOTONE_HALVINGS: usize = 3;
-
-/// Number of these steps.
-const MEMORY: usize = 5;
-
-/// Halvings of a step before it is abandoned.
-const MAX_HALVINGS: usize = 10;
-
-/// Safe steps after which Newton's method is tried again.
-const SAFE_STEPS: usize = 20;
+use crate::settings;
 
 /// Newton's method and its workspace, kept between solutions.
 #[derive(Debug, Default)]
@@ -45,6 +17,8 @@ pub struct Newton {
     step: Vec<f64>,
     response_step: Vec<f64>,
     trial: [Vec<f64>; 3],
+    /// Residual norms of the last steps.
+    recent: Vec<f64>,
     directions: Directions,
 }
 
@@ -75,12 +49,13 @@ impl Newton {
         system.compliance_product(p, &mut self.u);
         system.residual(p, &self.u, &mut self.residual);
         let mut length = norm(&self.residual);
-        if length > WORTHLESS * system.scale(p) {
+        if length > settings::poor_guess() * system.scale(p) {
             self.restart(system, p, &mut length, &mut outcome);
         }
-        let mut forcing = LARGEST_FORCING;
+        let mut forcing = settings::largest_forcing();
         let mut best = Best { length, iteration: 0 };
-        let mut recent = [0.0; MEMORY];
+        self.recent.clear();
+        self.recent.resize(settings::residuals_remembered(), 0.0);
         loop {
             let scale = system.scale(p);
             // The scale of a traction that is still zero is unknown.
@@ -103,18 +78,22 @@ impl Newton {
             let continues = || tell(watch, progress);
             continues()?;
             outcome.iterations += 1;
-            let enough = ENOUGH * limits.tolerance / outcome.residual;
+            let enough = settings::part_of_tolerance() * limits.tolerance / outcome.residual;
             let forcing_now = forcing.max(enough).min(0.5);
             outcome.products += self.direction(system, forcing_now, &continues)?;
             let before = length;
             if !limits.is_monotone {
-                recent[outcome.iterations % MEMORY] = before;
+                let place = outcome.iterations % self.recent.len();
+                self.recent[place] = before;
             }
-            length = match self.line_search(system, p, before, &recent) {
-                Some(length) => length,
-                None => self.safe_steps(system, p, &mut outcome),
-            };
-            forcing = (0.9 * (length / before).powi(2)).clamp(LEAST_FORCING, LARGEST_FORCING);
+            let largest = self.recent.iter().copied().fold(before, f64::max);
+            let halvings = settings::most_halvings();
+            let next = self
+                .line_search(system, p, before, halvings / 3)
+                .or_else(|| self.line_search(system, p, largest, halvings));
+            length = next.unwrap_or_else(|| self.fixed_point_steps(system, p, &mut outcome));
+            forcing = (0.9 * (length / before).powi(2))
+                .clamp(settings::least_forcing(), settings::largest_forcing());
         }
     }
 
@@ -184,24 +163,9 @@ impl Newton {
         self.directions.solve(system, &self.residual, forcing, (target, continues))
     }
 
-    /// Goes along the step until the residual norm decreases sufficiently, and returns it; where
-    /// that takes less than half the step, until the norm falls below the largest of the recent
-    /// ones.
-    fn line_search(
-        &mut self,
-        system: &mut impl Equilibrium,
-        p: &mut [f64],
-        length: f64,
-        recent: &[f64],
-    ) -> Option<f64> {
-        let largest = recent.iter().copied().fold(length, f64::max);
-        self.go_along(system, p, length, MONOTONE_HALVINGS)
-            .or_else(|| self.go_along(system, p, largest, MAX_HALVINGS))
-    }
-
     /// Halves the step until the residual norm falls sufficiently below `length`. A trial costs no
     /// product, because L is linear.
-    fn go_along(
+    fn line_search(
         &mut self,
         system: &mut impl Equilibrium,
         p: &mut [f64],
@@ -210,17 +174,9 @@ impl Newton {
     ) -> Option<f64> {
         let mut fraction = 1.0;
         for _ in 0..=most_halvings {
-            let [trial_p, trial_u, trial_residual] = &mut self.trial;
-            trial_p.copy_from_slice(p);
-            trial_u.copy_from_slice(&self.u);
-            add_scaled(trial_p, fraction, &self.step);
-            add_scaled(trial_u, fraction, &self.response_step);
-            system.residual(trial_p, trial_u, trial_residual);
-            let trial_length = norm(trial_residual);
-            if trial_length <= (1.0 - SUFFICIENT_FALL * fraction) * length {
-                p.copy_from_slice(trial_p);
-                std::mem::swap(&mut self.u, trial_u);
-                std::mem::swap(&mut self.residual, trial_residual);
+            let trial_length = self.try_step(system, p, fraction);
+            if trial_length <= (1.0 - settings::sufficient_decrease() * fraction) * length {
+                self.accept(p);
                 return Some(trial_length);
             }
             fraction *= 0.5;
@@ -228,21 +184,40 @@ impl Newton {
         None
     }
 
-    fn safe_steps(
+    /// The residual norm after a part of the step.
+    fn try_step(&mut self, system: &mut impl Equilibrium, p: &[f64], fraction: f64) -> f64 {
+        let [trial_p, trial_u, trial_residual] = &mut self.trial;
+        trial_p.copy_from_slice(p);
+        trial_u.copy_from_slice(&self.u);
+        add_scaled(trial_p, fraction, &self.step);
+        add_scaled(trial_u, fraction, &self.response_step);
+        system.residual(trial_p, trial_u, trial_residual);
+        norm(trial_residual)
+    }
+
+    /// Leaves a kink along which no step reduces the norm by steps p ← p − F(p).
+    fn fixed_point_steps(
         &mut self,
         system: &mut impl Equilibrium,
         p: &mut [f64],
         outcome: &mut Outcome,
     ) -> f64 {
-        for _ in 0..SAFE_STEPS {
+        for _ in 0..settings::fixed_point_steps() {
             add_scaled(p, -1.0, &self.residual);
             system.complete(p);
             system.compliance_product(p, &mut self.u);
             system.residual(p, &self.u, &mut self.residual);
         }
-        outcome.safe_steps += SAFE_STEPS;
-        outcome.products += SAFE_STEPS;
+        outcome.products += settings::fixed_point_steps();
         norm(&self.residual)
+    }
+
+    /// Goes to where the residual was evaluated last.
+    fn accept(&mut self, p: &mut [f64]) {
+        let [trial_p, trial_u, trial_residual] = &mut self.trial;
+        p.copy_from_slice(trial_p);
+        std::mem::swap(&mut self.u, trial_u);
+        std::mem::swap(&mut self.residual, trial_residual);
     }
 }
 
@@ -261,9 +236,6 @@ impl Best {
     }
 
     fn is_stale(&self, iteration: usize) -> bool {
-        iteration > self.iteration + PATIENCE
+        iteration > self.iteration + settings::patience()
     }
 }
-
-/// Newton steps without a smaller residual before giving up.
-const PATIENCE: usize = 40;

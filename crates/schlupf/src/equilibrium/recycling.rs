@@ -9,9 +9,10 @@
 //! what the earlier ones left; the residual is still minimised over all. Where a residual leads to
 //! nothing new, another one takes its place, and in the end the newest response, as in GMRES.
 
-use super::{Continues, Equilibrium, LARGE};
+use super::{Continues, Equilibrium};
 use crate::error::Error;
 use crate::numerics::vector::{add_combination, add_scaled, dot, dots, gram, norm};
+use crate::settings;
 
 /// Directions with their responses, the oldest first, and the workspace of a solution: kept, so
 /// that only more directions than ever before allocate.
@@ -31,27 +32,6 @@ struct Direction {
     /// L z.
     response: Vec<f64>,
 }
-
-/// Number of directions that are kept from one system to the next.
-const KEPT: usize = 48;
-
-/// Largest number of new directions for one system.
-const MOST_NEW: usize = 120;
-
-/// Part of J z that must be new for the direction to count, dimensionless.
-const LEAST_NEW: f64 = 1e-6;
-
-/// The same for all recycled directions at once, from products of pairs, which hold half as many
-/// digits; the others are added one by one.
-const LEAST_CERTAIN: f64 = 1e-3;
-
-/// Part of J z that is new below which the recycled directions are in the way: what is left of −F
-/// is hard to reach by what they leave of the preconditioned Jacobian, but not by the whole.
-const LITTLE: f64 = 0.1;
-
-/// Length of what is new in J z, relative to J z, below which it is made orthogonal once more:
-/// cancellation has then made it inaccurate.
-const INACCURATE: f64 = 0.5;
 
 /// A linear system J d = −F that is being solved.
 #[derive(Debug, Default)]
@@ -145,7 +125,7 @@ impl Projection {
         self.factors.extend(self.numbers.iter().map(|taken| products[*taken]));
         solve_transposed(&self.triangle, &mut self.factors);
         let new = square - dot(&self.factors, &self.factors);
-        let is_certain = new > LEAST_CERTAIN * LEAST_CERTAIN * square;
+        let is_certain = new > settings::least_new_part() * square;
         if is_certain {
             self.triangle.extend_from_slice(&self.factors);
             self.triangle.push(new.sqrt());
@@ -164,11 +144,11 @@ impl Projection {
         let start = self.triangle.len();
         self.triangle.resize(start + dimension, 0.0);
         let mut length = self.remove_known();
-        if length < INACCURATE * before {
+        if length < settings::cancelled_part() * before {
             length = self.remove_known();
         }
-        self.is_nearly_known = length < LITTLE * before;
-        if length.is_nan() || length <= LEAST_NEW * before {
+        self.is_nearly_known = length < settings::stagnating_part() * before;
+        if length.is_nan() || length <= settings::least_new_part() * before {
             self.triangle.truncate(start);
             return false;
         }
@@ -266,8 +246,7 @@ impl Directions {
     /// Solves J d = −`residual` until the linear residual falls below `forcing` times its initial
     /// value, or no direction brings anything new, or there are too many: Newton's method, which
     /// sees the true residual, decides what a step that is less exact is worth. Writes d and L d,
-    /// and returns the number of products. `continues` is asked before each product of a large
-    /// system.
+    /// and returns the number of products. `continues` is asked before each product.
     ///
     /// # Errors
     /// That of `continues`.
@@ -286,10 +265,8 @@ impl Directions {
         alone.start(whole.rest.iter().copied());
         let (first_new, mut useless) = (*known, 0);
         let mut products = 0;
-        while norm(&whole.rest) > goal && products < MOST_NEW {
-            if system.size() > LARGE {
-                continues()?;
-            }
+        while norm(&whole.rest) > goal && products < settings::most_directions() {
+            continues()?;
             let Some(leading) = leading(whole, alone, useless) else { break };
             let number = *known;
             if all.len() == number {
@@ -328,7 +305,7 @@ impl Directions {
         if !self.all[..self.known].iter().all(is_of_this) {
             self.known = 0;
         }
-        let old = self.known.saturating_sub(KEPT);
+        let old = self.known.saturating_sub(settings::directions_kept());
         self.all[..self.known].rotate_left(old);
         self.known -= old;
     }
@@ -352,8 +329,9 @@ impl Direction {
 
 #[cfg(test)]
 mod tests {
-    use super::{Directions, Equilibrium, KEPT};
+    use super::{Directions, Equilibrium};
     use crate::numerics::vector::norm;
+    use crate::settings;
 
     /// J = L + a local part, and a diagonal preconditioner.
     #[derive(Clone)]
@@ -485,14 +463,14 @@ mod tests {
     /// latest solve does not.
     #[test]
     fn the_latest_directions_are_kept() {
-        let size = 2 * KEPT;
+        let size = 2 * settings::directions_kept();
         let mut identity = Matrix::new(size, |i, j| f64::from(u8::from(i == j)));
         let mut directions = Directions::default();
         for place in 0..size {
             assert_eq!(solve(&mut directions, &mut identity, &unit(size, place), 1e-8), 1);
         }
-        assert_eq!(directions.known, KEPT + 1);
-        for place in KEPT..size {
+        assert_eq!(directions.known, settings::directions_kept() + 1);
+        for place in settings::directions_kept()..size {
             assert_eq!(solve(&mut directions, &mut identity, &unit(size, place), 1e-8), 0);
         }
         assert_eq!(solve(&mut directions, &mut identity, &unit(size, 0), 1e-8), 1);

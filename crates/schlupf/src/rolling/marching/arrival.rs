@@ -19,6 +19,7 @@ use crate::numerics::vector::dot;
 use crate::patch::{Cell, Patch, Strip};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::passage::pair;
+use crate::settings;
 use crate::state::{Element, HeatRecord, Places, TrackPoint};
 
 use super::moving_edge::{Motion, motions};
@@ -118,7 +119,7 @@ impl Place<'_> {
         let way = self.motion.map_or(cell.path_in.distance, |motion| {
             let before = motion.way_until_start(departure.x, departure.entry_x);
             let way = motion.way_until_end(cell.x, cell.entry_x()) - before;
-            way.clamp(0.0, LONGEST_WAY * self.grid.spacing_x)
+            way.clamp(0.0, settings::longest_way() * self.grid.spacing_x)
         });
         let in_contact = self.part_of_step(way);
         let entered = self.entered.unwrap_or(departure.at_entry);
@@ -154,10 +155,6 @@ fn passed(element: &Element, way: f64) -> Places {
     let on = |place: &TrackPoint| TrackPoint { distance: place.distance + way, ..*place };
     element.track.iter().map(on).collect()
 }
-
-/// Longest path into a cell relative to its size: anything longer is noise of edges that move with
-/// the material.
-const LONGEST_WAY: f64 = 2.0;
 
 /// The cell of the grid from which the material of a cell comes, unless another strip ends there.
 fn upstream_index(patch: &Patch, strip: &Strip, k: usize) -> Option<usize> {

@@ -14,6 +14,7 @@ use crate::normal::NormalSummary;
 use crate::prescribed_forces::{Direction, PrescribedForces};
 use crate::problem::Problem;
 use crate::quantity::Quantity;
+use crate::settings;
 use crate::simplified::EllipticContact;
 use crate::solution::Resultant;
 
@@ -41,17 +42,6 @@ pub(super) struct ForceControl {
     /// Missing forces in their units, dimensionless.
     pub missing: f64,
 }
-
-/// Most equilibria of a step.
-const MOST_TRIALS: usize = 40;
-
-/// Longest change of the creepages from trial to trial: in their units, and relative to them.
-const LONGEST: [f64; 2] = [4.0, 2.0];
-
-/// Largest creepages that are tried: of a wheel that slides but still turns, and of one that turns
-/// eleven times as fast as it rolls.
-const SLOWEST: f64 = 0.95;
-const FASTEST: f64 = 10.0;
 
 /// Refuses tangential forces of at least μN, if friction is the same everywhere.
 fn refuse_beyond_friction(
@@ -143,7 +133,7 @@ impl ForceControl {
     /// Prepares a step that ends at a time, in s. After one whose forces no creepage causes the
     /// search goes on from the last that had its forces.
     pub fn begin(&mut self, history: &History, time: f64) {
-        if self.trials >= MOST_TRIALS {
+        if self.trials >= settings::patience() {
             self.creepages.copy_from(&self.reached);
             self.slopes.copy_from(&self.first_slopes);
         }
@@ -153,7 +143,7 @@ impl ForceControl {
 
     /// What is prescribed first, if the last step did not end with its forces.
     pub fn missed(&self) -> Option<Quantity> {
-        self.prescribed.first().filter(|_| self.trials >= MOST_TRIALS)
+        self.prescribed.first().filter(|_| self.trials >= settings::patience())
     }
 
     /// Compares the forces of a trial with those prescribed under a load in N, to an accuracy
@@ -177,17 +167,17 @@ impl ForceControl {
         self.missing = missing.norm();
         self.trials += 1;
         if self.missing <= accuracy * size.max(share) {
-            self.trials = self.trials.min(MOST_TRIALS - 1);
+            self.trials = self.trials.min(settings::patience() - 1);
             self.reached.copy_from(&self.creepages);
             return true;
         }
-        if self.trials >= MOST_TRIALS {
+        if self.trials >= settings::patience() {
             return true;
         }
         self.learn(&missing);
         let mut change =
             self.slopes.clone().lu().solve(&missing).unwrap_or_else(|| missing.clone());
-        let longest = LONGEST[0].max(LONGEST[1] * self.creepages.norm());
+        let longest = settings::longest_trial() * self.creepages.norm().max(1.0);
         if change.norm() > longest {
             change *= longest / change.norm();
         }
@@ -203,8 +193,8 @@ impl ForceControl {
         let mut part = 1.0_f64;
         for (k, direction) in self.directions.iter().enumerate() {
             let bounds = match direction {
-                Direction::X => [-FASTEST, SLOWEST],
-                Direction::Y => [-SLOWEST, SLOWEST],
+                Direction::X => [-settings::spinning(), settings::locking()],
+                Direction::Y => [-settings::locking(), settings::locking()],
                 Direction::Spin => continue,
             };
             let unit = self.creepage_units[k];

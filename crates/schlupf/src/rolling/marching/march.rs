@@ -15,6 +15,7 @@ use crate::quantity::Quantity;
 use crate::reference_point::AtPatch;
 use crate::rolling::shared::contact::{DiscreteContact, Former};
 use crate::rolling::shared::passage::{Passage, speed_of};
+use crate::settings;
 use crate::solution::{FieldsAt, Instant, Solution, Strategy, Work};
 use crate::state::{Element, State};
 use crate::summary::{
@@ -113,10 +114,6 @@ pub fn shift(
     let transient = Transient { history, ..Transient::to_steady_state(problem) };
     march(&transient, options, watch)
 }
-
-/// Number of successive time steps without an equilibrium after which a march to the steady state
-/// ends.
-const HOPELESS: usize = 10;
 
 /// Everything that changes from step to step.
 struct March<'a> {
@@ -239,7 +236,9 @@ impl<'a> March<'a> {
             return is_over || self.history.is_shift_only();
         }
         let is_steady = self.passage_change <= self.options.tolerance;
-        is_steady || self.failures >= HOPELESS || self.work.steps >= self.options.max_steps
+        is_steady
+            || self.failures >= settings::steps_lost()
+            || self.work.steps >= self.options.max_steps
     }
 
     /// At the end of a passage, compares with its start. The remaining change is about as large as

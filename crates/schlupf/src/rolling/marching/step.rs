@@ -23,10 +23,6 @@ pub(super) struct Step<'a> {
     pub largest: f64,
 }
 
-/// Factors by which γ is reduced, one after another, where Newton's method goes in circles between
-/// stick and slip: with a smaller γ fewer cells change from one to the other in a step.
-const SOFTER: [f64; 3] = [1.0, 0.25, 0.25];
-
 impl Step<'_> {
     /// Solves for the traction on the rail p (in Pa), starting from the given one.
     pub fn solve(
@@ -40,20 +36,8 @@ impl Step<'_> {
         let response = StepResponse::new(contact, &prescribed);
         stick_slip.admit(p, bound);
         let mut step = StickSlipStep::new(response, stick_slip, bound, tracks, largest);
-        let mut whole = Outcome::default();
-        for softer in SOFTER {
-            step.soften(softer);
-            let solved = newton.solve(&mut step, p, limits, watch)?;
-            whole = Outcome {
-                iterations: whole.iterations + solved.outcome.iterations,
-                products: whole.products + solved.outcome.products,
-                ..solved.outcome
-            };
-            if whole.converged {
-                break;
-            }
-        }
+        let outcome = newton.solve(&mut step, p, limits, watch)?.outcome;
         let moved = step.moved(p, newton.response());
-        Ok((whole, moved))
+        Ok((outcome, moved))
     }
 }

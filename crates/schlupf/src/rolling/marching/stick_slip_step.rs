@@ -173,11 +173,6 @@ impl<'a> StickSlipStep<'a> {
         }
     }
 
-    /// Reduces γ by a factor.
-    pub fn soften(&mut self, factor: f64) {
-        self.gamma *= factor;
-    }
-
     /// Sliding at a cell, in m.
     fn sliding(&self, u: &[f64], k: usize) -> [f64; 2] {
         let PathSlip { known, weight, .. } = &self.slips[k];

@@ -7,6 +7,7 @@ use crate::normal::{NormalContact, NormalSummary};
 use crate::numerics::vector::dot;
 use crate::patch::{Interpolation, Patch};
 use crate::problem::Problem;
+use crate::settings;
 
 /// A patch with the compliance between its cells.
 pub(crate) struct DiscreteContact {
@@ -38,12 +39,6 @@ pub(in crate::rolling) fn at_distance(row: &[[f64; 2]], columns: f64) -> [f64; 2
     let of = |n: usize| row.get(n).copied().unwrap_or_default();
     [0, 1].map(|c| (1.0 - share) * of(near)[c] + share * of(near + 1)[c])
 }
-
-/// Largest ratio of width to length of a cell times that of the number of cells of a part of the
-/// contact along rolling to that across, dimensionless. Beyond it the edge runs through so many
-/// cells of a strip that are wider than long that stick and slip take more and more products; from
-/// twice as much on, the equations have wrong solutions, too.
-const WIDEST: f64 = 50.0;
 
 struct Workspace {
     traction: VectorField,
@@ -149,7 +144,8 @@ impl DiscreteContact {
         // A single row has no edge along rolling.
         let parts = self.patch.sizes_of_parts().into_iter().filter(|[_, rows]| *rows > 1);
         let largest = parts.map(ratio).fold(0.0, f64::max);
-        let fewest = (grid.rows as f64 * (largest / WIDEST).sqrt()).ceil() as usize;
+        let fewest =
+            (grid.rows as f64 * (largest / settings::widest_cells()).sqrt()).ceil() as usize;
         (grid.rows < fewest).then_some(fewest)
     }
 
@@ -265,7 +261,7 @@ impl DiscreteContact {
     }
 
     fn like_rigid(&self) -> f64 {
-        (RIGID * self.bristles * self.normal.peak_pressure).max(LEAST_RIGID)
+        settings::rigidity() * self.bristles * self.normal.peak_pressure
     }
 
     /// Ratio of displacement to traction of that cell, in m/Pa; zero for rigid bodies.
@@ -324,14 +320,6 @@ pub(crate) fn differences(from: &VectorField, columns: usize, to: &mut VectorFie
         }
     }
 }
-
-/// Ratio of the stiffness of rigid bodies to the initial stiffness of the bristles, dimensionless:
-/// the remaining rigid slip is then an explicit recursion down the strips, to the tolerance of a
-/// Newton step.
-const RIGID: f64 = 1e8;
-
-/// The same in Pa/m, at least: that of steel for a patch of some millimetres.
-const LEAST_RIGID: f64 = 1e13;
 
 /// The patch, which must contain at least one cell of the grid.
 fn touching_patch(normal: &NormalContact, grid: Grid) -> Result<Patch, Error> {

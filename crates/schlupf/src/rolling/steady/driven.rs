@@ -15,6 +15,7 @@ use crate::numerics::vector::{add_scaled, norm};
 use crate::patch::Patch;
 use crate::prescribed_forces::{Direction, PrescribedForces};
 use crate::problem::Problem;
+use crate::settings;
 use crate::simplified::EllipticContact;
 use crate::solution::Resultant;
 use crate::summary;
@@ -116,13 +117,6 @@ pub(super) struct Driven<'a> {
     has_images: bool,
 }
 
-/// Least part of the initial stiffness that the preconditioner ascribes to a contact which slides.
-const LEAST_STIFFNESS: f64 = 1e-3;
-
-/// Largest creepage that is tried in driving: the wheel turns a thousand times as fast as it rolls.
-/// The cost of conduction under a body grows with the root of its speed.
-const LARGEST_CREEPAGE: f64 = 1e3;
-
 impl<'a> Driven<'a> {
     /// With the creepages of the given problem, which must be those of the levels.
     pub fn new(problem: &Problem, levels: &'a mut [Level], drives: &'a Drives) -> Self {
@@ -174,7 +168,7 @@ impl<'a> Driven<'a> {
             return true;
         }
         let motion = Self::motion(&self.problem.kinematics, self.drives, unknowns);
-        if motion.check().is_err() || motion.creepage_x < -LARGEST_CREEPAGE {
+        if motion.check().is_err() || motion.creepage_x < -settings::spinning() {
             return false;
         }
         self.at.copy_from_slice(unknowns);
@@ -228,12 +222,11 @@ impl<'a> Driven<'a> {
 /// added to its diagonal where that makes it regular.
 fn regular_inverse(matrix: &DMatrix<f64>) -> DMatrix<f64> {
     let count = matrix.nrows();
-    for share in [0.0, LEAST_STIFFNESS, 1.0] {
+    for share in [0.0, settings::least_creep_stiffness(), 1.0] {
         let shifted = matrix + share * DMatrix::identity(count, count);
-        if let Some(inverse) = shifted
-            .try_inverse()
-            .filter(|inverse| inverse.iter().all(|entry| entry.abs() < LEAST_STIFFNESS.recip()))
-        {
+        if let Some(inverse) = shifted.try_inverse().filter(|inverse| {
+            inverse.iter().all(|entry| entry.abs() < settings::least_creep_stiffness().recip())
+        }) {
             return inverse;
         }
     }

@@ -6,6 +6,7 @@ use crate::normal::NormalContact;
 use crate::problem::{Options, Problem};
 use crate::progress::{Progress, Stage, Watch, tell};
 use crate::rolling::shared::contact::DiscreteContact;
+use crate::settings;
 
 use super::steady_friction::SteadyFriction;
 use super::strip_law::StripLaw;
@@ -53,13 +54,6 @@ pub(super) struct Descent {
     pub known: Vec<f64>,
 }
 
-/// A grid with fewer cells across the patch than this is not coarsened further. On five cells the
-/// long waves of a half-space are so wrong that they mislead the preconditioner.
-const COARSEST: usize = 16;
-
-/// The same if displacements decay within the patch.
-const COARSEST_SHORT_RANGED: usize = 8;
-
 /// The nested grids of a normal contact, the finest first.
 pub(super) fn nested(
     problem: &Problem,
@@ -86,7 +80,11 @@ pub(super) fn nested(
             return Ok(levels);
         }
         let is_short_ranged = level.contact.is_short_ranged();
-        let coarsest = if is_short_ranged { COARSEST_SHORT_RANGED } else { COARSEST };
+        let coarsest = if is_short_ranged {
+            settings::coarsest_cells_of_layer()
+        } else {
+            settings::coarsest_cells()
+        };
         levels.push(level);
         let halved = cells.map(|count| if count < coarsest { count } else { count.div_ceil(2) });
         if halved == cells {

@@ -9,6 +9,7 @@ use crate::kinematics::Kinematics;
 use crate::numerics::vector::{dot, norm};
 use crate::problem::{Options, Problem};
 use crate::progress::Watch;
+use crate::settings;
 use crate::solution::Work;
 
 use super::branches;
@@ -58,25 +59,6 @@ pub(super) struct NestedGrids {
     pub unsolved: Option<(Problem, Outcome)>,
 }
 
-/// Largest residual of a coarse grid from which a finer one starts, dimensionless.
-const COARSE_TOLERANCE: f64 = 1e-2;
-
-/// Residual of a coarse grid's extrapolation of earlier solutions up to which its solution does not
-/// correct that of a finer one, dimensionless: such a change is hardly more than what the coarse
-/// solutions leave undone.
-const LEAST_CORRECTION: f64 = 1.5e-2;
-
-/// Tolerance of the next coarser grid over that of the finest, if forces are extrapolated from
-/// both.
-const EXTRAPOLATED: f64 = 10.0;
-
-/// The largest such tolerance, whatever that of the finest grid: far below what the grids differ
-/// by, dimensionless.
-const EXTRAPOLATED_TOLERANCE: f64 = 1e-5;
-
-/// Farthest extrapolation, as a multiple of the distance between the last two solutions.
-const FARTHEST: f64 = 2.5;
-
 impl NestedGrids {
     pub fn new(problem: &Problem, options: &Options, watch: Watch) -> Result<Self, Error> {
         let normal = problem.normal.normal_contact(None)?;
@@ -114,18 +96,15 @@ impl NestedGrids {
             if !drives.is_empty() && is_coarsest && self.earlier.is_empty() {
                 // Tractions at the guessed motion: from none at all the creepages would first grow
                 // as if everything stuck.
-                self.solve_level(depth, COARSE_TOLERANCE, (&drives.without(), search))?;
+                self.solve_level(depth, settings::coarse_tolerance(), (&drives.without(), search))?;
             }
-            let tolerance = match depth {
-                0 => search.options.tolerance,
-                1 if search.options.extrapolate => {
-                    EXTRAPOLATED_TOLERANCE.min(EXTRAPOLATED * search.options.tolerance)
-                }
-                _ => COARSE_TOLERANCE,
-            };
+            let is_result = depth == 0 || (depth == 1 && search.options.extrapolate);
+            let tolerance =
+                if is_result { search.options.tolerance } else { settings::coarse_tolerance() };
             outcome = self.solve_level(depth, tolerance, (drives, search))?;
             let level = &mut self.levels[depth];
-            level.corrects = self.earlier.is_empty() || outcome.first_residual > LEAST_CORRECTION;
+            level.corrects =
+                self.earlier.is_empty() || outcome.first_residual > settings::coarse_tolerance();
             level.is_found = outcome.converged;
         }
         if outcome.converged {
@@ -267,7 +246,11 @@ impl NestedGrids {
         }
         let ahead = dot(&made, &next) / squared;
         let aside: f64 = (0..3).map(|c| (next[c] - ahead * made[c]).powi(2)).sum();
-        if aside > 1e-6 * dot(&next, &next) { 0.0 } else { ahead.clamp(-1.0, FARTHEST) }
+        if aside > 1e-6 * dot(&next, &next) {
+            0.0
+        } else {
+            ahead.clamp(-1.0, settings::farthest_extrapolation())
+        }
     }
 
     /// Difference of two motions; the spin with √(ab), dimensionless.

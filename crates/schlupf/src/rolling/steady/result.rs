@@ -16,10 +16,6 @@ use crate::warning::Warning;
 use super::level::Level;
 use super::nested::NestedGrids;
 
-/// Least ratio of the sizes of the cells of two grids from which forces are extrapolated,
-/// dimensionless.
-const LEAST_COARSER: f64 = 1.5;
-
 impl NestedGrids {
     /// All results.
     pub fn solution(
@@ -109,7 +105,7 @@ impl NestedGrids {
         let [fine, coarse, ..] = self.levels.as_slice() else { return None };
         let (grid, coarser) = (&fine.contact.patch.grid, &coarse.contact.patch.grid);
         let ratios = [coarser.spacing_x / grid.spacing_x, coarser.spacing_y / grid.spacing_y];
-        if !coarse.is_found || ratios.iter().any(|ratio| *ratio < LEAST_COARSER) {
+        if !coarse.is_found || ratios.iter().any(|ratio| *ratio <= 1.0) {
             return None;
         }
         let on_coarse = summary::resultant(&coarse.contact.patch, &coarse.traction);

@@ -18,24 +18,13 @@ use crate::prescribed_forces::Direction;
 use crate::problem::Problem;
 use crate::progress::{Progress, Stage, Watch, tell};
 use crate::rolling::shared::coulomb::Calibrated;
+use crate::settings;
 use crate::solution::{Resultant, Sensitivity};
 use crate::summary;
 
 use super::level::Level;
 use super::steady_friction::{Scaling, SteadyFriction};
 use super::steady_state::{Direct, SteadyState};
-
-/// Linear residual of the derivatives relative to ∂F/∂θ, divided by the tolerance of the solution,
-/// within these limits; and the residual above which the result is rejected.
-const ACCURACY: f64 = 0.1;
-const ACCURACY_RANGE: [f64; 2] = [1e-10, 1e-5];
-const WORST: f64 = 100.0;
-
-/// The same residual of derivatives for a search.
-const ROUGH: f64 = 1e-3;
-
-/// Maximum number of restarts of the Krylov method for one derivative.
-const RESTARTS: usize = 4;
 
 /// The derivatives at the solution of the first of `levels`, if all linear systems could be solved;
 /// and the number of products, which those before spare with their directions. An error if it was
@@ -51,16 +40,16 @@ pub(super) fn sensitivity(
     derivatives.finished(found)
 }
 
-/// The same for changes by some motions at the centre of the patch, one derivative for each, to a
-/// residual of [`ROUGH`].
+/// The same for changes by some motions at the centre of the patch, one derivative for each, less
+/// accurate.
 pub(super) fn by_motions(
     problem: &Problem,
     (levels, directions): (&mut [Level], &mut Directions),
     motions: &[Kinematics],
     watch: Watch,
 ) -> Result<(Option<Vec<Resultant>>, usize), Error> {
-    let mut derivatives = Derivatives::new(problem, (levels, directions), ROUGH, watch);
-    derivatives.accuracy = ROUGH;
+    let mut derivatives = Derivatives::new(problem, (levels, directions), 1.0, watch);
+    derivatives.accuracy = settings::accuracy_of_slopes();
     let warmer = derivatives.warmer();
     let found = motions.iter().map(|motion| derivatives.along(motion, &warmer)).collect();
     derivatives.finished(found)
@@ -100,13 +89,12 @@ impl<'a> Derivatives<'a> {
         watch: Watch<'a>,
     ) -> Self {
         let (size, response_size) = (levels[0].size(), levels[0].response.len());
-        let [least, largest] = ACCURACY_RANGE;
         levels[0].strips.is_exact = true;
         let (p, u) = (levels[0].traction.clone(), levels[0].response.clone());
         SteadyState::new(problem, levels).residual(&p, &u, &mut vec![0.0; size]);
         levels[0].strips.is_exact = false;
         Self {
-            accuracy: (ACCURACY * tolerance).clamp(least, largest),
+            accuracy: settings::accuracy_of_derivatives() * tolerance,
             products: 0,
             watch,
             stopped: None,
@@ -335,10 +323,8 @@ impl<'a> Derivatives<'a> {
         self.change.fill(0.0);
         let mut left = start;
         let mut product = vec![0.0; size];
-        for _ in 0..RESTARTS {
-            if left <= self.accuracy * start {
-                break;
-            }
+        let mut before = f64::INFINITY;
+        while left > self.accuracy * start && left < 0.5 * before {
             let targets = [self.step.as_mut_slice(), self.response_step.as_mut_slice()];
             let forcing = (0.5 * self.accuracy * start / left).min(0.5);
             let continues = || tell(self.watch, Progress::count(Stage::Steady, 0));
@@ -352,9 +338,9 @@ impl<'a> Derivatives<'a> {
             system.tangent_product(&self.step, &self.response_step, &mut product);
             add_scaled(&mut residual, 1.0, &product);
             add_scaled(&mut self.change, 1.0, &self.step);
-            left = norm(&residual);
+            (before, left) = (left, norm(&residual));
         }
-        let is_good = left <= WORST * self.accuracy * start && start.is_finite();
+        let is_good = left <= settings::accuracy_of_slopes() * start && start.is_finite();
         is_good.then(|| summary::resultant(&self.levels[0].contact.patch, &self.change))
     }
 }

@@ -231,7 +231,8 @@ impl SteadySolver {
         watch: Watch,
     ) -> Result<(), Error> {
         let tolerance = self.options.tolerance;
-        let (found, products) = sensitivity(problem, (&mut grids.levels, self.newton.directions()), tolerance, watch)?;
+        let (found, products) =
+            sensitivity(problem, (&mut grids.levels, self.newton.directions()), tolerance, watch)?;
         solution.sensitivity = found;
         solution.work.sensitivity_products = products;
         if found.is_none() {

@@ -183,10 +183,12 @@ impl SteadyFriction {
             add_scaled(&mut rise, 1.0, &conduction.unheated);
             rise
         };
-        let (mut change, less) = (at(DIFFERENCE), at(-DIFFERENCE));
+        // The logarithm, for central differences.
+        let difference = f64::EPSILON.cbrt();
+        let (mut change, less) = (at(difference), at(-difference));
         add_scaled(&mut change, -1.0, &less);
         for change in &mut change {
-            *change /= 2.0 * DIFFERENCE;
+            *change /= 2.0 * difference;
         }
         Some(change)
     }
@@ -434,9 +436,6 @@ pub(super) enum Scaling {
     /// All lengths of the patch.
     Size,
 }
-
-/// Step of the logarithm for central differences.
-const DIFFERENCE: f64 = 1e-4;
 
 impl Scaling {
     /// The conducting bodies after a change of the logarithm.

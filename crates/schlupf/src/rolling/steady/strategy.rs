@@ -13,6 +13,7 @@ use crate::error::Error;
 use crate::problem::{Branch, Options, Problem};
 use crate::progress::Watch;
 use crate::rolling::marching::march;
+use crate::settings;
 use crate::solution::{Resultant, Solution, Strategy, Work};
 use crate::summary;
 use crate::transient::Transient;
@@ -86,7 +87,7 @@ impl NestedGrids {
             return Ok(Found { outcome, warning: None });
         }
         if !may_be_several {
-            let followed = self.follow(goal, (Branch::HighSlip, false), search)?;
+            let followed = self.follow(goal, Branch::HighSlip, search)?;
             let outcome = followed.map_or_else(Outcome::default, |(outcome, _)| outcome);
             return Ok(Found { outcome, warning: None });
         }
@@ -95,8 +96,8 @@ impl NestedGrids {
             Branch::LowSlip => Branch::HighSlip,
             Branch::HighSlip => Branch::LowSlip,
         };
-        let there = self.follow(goal, (other, true), search)?;
-        let here = self.follow(goal, (branch, true), search)?;
+        let there = self.follow(goal, other, search)?;
+        let here = self.follow(goal, branch, search)?;
         let (Some((outcome, force)), Some((_, other))) = (here, there) else {
             self.earlier.clear();
             let outcome = self.solve(goal, search)?;
@@ -107,40 +108,37 @@ impl NestedGrids {
         let lever = (normal.semi_axis_x * normal.semi_axis_y).sqrt();
         let change = force.plus(-1.0, &other).scaled(1.0, lever.recip());
         let apart = change.tangential().hypot(change.moment_z.unwrap_or(0.0));
-        let warning = (apart > branches::DISTINCT * search.options.tolerance * limit).then(|| {
-            let tangential = |force: Resultant| [force.x, force.y];
-            Warning::SeveralStates {
-                from_low_slip: branch == Branch::LowSlip,
-                force: tangential(force),
-                other_force: tangential(other),
-            }
-        });
+        let warning = (apart > settings::distinct_states() * search.options.tolerance * limit)
+            .then(|| {
+                let tangential = |force: Resultant| [force.x, force.y];
+                Warning::SeveralStates {
+                    from_low_slip: branch == Branch::LowSlip,
+                    force: tangential(force),
+                    other_force: tangential(other),
+                }
+            });
         Ok(Found { outcome, warning })
     }
 
-    /// The end of a branch with its forces; `None` if the branch is lost.
+    /// The end of a branch with its forces; `None` if the state there is not found.
     fn follow(
         &mut self,
         goal: Goal,
-        (branch, may_be_several): (Branch, bool),
+        branch: Branch,
         search: &mut Search,
     ) -> Result<Option<(Outcome, Resultant)>, Error> {
         self.earlier.clear();
         let mut end = None;
-        for kinematics in branches::motions_to(&goal.problem.kinematics, branch, may_be_several)
-        {
+        for kinematics in branches::motions_to(&goal.problem.kinematics, branch) {
             let problem = &Problem { kinematics, ..goal.problem.clone() };
             let next = Goal { problem, ..goal };
             let mut outcome = self.solve(next, search)?;
             if !outcome.converged && !self.earlier.is_empty() {
-                // Where the branch ends the state jumps.
+                // Where the branch ends, the state jumps.
                 self.earlier.clear();
                 outcome = self.solve(next, search)?;
             }
-            if !outcome.converged {
-                return Ok(None);
-            }
-            end = Some(outcome);
+            end = Some(outcome).filter(|outcome| outcome.converged);
         }
         let force = summary::resultant(&self.levels[0].contact.patch, &self.levels[0].traction);
         Ok(end.map(|outcome| (outcome, force)))

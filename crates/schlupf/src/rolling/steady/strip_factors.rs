@@ -9,6 +9,7 @@ use std::ops::Range;
 use crate::patch::Patch;
 use crate::rolling::shared::contact::{Row as Compliances, at_distance};
 use crate::rolling::shared::coulomb::{Answer, CoulombContact, Matrix, SlipStencil};
+use crate::settings;
 
 use super::block::{Block, Twice, image, reduced_by};
 
@@ -231,7 +232,9 @@ impl Local<'_> {
             let [xx, yy] = self.row[to.abs_diff(j)];
             put(to, [xx, yy, 0.0]);
         }
-        put(j, self.contact.calibration.at_cells[j]);
+        let [xx, yy, xy] = self.contact.calibration.at_cells[j];
+        let least = self.row[0].map(|own| -settings::most_reduced() * own);
+        put(j, [xx.max(least[0]), yy.max(least[1]), xy]);
         put(cells.start, self.contact.calibration.at_entries[j].map(|u| -u));
         let entry = self.patch.cells[j].entry_x();
         for to in cells.start..cells.end.min(cells.start + NEIGHBOURS + 1) {

@@ -19,6 +19,7 @@ use crate::rolling::shared::coulomb::{
     slide,
 };
 use crate::rolling::shared::passage::pair;
+use crate::settings;
 use crate::state::{Element, Places, TrackPoint};
 
 use super::steady_friction::SteadyFriction;
@@ -203,11 +204,11 @@ impl StripLaw {
                 // So stiff that the traction moves nothing.
                 let slides = x.hypot(y);
                 let per_length = if slides > 0.0 { slides.recip() } else { self.law.stiffness() };
-                RIGID * self.bound[k] * per_length
+                settings::rigidity() * self.bound[k] * per_length
             };
             let [along, across] = of_cell.map(|of_cell| gamma * own * of_cell);
             let stiffening = [[along, 0.0], [0.0, across]];
-            for _ in 0..MOST_STEPS {
+            for _ in 0..settings::patience() {
                 let before = pair(p, k);
                 for c in 0..2 {
                     displacement[2 * k + c] = of_cell[c] * before[c];
@@ -484,10 +485,3 @@ fn discretised(
 fn inverse(bound: f64) -> f64 {
     if bound > 0.0 { bound.recip() } else { 0.0 }
 }
-
-/// Pull of a cell of rigid bodies over its bound, dimensionless.
-const RIGID: f64 = 1e10;
-
-/// Most Newton steps to the traction of a cell that is displaced by itself only: one where it gives
-/// way alike in both directions.
-const MOST_STEPS: usize = 60;

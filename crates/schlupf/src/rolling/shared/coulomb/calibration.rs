@@ -14,8 +14,9 @@ use crate::grid::{BORDER, Grid, VectorField};
 use crate::normal::{NormalContact, Pressure};
 use crate::numerics::interpolation::bilinear;
 use crate::patch::{Interpolation, Patch};
-use crate::problem::Problem;
+use crate::problem::{MAX_CELLS_TOGETHER, Problem};
 use crate::rolling::shared::contact::DiscreteContact;
+use crate::settings;
 
 /// Displacement of a point under tractions along both axes: xx, yy and xy, in m or in m/Pa.
 pub(in crate::rolling) type Symmetric = [f64; 3];
@@ -44,12 +45,6 @@ pub(in crate::rolling) enum Calibrated {
     /// Its part that is the shear of the layer between the surfaces.
     OfLayer,
 }
-
-/// Refinement of the grid that stands for the exact displacement.
-const FINER: usize = 4;
-
-/// Largest number of cells of that grid; with more it is less fine, or the grid itself is.
-const MOST_CELLS: usize = 1 << 19;
 
 impl Missing {
     /// In none of some cells.
@@ -194,7 +189,9 @@ impl Exact {
             // At the same pressure it is proportional to the size.
             return Ok(Some(Self::Ellipsoid(known, summary.peak_pressure)));
         }
-        let finer = (2..=FINER).rev().find(|finer| finer * finer * grid.len() <= MOST_CELLS);
+        let finer = (2..=settings::refinement())
+            .rev()
+            .find(|finer| finer * finer * grid.len() <= 4 * MAX_CELLS_TOGETHER);
         let finer = finer.unwrap_or(1);
         let across = [grid.columns - 2 * BORDER, grid.rows].map(|cells| finer * cells);
         // Of the same surface: a layer ends at a distance from its grid, which the patch of a small

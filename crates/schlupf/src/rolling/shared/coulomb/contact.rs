@@ -4,14 +4,11 @@ use crate::error::Error;
 use crate::normal::NormalContact;
 use crate::problem::Problem;
 use crate::rolling::shared::contact::{DiscreteContact, Row, at_distance};
+use crate::settings;
 
 use super::calibration::{Calibrated, Calibration, Missing, Symmetric};
 use super::resolvent::Matrix;
 use super::slivers::{Slivers, Worth};
-
-/// Largest part of the cell's own compliance by which a calibration reduces it in the
-/// preconditioner, dimensionless.
-const MOST_REDUCED: f64 = 0.3;
 
 /// The slivers and the calibration of a contact.
 pub(in crate::rolling) struct CoulombContact {
@@ -45,7 +42,7 @@ impl CoulombContact {
         let slivers = slivers(contact, &missing, &row);
         let calibration = Calibration::new(&missing, &contact.patch, &slivers.kept);
         let local = calibration.at_cells.iter().map(|[xx, yy, xy]| {
-            let along = |own: f64, missing: f64| own + missing.max(-MOST_REDUCED * own);
+            let along = |own: f64, missing: f64| own + missing.max(-settings::most_reduced() * own);
             [[along(own[0], *xx), *xy], [*xy, along(own[1], *yy)]]
         });
         Ok(Self { local: local.collect(), slivers, calibration, missing, row })

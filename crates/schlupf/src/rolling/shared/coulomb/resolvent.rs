@@ -73,13 +73,14 @@ impl Bristles {
         }
     }
 
-    /// φ and its derivative by m (in 1/Pa), where m is given in Pa.
+    /// φ and its derivative by m (in 1/Pa), where m is given in Pa; linear and zero where it is so to
+    /// rounding.
     fn forgotten(&self, sliding: f64) -> [f64; 2] {
         let relaxed = sliding / self.compliance;
-        if relaxed > FORGOTTEN {
+        if relaxed > -f64::EPSILON.ln() {
             return [0.0; 2];
         }
-        if relaxed < LINEAR {
+        if relaxed < f64::EPSILON.sqrt() {
             let slope = if self.order == 1 { -0.5 } else { 0.0 };
             return [1.0 + slope * relaxed, slope / self.compliance];
         }
@@ -94,10 +95,6 @@ impl Bristles {
         [value, (slope - value * (grown + 1.0)) / grown / self.compliance]
     }
 }
-
-/// Below this k_c |v| φ is linear, and beyond the other one zero, to rounding of what it does.
-const LINEAR: f64 = 1e-8;
-const FORGOTTEN: f64 = 50.0;
 
 const IDENTITY: Matrix = [[1.0, 0.0], [0.0, 1.0]];
 
@@ -122,13 +119,6 @@ pub(in crate::rolling) struct Answer {
     /// By the logarithm of k_c, in Pa.
     pub by_stiffness: [f64; 2],
 }
-
-/// Most steps to the sliding of a cell; most take three.
-const STEPS: usize = 120;
-
-/// Accuracy of that sliding, relative to itself, and to μ pₙ.
-const ACCURACY: f64 = 1e-14;
-const ROUNDING: f64 = 1e-16;
 
 impl Answer {
     /// Under a pull, with a bound μ pₙ (both in Pa).
@@ -218,7 +208,7 @@ fn sliding(pull: [f64; 2], bound: f64, bristles: &Bristles) -> f64 {
     let mut at = (size - bound).max(0.0);
     // Newton's method, and bisection where its steps do not become half as long each time.
     let mut last = high;
-    for _ in 0..STEPS {
+    for _ in 0..2 * f64::MANTISSA_DIGITS {
         let [left, fading] = bristles.forgotten(at);
         let free = compliance * own * left + at;
         let looser = 1.0 + compliance * own * fading;
@@ -241,7 +231,7 @@ fn sliding(pull: [f64; 2], bound: f64, bristles: &Bristles) -> f64 {
         let next = if is_within { next } else { 0.5 * (low + high) };
         last = (next - at).abs();
         at = next;
-        if last <= ACCURACY * next + ROUNDING * bound {
+        if last <= f64::EPSILON * (32.0 * next + bound) {
             break;
         }
     }

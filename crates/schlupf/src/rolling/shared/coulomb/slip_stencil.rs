@@ -3,16 +3,13 @@
 use std::ops::Range;
 
 use crate::patch::Patch;
+use crate::settings;
 use crate::state::MOST_PLACES;
 
 use super::resolvent::Bristles;
 
 /// Number of nodes of the polynomial, which is of third order: the cell and the places of a track.
 const NODES: usize = MOST_PLACES + 1;
-
-/// A node nearer than this part of the way into the cell is left out, dimensionless: its weight
-/// would be large.
-const NEAREST: f64 = 0.4;
 
 /// The derivative along the path at a cell, times the way into it, of the polynomial through the
 /// values at the cell and at those upstream of it; the entry, where the value is zero, is a node
@@ -137,7 +134,7 @@ fn behind(backs: impl Iterator<Item = f64>) -> [Option<f64>; NODES] {
     for (node, back) in nodes[1..].iter_mut().zip(backs) {
         if way == 0.0 {
             way = back;
-        } else if back - last < NEAREST * way {
+        } else if back - last < settings::nearest_node() * way {
             continue;
         }
         *node = Some(-back);

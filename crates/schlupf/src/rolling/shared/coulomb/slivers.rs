@@ -3,23 +3,7 @@
 use std::ops::Range;
 
 use crate::patch::Patch;
-
-/// Pressure relative to that of the neighbour towards the middle of the strip below which a cell is
-/// a sliver, both with what the bristles are worth, dimensionless; anything from 0.25 to 0.5 does.
-const LEAST_PRESSURE: f64 = 0.35;
-
-/// Displacement that is missing under p = pₙ, relative to that of the cell under its own traction
-/// and of its bristles, beyond which a cell is a sliver: its equation would be far too stiff;
-/// dimensionless.
-const MOST_EXCESS: f64 = 0.12;
-
-/// Covered part above which a cell is not partly covered, dimensionless.
-const COVERED: f64 = 0.999;
-
-/// Sliding of the first cell since entry under its own traction, relative to its displacement,
-/// below which it is a sliver: the traction of its neighbours would determine its own one;
-/// dimensionless. Under an elliptic pressure it is hardly ever less than a third.
-const LEAST_SLID: f64 = 0.25;
+use crate::settings;
 
 /// What the equation of a cell is worth, relative to its displacement under its own traction.
 #[derive(Debug, Clone, Copy)]
@@ -66,11 +50,11 @@ impl Slivers {
         let softer = |k: usize| worth[k].bristles / pressure(k);
         let is_sliver = |k: usize, next: usize| {
             let bristles = worth[k].bristles;
-            let is_stiff = worth[k].missing < -MOST_EXCESS * (1.0 + softer(k));
-            pressure(k) + bristles < LEAST_PRESSURE * (pressure(next) + bristles)
-                || (is_stiff && patch.cells[k].covered < COVERED)
+            let is_stiff = worth[k].missing < -settings::most_missing() * (1.0 + softer(k));
+            pressure(k) + bristles < settings::least_edge_pressure() * (pressure(next) + bristles)
+                || (is_stiff && patch.cells[k].covered < 1.0 - f64::EPSILON.sqrt())
         };
-        let hardly_slides = |k: usize| worth[k].slid + softer(k) < LEAST_SLID;
+        let hardly_slides = |k: usize| worth[k].slid + softer(k) < settings::least_sliding();
         let mut all = Vec::new();
         let mut kept = Vec::with_capacity(patch.strips.len());
         let mut leads = vec![false; patch.len()];

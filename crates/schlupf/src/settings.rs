@@ -1,0 +1,307 @@
+//! The numbers that steer the numerics of rolling contact: what each one is, and why it has its
+//! value. None is part of a model: those of discretisation change results by less than the error of
+//! the grid, all others by less than the tolerance.
+//!
+//! In brackets: products with the compliance at half and at twice the value, relative to those with
+//! the value itself, over the reference problems of the test `half_and_twice`, if they change by
+//! more than 2 %.
+
+/// Defines settings as functions of their names. In unit tests one of them can be scaled.
+macro_rules! settings {
+    ($($(#[$doc:meta])* $name:ident: $number:ty = $value:expr;)*) => {
+        $(
+            $(#[$doc])*
+            #[inline]
+            pub(crate) fn $name() -> $number {
+                #[cfg(test)]
+                return tests::scaled(stringify!($name), $value);
+                #[cfg(not(test))]
+                $value
+            }
+        )*
+
+        #[cfg(test)]
+        const NAMES: &[&str] = &[$(stringify!($name)),*];
+    };
+}
+
+settings! {
+    // Newton's method, the Krylov method and the measure of residuals.
+
+    /// Largest forcing term: linear residual that the Krylov method may leave, relative to that of
+    /// the Newton step (Eisenstat and Walker 1996).
+    largest_forcing: f64 = 0.3;
+
+    /// Least forcing term: the tangent of a step is no better than that.
+    least_forcing: f64 = 1e-4;
+
+    /// Part of the tolerance that the linear residual of the last step may use up.
+    part_of_tolerance: f64 = 0.8;
+
+    /// Decrease of the residual norm required of a step of length λ, relative to λ (Armijo 1966).
+    sufficient_decrease: f64 = 1e-4;
+
+    /// Residual over its scale above which an initial guess is compared with the sliding of rigid
+    /// bodies.
+    poor_guess: f64 = 0.8;
+
+    /// Newton steps among whose residual norms the largest is to be reduced (Grippo, Lampariello
+    /// and Lucidi 1986).
+    residuals_remembered: usize = 5;
+
+    /// Halvings of a Newton step before it is given up; after a third of them the norm need only
+    /// fall below the largest remembered.
+    most_halvings: usize = 10;
+
+    /// Steps p ← p − F(p) where no part of a Newton step reduces the residual norm.
+    fixed_point_steps: usize = 20;
+
+    /// Newton steps without a residual less than nine tenths of the least one, after which Newton's
+    /// method is given up; and trials of a time step with prescribed forces.
+    patience: usize = 40;
+
+    /// Directions of earlier linear systems that a system starts with: their responses are known.
+    directions_kept: usize = 48;
+
+    /// New directions of one linear system.
+    most_directions: usize = 120;
+
+    /// Part of a response that must be orthogonal to all before for the direction to count. Of
+    /// products of pairs, which hold half as many digits, its root.
+    least_new_part: f64 = 1e-6;
+
+    /// The same part below which the recycled space stagnates.
+    stagnating_part: f64 = 0.1;
+
+    /// The same part below which a response is made orthogonal once more because of cancellation
+    /// (Daniel et al. 1976).
+    cancelled_part: f64 = 0.5;
+
+    /// ‖p‖/‖μ pₙ‖ below which residuals are measured by less than ‖μ pₙ‖, as said of
+    /// [`crate::Options::tolerance`].
+    small_traction: f64 = 0.01;
+
+    // Nested grids, branches and derivatives of steady states.
+
+    /// Largest residual of a coarse grid from which a finer one starts; and the residual of its
+    /// guess up to which it does not correct that of a finer one.
+    coarse_tolerance: f64 = 1e-2;
+
+    /// A grid with fewer cells across the patch is not coarsened further. On five cells the long
+    /// waves of a half-space are so wrong that they mislead the preconditioner.
+    coarsest_cells: usize = 16;
+
+    /// The same where displacements decay within the patch.
+    coarsest_cells_of_layer: usize = 8;
+
+    /// Extrapolation of two earlier solutions at most, over their distance.
+    farthest_extrapolation: f64 = 2.5;
+
+    /// Slip that follows elastically from a fall of friction, over the slip that caused the fall,
+    /// above which there may be several states. Of 8000 random contacts with steep friction none
+    /// below had two.
+    several_states: f64 = 1.0;
+
+    /// Largest slip speed at which the fall of friction is sampled, over the largest of the state.
+    fastest_sample: f64 = 10.0;
+
+    /// Speeds at which it is sampled in a cell; neighbouring cells complement each other.
+    samples_of_cell: usize = 4;
+
+    /// Steps of the motion along the branch from rest; two thirds of them from high slip.
+    steps_of_branch: usize = 16;
+
+    /// Multiple of the motion from which a branch of high slip starts.
+    highest_slip: f64 = 6.0;
+
+    /// Difference of forces over μ0 N above which two states are distinct, in tolerances.
+    distinct_states: f64 = 30.0;
+
+    /// Largest creepage that is tried, of a wheel that locks.
+    locking: f64 = 0.95;
+
+    /// Largest creepage that is tried, of a wheel that spins: the cost of conduction under a body
+    /// grows with the root of its speed.
+    spinning: f64 = 1e3;
+
+    /// Least part of the initial creep stiffness that the preconditioner of prescribed forces
+    /// ascribes to a contact that slides.
+    least_creep_stiffness: f64 = 1e-3;
+
+    /// Residual of the linear systems of derivatives, over the tolerance of the solution.
+    accuracy_of_derivatives: f64 = 0.1;
+
+    /// The same residual of derivatives for a search.
+    accuracy_of_slopes: f64 = 1e-3;
+
+    // Discretisation.
+
+    /// Pressure relative to that of the neighbour towards the middle of the strip below which an
+    /// edge cell takes the traction over the pressure of its neighbour, both with what bristles are
+    /// worth; anything from 0.25 to 0.5 does.
+    least_edge_pressure: f64 = 0.35;
+
+    /// Displacement that is missing under p = pₙ, over that of a partly covered cell under its own
+    /// traction and of its bristles, beyond which it does so, too: its equation would be far too
+    /// stiff.
+    most_missing: f64 = 0.12;
+
+    /// Sliding of the first cell since entry under its own traction, over its displacement, below
+    /// which it does so, too: its neighbours would determine its traction. Under an elliptic
+    /// pressure it is hardly ever less than a third.
+    least_sliding: f64 = 0.25;
+
+    /// A node of a stencil nearer to the one before than this part of the way into the cell is left
+    /// out: its weight would be large.
+    nearest_node: f64 = 0.4;
+
+    /// Refinement of the grid that stands for the exact displacement.
+    refinement: usize = 4;
+
+    /// Part of a cell's own compliance by which a calibration reduces it in the preconditioner.
+    most_reduced: f64 = 0.3;
+
+    /// Ratio of the pull of a cell of rigid bodies to its bound: so stiff that the traction moves
+    /// nothing.
+    rigidity: f64 = 1e10;
+
+    /// Ratio of width to length of a cell times that of the numbers of cells of the contact along
+    /// and across rolling, up to which a grid is accepted. Beyond it the edge runs through so many
+    /// cells of a strip that products grow, and from twice as much on there are wrong solutions.
+    widest_cells: f64 = 50.0;
+
+    // Marching.
+
+    /// Successive time steps without an equilibrium after which a march to a steady state ends.
+    steps_lost: usize = 10;
+
+    /// Way into a cell at most, over its length: anything longer is noise of edges that move with
+    /// the material.
+    longest_way: f64 = 2.0;
+
+    /// Change of the creepages of prescribed forces at most from trial to trial, over those at
+    /// which Kalker's slopes give the force of friction, or over themselves.
+    longest_trial: f64 = 4.0;
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::{Arc, RwLock};
+
+    use super::NAMES;
+    use crate::elasticity::calibrated_layer::CalibratedLayer;
+    use crate::elasticity::half_space::HalfSpace;
+    use crate::interface::contact_law::{ContactLaw, Incremental};
+    use crate::interface::friction::Friction;
+    use crate::interface::friction::polach::Polach;
+    use crate::interface::friction::temperature_linear::TemperatureLinear;
+    use crate::material::Material;
+    use crate::rolling::marching::march;
+    use crate::solution::Solution;
+    use crate::transient::Transient;
+    use crate::{Method, Options, Problem, Status, unwatched};
+
+    /// The setting that is scaled, and the factor.
+    static CHANGED: RwLock<Option<(&str, f64)>> = RwLock::new(None);
+
+    pub(super) trait Number: Copy {
+        fn times(self, factor: f64) -> Self;
+    }
+
+    impl Number for f64 {
+        fn times(self, factor: f64) -> Self {
+            self * factor
+        }
+    }
+
+    impl Number for usize {
+        fn times(self, factor: f64) -> Self {
+            (self as f64 * factor).round() as Self
+        }
+    }
+
+    pub(super) fn scaled<T: Number>(name: &str, value: T) -> T {
+        let changed = *CHANGED.read().unwrap();
+        changed.filter(|(of, _)| *of == name).map_or(value, |(_, factor)| value.times(factor))
+    }
+
+    /// Creepages and spin from stick to slip, of a patch of some millimetres; spin in 1/m.
+    const MOTIONS: [[f64; 3]; 6] = [
+        [3e-4, 0.0, 0.0],
+        [1e-3, 5e-4, 0.0],
+        [0.0, 1e-3, 0.3],
+        [5e-4, -1e-3, 0.5],
+        [4e-3, 0.0, 0.1],
+        [2e-2, 1e-2, 0.0],
+    ];
+
+    fn problems() -> Vec<Problem> {
+        let steel = Material::STEEL;
+        let half_space = HalfSpace::new(&steel, &steel).unwrap();
+        let layer = CalibratedLayer::new(&steel, &steel, None).unwrap();
+        let bristles = |stiffness| ContactLaw::from(Incremental::new(stiffness).unwrap());
+        let falling = Friction::new(Arc::new(Polach::new(0.4, 0.5, 1.0).unwrap()), 20.0);
+        let hot = Friction::new(Arc::new(TemperatureLinear::new(0.4, 900.0, 0.1).unwrap()), 20.0);
+        let mut problems = Vec::new();
+        for [x, y, spin] in MOTIONS {
+            let at = || Problem::builder().creepage_x(x).creepage_y(y).spin(spin);
+            let on_half_space = |law| at().elasticity(half_space).contact_law(law).build().unwrap();
+            let on_layer = |law| at().elasticity(layer).contact_law(law).build().unwrap();
+            let coulomb = on_half_space(ContactLaw::Coulomb);
+            problems.push(Problem { friction: falling.clone(), ..coulomb.clone() });
+            problems.push(coulomb);
+            problems.push(on_half_space(bristles(3e7)));
+            problems.push(on_layer(bristles(5e6)));
+            problems.push(Problem { friction: hot.clone(), ..on_layer(ContactLaw::Coulomb) });
+        }
+        problems
+    }
+
+    /// Steady states, each from the one before, with derivatives and forces extrapolated; and
+    /// marches on fewer cells.
+    fn solutions() -> Vec<Solution> {
+        let on = |cells| Options { cells_x: cells, cells_y: cells, ..Options::default() };
+        let options = Options { sensitivity: true, extrapolate: true, ..on(20) };
+        let mut solver = Method::Full.solver(&options);
+        let steady = |problem: &Problem| solver.solve(problem, &unwatched).unwrap();
+        let mut found: Vec<Solution> = problems().iter().map(steady).collect();
+        for problem in &problems()[5..10] {
+            let options = Options { tolerance: 1e-5, ..on(10) };
+            found.push(march(&Transient::to_steady_state(problem), &options, &unwatched).unwrap());
+        }
+        found
+    }
+
+    fn products(solutions: &[Solution]) -> f64 {
+        let of = |found: &Solution| {
+            found.work.operator_products + found.work.sensitivity_products as f64
+        };
+        solutions.iter().map(of).sum()
+    }
+
+    /// Prints how work and forces change at half and at twice each setting. All problems are
+    /// solved, forces change by less than the error of the grid, and work by less than a half.
+    #[test]
+    #[ignore = "minutes: cargo xtask long"]
+    fn half_and_twice() {
+        let reference = solutions();
+        let whole = products(&reference);
+        println!("{whole:.0} products");
+        for name in NAMES {
+            for factor in [0.5, 2.0] {
+                *CHANGED.write().unwrap() = Some((*name, factor));
+                let found = solutions();
+                *CHANGED.write().unwrap() = None;
+                let apart = found.iter().zip(&reference).map(|(one, other)| {
+                    let [x, y] = [one.force.x - other.force.x, one.force.y - other.force.y];
+                    x.hypot(y) / one.normal.load
+                });
+                let apart = apart.fold(0.0, f64::max);
+                let work = products(&found) / whole;
+                println!("{name} × {factor}: products × {work:.2}, forces {apart:.0e} of the load");
+                assert!(found.iter().all(|one| one.status == Status::Converged), "{name}");
+                assert!(apart < 2e-3 && work < 1.5, "{name}: {apart}, {work}");
+            }
+        }
+    }
+}
