@@ -37,7 +37,7 @@ pub(super) struct Arrival {
     /// The known part of the displacement with which A p of its new cell is compared, in m.
     pub displacement: [f64; 2],
     /// Length of its path in contact within the step, in m.
-    pub way: f64,
+    pub path: f64,
     /// λ: fraction of the step that it has spent in contact, dimensionless.
     pub in_contact: f64,
     /// Whether it came into contact in place, not over the leading edge.
@@ -96,17 +96,17 @@ impl Place<'_> {
     /// m.
     fn enter(&self, here: [f64; 2]) -> Arrival {
         let cell = self.cell;
-        let way = self.motion.map_or(cell.since_entry.distance, |motion| {
-            motion.way_until_end(cell.x, cell.entry_x()).clamp(0.0, self.grid.spacing_x)
+        let path = self.motion.map_or(cell.since_entry.distance, |motion| {
+            motion.path_until_end(cell.x, cell.entry_x()).clamp(0.0, self.grid.spacing_x)
         });
-        let leads = self.motion.is_none_or(|motion| motion.is_from_leading_edge(cell.x, way));
-        let in_contact = self.part_of_step(way);
+        let leads = self.motion.is_none_or(|motion| motion.is_from_leading_edge(cell.x, path));
+        let in_contact = self.part_of_step(path);
         let over_edge = self.entered.filter(|_| leads);
         Arrival {
             displacement: over_edge.unwrap_or(here).map(|u| in_contact * u),
-            places: std::iter::once(TrackPoint { distance: way, ..TrackPoint::default() })
+            places: std::iter::once(TrackPoint { distance: path, ..TrackPoint::default() })
                 .collect(),
-            way,
+            path,
             in_contact,
             in_place: over_edge.is_none(),
             ..Arrival::default()
@@ -116,21 +116,21 @@ impl Place<'_> {
     /// An element that was in contact at the previous instant.
     fn carry_on(&self, element: &Element, departure: &Departure) -> Arrival {
         let cell = self.cell;
-        let way = self.motion.map_or(cell.path_in.distance, |motion| {
-            let before = motion.way_until_start(departure.x, departure.entry_x);
-            let way = motion.way_until_end(cell.x, cell.entry_x()) - before;
-            way.clamp(0.0, settings::longest_way() * self.grid.spacing_x)
+        let path = self.motion.map_or(cell.path_in.distance, |motion| {
+            let before = motion.path_until_start(departure.x, departure.entry_x);
+            let path = motion.path_until_end(cell.x, cell.entry_x()) - before;
+            path.clamp(0.0, settings::longest_way() * self.grid.spacing_x)
         });
-        let in_contact = self.part_of_step(way);
+        let in_contact = self.part_of_step(path);
         let entered = self.entered.unwrap_or(departure.at_entry);
         let compared =
             |c: usize| in_contact * entered[c] + departure.displacement[c] - departure.at_entry[c];
         Arrival {
             sliding: element.sliding,
             saturation: element.saturation,
-            places: passed(element, way),
+            places: passed(element, path),
             displacement: [compared(0), compared(1)],
-            way,
+            path,
             in_contact,
             in_place: false,
             heat: element.heat.clone(),
@@ -140,19 +140,19 @@ impl Place<'_> {
     }
 
     /// λ for a path (in m) within the step.
-    fn part_of_step(&self, way: f64) -> f64 {
-        (way / self.grid.spacing_x).clamp(0.0, 1.0)
+    fn part_of_step(&self, path: f64) -> f64 {
+        (path / self.grid.spacing_x).clamp(0.0, 1.0)
     }
 }
 
-/// The places that an element has passed when it has moved on by a way, in m. Without a track it
+/// The places that an element has passed when it has moved on by a path, in m. Without a track it
 /// has passed at least the place where it is.
-fn passed(element: &Element, way: f64) -> Places {
+fn passed(element: &Element, path: f64) -> Places {
     if element.track.is_empty() {
         let Element { sliding, saturation, .. } = *element;
-        return std::iter::once(TrackPoint { distance: way, sliding, saturation }).collect();
+        return std::iter::once(TrackPoint { distance: path, sliding, saturation }).collect();
     }
-    let on = |place: &TrackPoint| TrackPoint { distance: place.distance + way, ..*place };
+    let on = |place: &TrackPoint| TrackPoint { distance: place.distance + path, ..*place };
     element.track.iter().map(on).collect()
 }
 
@@ -182,7 +182,7 @@ pub(super) fn places_passed(
     motions: [&Kinematics; 2],
 ) -> Vec<Places> {
     let of = |(cell, arrival): (&Cell, &Arrival)| {
-        let [before, now] = motions.map(|motion| rigid_slip(cell, arrival.way, motion));
+        let [before, now] = motions.map(|motion| rigid_slip(cell, arrival.path, motion));
         let along = dot(&before, &now);
         let kept = if along < 0.5 * dot(&before, &before) { 1 } else { usize::MAX };
         arrival.places.iter().take(kept).copied().collect()
@@ -192,7 +192,7 @@ pub(super) fn places_passed(
 
 /// Rigid slip (in m) along a path in contact (in m) into a cell, which is the whole path from its
 /// upstream neighbour or from the leading edge unless the edge moves.
-pub(super) fn rigid_slip(cell: &Cell, way: f64, kinematics: &Kinematics) -> [f64; 2] {
-    let part = way / cell.path_in.distance;
+pub(super) fn rigid_slip(cell: &Cell, path: f64, kinematics: &Kinematics) -> [f64; 2] {
+    let part = path / cell.path_in.distance;
     cell.rigid_slip_in(kinematics).map(|slip| part * slip)
 }

@@ -68,7 +68,7 @@ fn refuse_beyond_friction(
 
 impl ForceControl {
     /// That of a problem and a history, if forces are prescribed: about a reference point at
-    /// `place`, in time steps over a way (both in m).
+    /// `place`, in time steps over a path (both in m).
     ///
     /// # Errors
     /// Those of Kalker's coefficients.
@@ -76,7 +76,7 @@ impl ForceControl {
         problem: &Problem,
         (prescribed, history): (&PrescribedForces, &History),
         normal: &NormalSummary,
-        (place, way): ([f64; 2], f64),
+        (place, path): ([f64; 2], f64),
     ) -> Result<Option<Self>, Error> {
         let prescribed = history.prescribed(history.span()[0], prescribed);
         if prescribed.is_none() {
@@ -95,15 +95,15 @@ impl ForceControl {
             prescribed.under(load).iter().map(|(direction, _)| *direction).collect();
         let limit = problem.friction.cold_coefficient() * load;
         let limit = if limit > 0.0 { limit } else { load };
-        let unit = |way: &Direction| limit * if *way == Direction::Spin { lever } else { 1.0 };
+        let unit = |of: &Direction| limit * if *of == Direction::Spin { lever } else { 1.0 };
         let force_units: Vec<f64> = directions.iter().map(unit).collect();
         let stiffness =
-            |way: &Direction| contact.linear_force(&way.unit()).along(*way).unwrap_or(1.0).abs();
+            |of: &Direction| contact.linear_force(&of.unit()).along(*of).unwrap_or(1.0).abs();
         let pairs = directions.iter().zip(&force_units);
-        let creepage_units = pairs.map(|(way, unit)| unit / stiffness(way)).collect();
+        let creepage_units = pairs.map(|(of, unit)| unit / stiffness(of)).collect();
         let count = directions.len();
         // Kalker's slopes take the passage of the patch.
-        let of_step = (way / normal.semi_axis_x).min(1.0);
+        let of_step = (path / normal.semi_axis_x).min(1.0);
         let first_slopes = DMatrix::identity(count, count) * of_step;
         Ok(Some(Self {
             prescribed,

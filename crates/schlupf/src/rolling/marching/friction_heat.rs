@@ -5,7 +5,7 @@ use crate::heat::{Heat, HeatStep};
 use crate::numerics::root::fixed_point;
 use crate::patch::Patch;
 use crate::problem::Problem;
-use crate::rolling::shared::passage::{Passage, heat, ways_through};
+use crate::rolling::shared::passage::{Passage, heat, paths_through};
 use crate::state::Element;
 use crate::summary::snapshot::Snapshot;
 
@@ -55,7 +55,7 @@ impl FrictionPoint {
     ) -> f64 {
         let friction = self.of_friction(problem, now, passage, arrived);
         let Some(layer) = &problem.layer else { return friction };
-        let slip = self.slip_speed * passage.ways[0] / now.over_step.speed;
+        let slip = self.slip_speed * passage.paths[0] / now.over_step.speed;
         let flow = layer.pass(friction * pressure, arrived.plastic_way, [slip; 2]);
         let found = flow.bound / pressure;
         // The slip is that of the step before. A bound that grows takes some of it up, as shear of
@@ -79,11 +79,11 @@ impl FrictionPoint {
         passage: &Passage,
         arrived: &Arrival,
     ) -> f64 {
-        let [before, _] = passage.ways;
+        let [before, _] = passage.paths;
         let at = |scaled_rise: f64| {
             let input = FrictionInput {
                 y: passage.y,
-                way: before,
+                path: before,
                 scaled_rise,
                 slip_speed: self.slip_speed,
             };
@@ -109,7 +109,7 @@ pub(super) struct FrictionInput {
     /// Position of the cell across rolling, in m.
     pub y: f64,
     /// The path length, in m.
-    pub way: f64,
+    pub path: f64,
     /// Temperature rise times effusivity, in W √s/m².
     pub scaled_rise: f64,
     /// Slip speed, in m/s.
@@ -122,12 +122,12 @@ pub(super) fn lagging(
     problem: &Problem,
     now: &Snapshot,
     arrived: Option<f64>,
-    &FrictionInput { y, way, scaled_rise, slip_speed }: &FrictionInput,
+    &FrictionInput { y, path, scaled_rise, slip_speed }: &FrictionInput,
 ) -> f64 {
     let law = problem.friction_response(&now.conduction, scaled_rise, slip_speed, y).coefficient;
     let Some(memory) = problem.friction_memory() else { return law };
     let arrived = arrived.unwrap_or_else(|| problem.entry_friction(&now.conduction, y).coefficient);
-    law + (arrived - law) * memory.kept(slip_speed, way / now.over_step.speed).part
+    law + (arrived - law) * memory.kept(slip_speed, path / now.over_step.speed).part
 }
 
 /// What material brings along with which it leaves a cell.
@@ -160,22 +160,22 @@ pub(super) fn remember(
     for strip in &patch.strips {
         for k in strip.cells.clone() {
             let (element, cell, before) = (&mut elements[k], &patch.cells[k], &brought[k]);
-            let ways = ways_through(patch, strip, k);
-            let after = |way: f64| FrictionInput {
+            let paths = paths_through(patch, strip, k);
+            let after = |path: f64| FrictionInput {
                 y: cell.y,
-                way,
+                path,
                 scaled_rise: element.scaled_rise,
                 slip_speed: element.slip_speed,
             };
-            let through = ways[0] + ways[1];
-            let [here, leaving] =
-                [ways[0], through].map(|way| lagging(problem, now, before.friction, &after(way)));
+            let through = paths[0] + paths[1];
+            let [here, leaving] = [paths[0], through]
+                .map(|path| lagging(problem, now, before.friction, &after(path)));
             if problem.friction_memory().is_some() {
                 element.friction_on_leaving = Some(leaving);
             }
             if let Some(layer) = &yields {
                 let slips =
-                    [ways[0], through].map(|way| element.slip_speed * way / now.over_step.speed);
+                    [paths[0], through].map(|path| element.slip_speed * path / now.over_step.speed);
                 let friction = here * cell.pressure_where_covered();
                 element.plastic_way = layer.pass(friction, before.plastic_way, slips).left;
             }
@@ -191,9 +191,9 @@ fn pass_cell(
     passage: &Passage,
     record: &mut Vec<HeatStep>,
 ) {
-    let [before, after] = passage.ways;
+    let [before, after] = passage.paths;
     let flux = heat(now.friction_power[k]) * passage.flux_over_heat;
-    let step = |way: f64| HeatStep { flux, duration: way / now.over_step.speed };
+    let step = |path: f64| HeatStep { flux, duration: path / now.over_step.speed };
     record.insert(0, step(before));
     now.scaled_rise[k] = model.rise_times_effusivity(record);
     record[0] = step(before + after);

@@ -1,8 +1,10 @@
 //! Marching in time: everything that changes from step to step.
 
+mod records;
+mod equilibrium;
 mod result;
 
-use crate::equilibrium::{Limits, Newton, Outcome, measure};
+use crate::equilibrium::{Newton, Outcome, measure};
 use crate::error::{Error, require_finite};
 use crate::grid::VectorField;
 use crate::history::History;
@@ -10,7 +12,7 @@ use crate::kinematics::Kinematics;
 use crate::numerics::vector::norm;
 use crate::prescribed_forces::PrescribedForces;
 use crate::problem::{Options, Problem};
-use crate::progress::{Progress, Stage, Watch, tell, within};
+use crate::progress::{Watch, tell, within};
 use crate::quantity::Quantity;
 use crate::reference_point::AtPatch;
 use crate::rolling::shared::contact::{DiscreteContact, Former};
@@ -18,13 +20,10 @@ use crate::rolling::shared::passage::{Passage, speed_of};
 use crate::settings;
 use crate::solution::{FieldsAt, Instant, Solution, Strategy, Work};
 use crate::state::{Element, State};
-use crate::summary::{
-    self,
-    snapshot::{Snapshot, View},
-};
+use crate::summary::snapshot::Snapshot;
 use crate::transient::Transient;
 
-use super::arrival::{Arrival, carry_over, places_passed, positions, rigid_slip};
+use super::arrival::{Arrival, carry_over, positions};
 use super::change::{largest_change, relative_change};
 use super::force_control::ForceControl;
 use super::friction_heat::{Brought, FrictionPoint, remember, set_temperatures};
@@ -32,10 +31,8 @@ use super::initial_state::{check_length, fitting, grid_over_history, on_patch};
 use super::moved::Moved;
 use super::past::Past;
 use super::shift::{AT_REST, Shift};
-use super::step::Step;
 use super::step_power::{Start, StepPower};
-use super::step_response::Prescribed;
-use super::stick_slip_step::{StickSlip, Track, calibrate};
+use super::time_step::{TimeStepLaw, calibrate};
 
 /// Solves a problem by marching: to the end of its history, or to the steady state.
 ///
@@ -121,7 +118,7 @@ struct March<'a> {
     history: &'a History,
     options: &'a Options,
     contact: DiscreteContact,
-    stick_slip: StickSlip,
+    law: TimeStepLaw,
     /// If forces are prescribed.
     control: Option<ForceControl>,
     /// The first step that did not end with the prescribed forces: what, and its end in s.
@@ -173,7 +170,7 @@ impl<'a> March<'a> {
         let normal = problem.normal.normal_contact(history.load(start))?;
         let mut contact = DiscreteContact::new(problem, &normal, grid)?;
         contact.require_rows()?;
-        let stick_slip = StickSlip::of(problem, &normal, &mut contact)?;
+        let law = TimeStepLaw::of(problem, &normal, &mut contact)?;
         let state = match initial_state {
             Some(state) => fitting(state, &grid)?,
             None => State::at_rest(&contact.patch),
@@ -209,7 +206,7 @@ impl<'a> March<'a> {
             field_history: Vec::new(),
             displacement: VectorField::zeros(grid.len()),
             displacement_of_bodies: VectorField::zeros(grid.len()),
-            stick_slip,
+            law,
             control: None,
             contact,
         };
@@ -223,9 +220,9 @@ impl<'a> March<'a> {
 
     /// Forces in place of creepages, about a reference point at a place (x and y in m).
     fn prescribe(&mut self, forces: &PrescribedForces, place: [f64; 2]) -> Result<(), Error> {
-        let way = self.contact.patch.grid.spacing_x;
+        let path = self.contact.patch.grid.spacing_x;
         let (forces, normal) = ((forces, self.history), &self.contact.normal);
-        self.control = ForceControl::of(self.problem, forces, normal, (place, way))?;
+        self.control = ForceControl::of(self.problem, forces, normal, (place, path))?;
         Ok(())
     }
 
@@ -278,7 +275,7 @@ impl<'a> March<'a> {
             distance,
             contact: &mut self.contact,
             displacement: &self.displacement,
-            stick_slip: &mut self.stick_slip,
+            law: &mut self.law,
             bound: &bound,
             elements: &mut self.elements,
         };
@@ -321,7 +318,7 @@ impl<'a> March<'a> {
         self.problem.normal.prepare(Some(load), &within(watch, self.progress()))?;
         let normal = self.problem.normal.normal_contact(Some(load))?;
         let former = self.contact.set_normal(&normal)?;
-        self.stick_slip = StickSlip::of(self.problem, &normal, &mut self.contact)?;
+        self.law = TimeStepLaw::of(self.problem, &normal, &mut self.contact)?;
         Ok(Some(former))
     }
 
@@ -359,118 +356,10 @@ impl<'a> March<'a> {
         }
     }
 
-    /// The equilibrium at the end of the step, with the creepages that prescribed forces cause.
-    fn find_equilibrium(&mut self, arrivals: &[Arrival], watch: Watch) -> Result<(), Error> {
-        let bound = self.now.bound(&self.contact.patch);
-        let old_traction = self.now.traction.clone();
-        self.outcome = Outcome::default();
-        let mut control = self.control.take();
-        let (time, load) = (self.time, self.contact.normal.load);
-        if let Some(control) = &mut control {
-            control.begin(self.history, time);
-        }
-        let moved = loop {
-            if let Some(control) = &control {
-                self.now.over_step = control.motion(&self.now.over_step);
-                self.now.kinematics = control.motion(&self.now.kinematics);
-                self.now.conduction = self.problem.conduction(&self.now.over_step);
-            }
-            let moved = self.balance(arrivals, &bound, watch)?;
-            let Some(control) = &mut control else { break moved };
-            let force = summary::resultant(&self.contact.patch, &self.now.traction);
-            let accuracy = (self.options.tolerance, norm(&bound), norm(&self.now.traction));
-            if control.is_reached((&force, load), accuracy) {
-                self.outcome.residual = self.outcome.residual.max(control.missing);
-                break moved;
-            }
-        };
-        let missed = control.as_ref().and_then(ForceControl::missed);
-        self.missed = self.missed.or(missed.map(|force| (force, time)));
-        self.control = control;
-        self.displace();
-        self.largest_traction = self.largest_traction.max(norm(&self.now.traction));
-        let scale = measure(norm(&bound), self.largest_traction);
-        self.change = relative_change(&old_traction, &self.now.traction, scale);
-        let element = |(k, moved): (usize, &Moved)| Element {
-            index: self.contact.patch.cells[k].index,
-            traction: self.now.traction_at(k),
-            saturation: moved.saturation,
-            sliding: moved.sliding,
-            track: moved.track,
-            ..Element::default()
-        };
-        self.elements = moved.iter().enumerate().map(element).collect();
-        self.past = self.record();
-        self.moved = moved;
-        Ok(())
-    }
-
-    /// Newton–Raphson on Eq. (13).
-    fn balance(
-        &mut self,
-        arrivals: &[Arrival],
-        bound: &[f64],
-        watch: Watch,
-    ) -> Result<Vec<Moved>, Error> {
-        let (limits, watch) = (self.limits(), within(watch, self.progress()));
-        let prescribed = self.prescribed(arrivals);
-        let motions = [&self.motion_before, &self.now.over_step];
-        let places = places_passed(&self.contact.patch, arrivals, motions);
-        let step = Step {
-            contact: &mut self.contact,
-            stick_slip: &mut self.stick_slip,
-            bound,
-            prescribed,
-            tracks: arrivals.iter().zip(places).map(Track::of).collect(),
-            largest: self.largest_traction,
-        };
-        let traction = &mut self.now.traction;
-        let (outcome, moved) = step.solve(&mut self.newton, traction, &limits, &watch)?;
-        let Outcome { iterations, products, .. } = self.outcome;
-        self.outcome = Outcome {
-            iterations: iterations + outcome.iterations,
-            products: products + outcome.products,
-            ..outcome
-        };
-        Ok(moved)
-    }
-
-    /// What is known of a step when the elements have arrived.
-    fn prescribed(&self, arrivals: &[Arrival]) -> Prescribed {
-        let mut prescribed = Prescribed::default();
-        for (cell, arrival) in self.contact.patch.cells.iter().zip(arrivals) {
-            let rigid = rigid_slip(cell, arrival.way, &self.now.over_step);
-            prescribed.sliding.extend((0..2).map(|c| rigid[c] + arrival.displacement[c]));
-            prescribed.in_contact.push(arrival.in_contact);
-            prescribed.in_place.push(arrival.in_place);
-        }
-        prescribed
-    }
-
-    fn limits(&self) -> Limits {
-        Limits {
-            // Below the tolerance of the steady state, so that solver noise does not hide the end
-            // of the transient.
-            tolerance: 0.1 * self.options.tolerance,
-            max_iterations: self.options.max_iterations,
-            is_monotone: false,
-        }
-    }
-
-    /// A p of the present traction, on the whole grid and in the cells.
-    fn displace(&mut self) {
-        let made = self.contact.product(&self.now.traction);
-        made.at_cells(&mut self.now.displacement);
-        self.now.stored_energy = made.stored_energy();
-        self.displacement.clone_from(made.field());
-        self.displacement_of_bodies.clone_from(made.field_of_bodies());
-        self.work.operator_products += 1.0;
-    }
-
     /// The record of the present instant.
     fn record(&self) -> Past {
         let mut past = Past::of(&self.contact, [&self.displacement, &self.displacement_of_bodies]);
-        calibrate(&mut past, &self.stick_slip, &self.contact.patch, &self.now.traction);
+        calibrate(&mut past, &self.law, &self.contact.patch, &self.now.traction);
         past
     }
 
@@ -493,58 +382,7 @@ impl<'a> March<'a> {
         self.change = self.change.max(largest_change(&old_scaled_rise, &self.now.scaled_rise));
         let patch = &self.contact.patch;
         remember(self.problem, &self.now, patch, &mut self.elements, &brought);
-        self.stick_slip.contact.slivers.copy(&mut self.now.friction);
-        self.stick_slip.take_slip(&self.moved, self.now.kinematics.speed, &mut self.now.slip);
-    }
-
-    /// Adds up the work and records the forces of the step.
-    fn note(&mut self) {
-        self.work.steps += 1;
-        self.work.cells = self.contact.patch.len();
-        self.work.newton_iterations += self.outcome.iterations;
-        self.work.operator_products += self.outcome.products as f64;
-        self.work.outer_iterations += 1;
-        self.compare_passages();
-        let has_failed = self.outcome.residual > self.options.tolerance;
-        self.failures = if has_failed { self.failures + 1 } else { 0 };
-        self.keep_instant();
-    }
-
-    fn keep_instant(&mut self) {
-        self.worst_residual = self.worst_residual.max(self.outcome.residual);
-        let length = self.contact.patch.strips.iter().map(|strip| strip.cells.len()).max();
-        let ([fewest, most], length) = (self.strip_lengths, length.unwrap_or(0));
-        self.strip_lengths = [fewest.min(length), most.max(length)];
-        self.largest_pressure = self.largest_pressure.max(self.contact.normal.peak_pressure);
-        let distance = self.work.steps as f64 * self.contact.patch.grid.spacing_x;
-        let view =
-            View { normal: &self.contact.normal, patch: &self.contact.patch, now: &self.now };
-        let instant = summary::instant(view, [self.time, distance], &self.outcome);
-        self.instants.push(self.powers.map_or(instant, |powers| Instant {
-            friction_power: Some(powers.friction),
-            creep_power: powers.creep,
-            ..instant
-        }));
-        self.keep_fields();
-    }
-
-    /// Keeps the fields of this step, if they are wanted.
-    fn keep_fields(&mut self) {
-        let (step, every) = (self.work.steps, self.options.fields_every);
-        if every > 0 && (step.is_multiple_of(every) || self.is_finished()) {
-            let patch = &self.contact.patch;
-            let fields = summary::fields(patch, &self.now, self.options.slip_threshold);
-            self.field_history.push(FieldsAt { step, time: self.time, fields });
-        }
-    }
-
-    fn progress(&self) -> Progress {
-        let [start, end] = self.history.span();
-        let total = (end > start).then(|| {
-            let done = ((self.time - start) / (end - start)).clamp(1e-9, 1.0);
-            (self.work.steps as f64 / done).round() as usize
-        });
-        let change = Some(self.change);
-        Progress { stage: Stage::Marching, done: self.work.steps, total, change }
+        self.law.contact.slaved.copy(&mut self.now.friction);
+        self.law.take_slip(&self.moved, self.now.kinematics.speed, &mut self.now.slip);
     }
 }

@@ -9,7 +9,7 @@ mod step_response;
 mod past;
 mod moving_edge;
 mod arrival;
-mod stick_slip_step;
+mod time_step;
 mod step;
 mod initial_state;
 mod friction_heat;

@@ -32,24 +32,24 @@ pub(super) struct Motion {
 impl Motion {
     /// Path in contact (in m) until now of material that is at x, with the leading edge at `edge`,
     /// in m.
-    pub fn way_until_end(&self, x: f64, edge: f64) -> f64 {
-        self.way(x - self.middle, edge - self.middle)
+    pub fn path_until_end(&self, x: f64, edge: f64) -> f64 {
+        self.path(x - self.middle, edge - self.middle)
     }
 
     /// The same until the start of the step, when the material was at x and the edge at `edge`, in
     /// m.
-    pub fn way_until_start(&self, x: f64, edge: f64) -> f64 {
+    pub fn path_until_start(&self, x: f64, edge: f64) -> f64 {
         let middle = self.middle - (self.passed - self.spacing);
-        self.way(x - middle, edge - middle)
+        self.path(x - middle, edge - middle)
     }
 
     /// Whether material at x (in m), in contact over a path (in m), has entered over the leading
     /// edge.
-    pub fn is_from_leading_edge(&self, x: f64, way: f64) -> bool {
-        x - self.middle + way * self.passed / self.spacing > 0.0
+    pub fn is_from_leading_edge(&self, x: f64, path: f64) -> bool {
+        x - self.middle + path * self.passed / self.spacing > 0.0
     }
 
-    fn way(&self, x: f64, half: f64) -> f64 {
+    fn path(&self, x: f64, half: f64) -> f64 {
         if self.gain == 0.0 && self.passed == self.spacing {
             return half - x;
         }
@@ -126,11 +126,11 @@ mod tests {
     #[test]
     fn edges_that_stay() {
         let still = Motion { middle: 1.0, passed: 0.1, gain: 0.0, spacing: 0.1 };
-        assert_relative_eq!(still.way_until_end(1.7, 2.0), 0.3, max_relative = 1e-12);
-        assert_relative_eq!(still.way_until_start(1.7, 2.0), 0.3, max_relative = 1e-12);
+        assert_relative_eq!(still.path_until_end(1.7, 2.0), 0.3, max_relative = 1e-12);
+        assert_relative_eq!(still.path_until_start(1.7, 2.0), 0.3, max_relative = 1e-12);
         // The same without the short cut.
         let nearly = Motion { gain: 1e-15, ..still };
-        assert_relative_eq!(nearly.way_until_end(1.7, 2.0), 0.3, max_relative = 1e-12);
+        assert_relative_eq!(nearly.path_until_end(1.7, 2.0), 0.3, max_relative = 1e-12);
     }
 
     /// l² = 1 + 2t, the material at x − t: the path since x(t) = l(t), by bisection; for growing
@@ -142,7 +142,7 @@ mod tests {
             let outside =
                 |steps: f64| (x + 0.1 * steps).abs() - (1.0 - steps * gain).max(0.0).sqrt();
             let [low, _] = bisection([0.0, 1e3], 200, |steps| outside(steps) <= 0.0);
-            assert_relative_eq!(motion.way_until_end(x, 1.0), 0.1 * low, max_relative = 1e-9);
+            assert_relative_eq!(motion.path_until_end(x, 1.0), 0.1 * low, max_relative = 1e-9);
             let leads = motion.is_from_leading_edge(x, 0.1 * low);
             assert_eq!(leads, x + 0.1 * low > 0.0, "{gain} {x}");
         }
@@ -156,7 +156,7 @@ mod tests {
         let (x, edge) = (0.3, 1.02);
         // The previous edge: l² = 1 − G, about a middle 0.02 farther back.
         let before = (1.0_f64 - 0.05).sqrt();
-        let gained = motion.way_until_end(x, edge) - motion.way_until_start(x + 0.1, before);
+        let gained = motion.path_until_end(x, edge) - motion.path_until_start(x + 0.1, before);
         assert_relative_eq!(gained, 0.1, max_relative = 1e-12);
     }
 }

@@ -14,7 +14,7 @@ use crate::state::{Element, Places};
 
 use super::step::Step;
 use super::step_response::Prescribed;
-use super::stick_slip_step::{StickSlip, Track};
+use super::time_step::{TimeStepLaw, Track};
 
 /// Speed and creepages of bodies that do not roll.
 pub(super) const AT_REST: Kinematics =
@@ -27,7 +27,7 @@ pub(super) struct Shift<'a> {
     pub contact: &'a mut DiscreteContact,
     /// A p of the previous traction on the whole grid, in m.
     pub displacement: &'a VectorField,
-    pub stick_slip: &'a mut StickSlip,
+    pub law: &'a mut TimeStepLaw,
     /// μ pₙ of each cell, in Pa.
     pub bound: &'a [f64],
     /// The elements in the order of the patch.
@@ -46,7 +46,7 @@ impl Shift<'_> {
     ) -> Result<Outcome, Error> {
         let mut before = vec![0.0; p.len()];
         self.contact.interpolation.gather(self.displacement, &mut before);
-        self.stick_slip.contact.calibration.add_at_cells(p, &mut before);
+        self.law.contact.calibration.add_at_cells(p, &mut before);
         let sliding = before.chunks_exact(2);
         let sliding = sliding.flat_map(|u| [0, 1].map(|c| self.distance[c] + u[c])).collect();
         let cells = self.elements.len();
@@ -60,7 +60,7 @@ impl Shift<'_> {
         let step = Step {
             tracks: self.elements.iter().map(past).collect(),
             contact: self.contact,
-            stick_slip: self.stick_slip,
+            law: self.law,
             bound: self.bound,
             prescribed,
             largest: 0.0,

@@ -7,12 +7,12 @@ use crate::rolling::shared::contact::DiscreteContact;
 
 use super::moved::Moved;
 use super::step_response::{Prescribed, StepResponse};
-use super::stick_slip_step::{StickSlip, StickSlipStep, Track};
+use super::time_step::{TimeStepEquilibrium, TimeStepLaw, Track};
 
 /// The data of an equilibrium.
 pub(super) struct Step<'a> {
     pub contact: &'a mut DiscreteContact,
-    pub stick_slip: &'a mut StickSlip,
+    pub law: &'a mut TimeStepLaw,
     /// μ pₙ of each cell, in Pa.
     pub bound: &'a [f64],
     pub prescribed: Prescribed,
@@ -32,10 +32,10 @@ impl Step<'_> {
         limits: &Limits,
         watch: Watch,
     ) -> Result<(Outcome, Vec<Moved>), Error> {
-        let Self { contact, stick_slip, bound, prescribed, tracks, largest } = self;
+        let Self { contact, law, bound, prescribed, tracks, largest } = self;
         let response = StepResponse::new(contact, &prescribed);
-        stick_slip.admit(p, bound);
-        let mut step = StickSlipStep::new(response, stick_slip, bound, tracks, largest);
+        law.admit(p, bound);
+        let mut step = TimeStepEquilibrium::new(response, law, bound, tracks, largest);
         let outcome = newton.solve(&mut step, p, limits, watch)?.outcome;
         let moved = step.moved(p, newton.response());
         Ok((outcome, moved))

@@ -1,7 +1,7 @@
 //! The linear response of the bodies in a time step.
 
 use crate::rolling::shared::contact::DiscreteContact;
-use crate::rolling::shared::coulomb::Calibration;
+use crate::rolling::shared::strip::Calibration;
 
 /// Known data of a time step, cell by cell.
 #[derive(Debug, Clone, Default)]

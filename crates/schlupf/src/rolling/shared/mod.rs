@@ -3,5 +3,5 @@
 pub(crate) mod contact;
 pub(crate) mod cell;
 pub(crate) mod passage;
-pub(in crate::rolling) mod coulomb;
+pub(in crate::rolling) mod strip;
 pub(crate) mod warnings;

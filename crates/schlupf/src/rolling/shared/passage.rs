@@ -8,8 +8,8 @@ use crate::patch::{Cell, Patch, Strip};
 pub(crate) struct Passage {
     /// Position of the cell across rolling, in m.
     pub y: f64,
-    /// See [`ways_through`]; in m.
-    pub ways: [f64; 2],
+    /// See [`paths_through`]; in m.
+    pub paths: [f64; 2],
     /// See [`flux_over_heat`]; dimensionless.
     pub flux_over_heat: f64,
 }
@@ -17,15 +17,15 @@ pub(crate) struct Passage {
 impl Passage {
     /// The passage through a cell of a strip.
     pub fn of(patch: &Patch, strip: &Strip, k: usize) -> Self {
-        let ways = ways_through(patch, strip, k);
-        let flux_over_heat = flux_over_heat(patch.grid.spacing_x, ways);
-        Self { y: patch.cells[k].y, ways, flux_over_heat }
+        let paths = paths_through(patch, strip, k);
+        let flux_over_heat = flux_over_heat(patch.grid.spacing_x, paths);
+        Self { y: patch.cells[k].y, paths, flux_over_heat }
     }
 }
 
 /// The paths of the material in a cell, before and after the cell's point (in m): half of those to
 /// its neighbours, and the full path to an edge.
-pub(crate) fn ways_through(patch: &Patch, strip: &Strip, k: usize) -> [f64; 2] {
+pub(crate) fn paths_through(patch: &Patch, strip: &Strip, k: usize) -> [f64; 2] {
     let path_in = patch.cells[k].path_in.distance;
     let before = if k == strip.cells.start { path_in } else { 0.5 * path_in };
     let after = if k + 1 == strip.cells.end {

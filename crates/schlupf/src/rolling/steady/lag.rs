@@ -47,7 +47,7 @@ pub(super) struct LagCause {
     /// Of the slip speed, in m/s.
     pub slip_speed: f64,
     /// Of the logarithm of the path through the cell, dimensionless.
-    pub way: f64,
+    pub path: f64,
 }
 
 impl Lag {
@@ -106,7 +106,7 @@ impl Lag {
         let Passage { kept, gap, .. } = &self.passages[k];
         let arrived = *carried;
         let [here, leaving] = kept.map(|kept| {
-            let faded = kept.by_slip_speed * cause.slip_speed + kept.by_duration * cause.way;
+            let faded = kept.by_slip_speed * cause.slip_speed + kept.by_duration * cause.path;
             cause.law + (arrived - cause.law) * kept.part + gap * faded
         });
         *carried = leaving;

@@ -148,7 +148,7 @@ impl Level {
         2 * self.strips.len()
     }
 
-    /// Guesses the tractions where cells do not displace each other: the solution, if friction is
+    /// Guesses the tractions where cells are not coupled: the solution, if friction is
     /// the present one.
     pub fn guess_uncoupled(&mut self, problem: &Problem) {
         let mut compliance = vec![0.0; self.size()];

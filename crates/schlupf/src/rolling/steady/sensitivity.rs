@@ -17,7 +17,7 @@ use crate::patch::Cell;
 use crate::prescribed_forces::Direction;
 use crate::problem::Problem;
 use crate::progress::{Progress, Stage, Watch, tell};
-use crate::rolling::shared::coulomb::Calibrated;
+use crate::rolling::shared::strip::Calibrated;
 use crate::settings;
 use crate::solution::{Resultant, Sensitivity};
 use crate::summary;
@@ -263,9 +263,9 @@ impl<'a> Derivatives<'a> {
                 direct.friction.slip[k][c] *= load_exponent;
             }
             if let Some(changes) = &changes {
-                let [way, slip] = cell.row_by_size(&changes[k]);
+                let [path, slip] = cell.row_by_size(&changes[k]);
                 for c in 0..2 {
-                    direct.cause.rigid[2 * k + c] += load_exponent * way[c];
+                    direct.cause.rigid[2 * k + c] += load_exponent * path[c];
                     direct.friction.slip[k][c] += load_exponent * kinematics.speed * slip[c];
                 }
             }
@@ -280,7 +280,7 @@ impl<'a> Derivatives<'a> {
             let growing = if is_layer { 0.0 } else { 1.0 - 2.0 * load_exponent };
             direct.bound[k] = growing * strips.bound()[k];
         }
-        direct.friction.way = load_exponent;
+        direct.friction.path = load_exponent;
         // The slip is the change of A p along the passage divided by the cell size, which grows.
         if friction.is_coupled {
             let size = strips.len() * 2;
@@ -358,8 +358,8 @@ fn scaled(resultant: &Resultant, factor: f64) -> Resultant {
 impl Direct {
     /// The changes in a cell when its motion changes.
     pub(super) fn set_motion(&mut self, k: usize, cell: &Cell, motion: &Kinematics) {
-        let way = &cell.path_in;
-        let rigid = way.rigid_slip(motion);
+        let path = &cell.path_in;
+        let rigid = path.rigid_slip(motion);
         let slip = motion.rigid_slip(cell.x, cell.y);
         for c in 0..2 {
             self.cause.rigid[2 * k + c] = rigid[c];

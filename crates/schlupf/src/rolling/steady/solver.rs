@@ -103,7 +103,7 @@ impl Solver for SteadySolver {
     ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
         self.solve_with(problem, watch, |at, state| {
             let to_centre = at.place().map(|part| -part);
-            let motions: Vec<_> = directions.iter().map(|way| way.unit().at(to_centre)).collect();
+            let motions: Vec<_> = directions.iter().map(|of| of.unit().at(to_centre)).collect();
             by_motions(&at.problem, state, &motions, watch)
         })
     }

@@ -9,6 +9,8 @@
 //! ([`ContactConduction`]), which couples all cells; then the weights of the upstream cells in a
 //! strip only serve as a preconditioner.
 
+mod changes;
+
 use std::ops::Range;
 
 use crate::heat::contact_conduction::{Conductors, ContactConduction, Surfaces};
@@ -22,11 +24,12 @@ use crate::numerics::root::fixed_point;
 use crate::numerics::vector::add_scaled;
 use crate::patch::Patch;
 use crate::problem::Problem;
+use crate::rolling::shared::passage;
 use crate::rolling::shared::passage::{
-    self, flux_over_heat, pair, rigid_velocity, slip, speed_of, ways_through,
+    flux_over_heat, pair, paths_through, rigid_velocity, slip, speed_of,
 };
 
-use super::lag::{FrictionInput, Lag, LagCause};
+use super::lag::{FrictionInput, Lag};
 use super::yielding::{FlowCause, Yielding};
 
 /// Slip, heat, temperature and friction of every cell, and their tangent.
@@ -75,7 +78,7 @@ impl SteadyFriction {
             spacing,
             conduction: problem.conduction(&problem.kinematics),
             heat: StripHeat::new(patch),
-            flux_over_power: ways(patch).map(|ways| flux_over_heat(spacing, ways)).collect(),
+            flux_over_power: paths(patch).map(|paths| flux_over_heat(spacing, paths)).collect(),
             rigid: vec![[0.0; 2]; cells],
             pressure: patch.cells.iter().map(|cell| cell.pressure).collect(),
             traction: vec![0.0; 2 * cells],
@@ -106,8 +109,8 @@ impl SteadyFriction {
             *rigid = rigid_velocity(&problem.kinematics, cell);
         }
         let speed = problem.kinematics.speed;
-        let durations = ways(patch).map(|[before, after]| [before, before + after]);
-        let durations = durations.map(|ways| ways.map(|way| way / speed));
+        let durations = paths(patch).map(|[before, after]| [before, before + after]);
+        let durations = durations.map(|paths| paths.map(|path| path / speed));
         self.heat.set(problem.heat.model.as_ref(), durations);
         self.scaled_rise.fill(0.0);
         if self.is_coupled && self.conductors.is_some() {
@@ -310,110 +313,12 @@ impl SteadyFriction {
     fn by_rise(&self, k: usize) -> f64 {
         self.response[k].by_temperature * self.conduction.contact_factor()
     }
-
-    /// Change of the heat flux due to a change of the traction of a cell, in W/m².
-    pub fn flux_change(&self, k: usize, traction: [f64; 2]) -> f64 {
-        let power = passage::power(traction, self.slip[k]);
-        if self.power[k] >= 0.0 { power * self.flux_over_power[k] } else { 0.0 }
-    }
-
-    /// Change of μ pₙ in a cell (in Pa) whose traction changes by `traction` and by `by_bound` per
-    /// Pa of it, where `upstream` contains the changes of flux of the preceding cells; at constant
-    /// slip.
-    pub fn raised_bound(
-        &self,
-        k: usize,
-        upstream: &[f64],
-        traction: [f64; 2],
-        by_bound: [f64; 2],
-    ) -> f64 {
-        if !self.heat.has_model() || self.yields(k) {
-            return 0.0;
-        }
-        let own = self.heat.own_weight(k);
-        let inherited = self.heat.weighted(k, &upstream[..k]);
-        let by_rise = self.pressure[k] * self.lag.follows(k) * self.by_rise(k);
-        let raised = by_rise * (inherited + own * self.flux_change(k, traction));
-        raised / (1.0 - by_rise * own * self.flux_change(k, by_bound))
-    }
-
-    /// Change of μ pₙ in every cell (in Pa) due to another change, and to a cause. `flux` is a
-    /// buffer for the changes of the heat flux.
-    pub fn bound_changes(
-        &mut self,
-        Change { traction, passing }: Change,
-        cause: Option<&FrictionCause>,
-        flux: &mut [f64],
-        bound: &mut [f64],
-    ) {
-        for (k, flux) in flux.iter_mut().enumerate() {
-            let slid = self.slip_change(passing, cause, k);
-            let input = passage::power(pair(&self.traction, k), slid);
-            *flux = self.flux_change(k, pair(traction, k));
-            if self.power[k] >= 0.0 {
-                *flux += input * self.flux_over_power[k];
-            }
-        }
-        let mut risen = std::mem::take(&mut self.risen);
-        self.rise_changes(flux, &mut risen);
-        let (mut carried, mut flowed) = (0.0, 0.0);
-        for k in 0..self.heat.len() {
-            let v = self.slip[k];
-            let slid = self.slip_change(passing, cause, k);
-            if k == self.heat.first(k) {
-                carried = cause.map_or(0.0, |cause| cause.entry[k]);
-                flowed = 0.0;
-            }
-            let speed = speed_of(v);
-            let faster = if speed > 0.0 { (v[0] * slid[0] + v[1] * slid[1]) / speed } else { 0.0 };
-            let scaled_rise = risen[k] + cause.map_or(0.0, |cause| cause.scaled_rise[k]);
-            let law = self.by_rise(k) * scaled_rise
-                + self.response[k].by_slip_speed * faster
-                + cause.map_or(0.0, |cause| cause.law[k]);
-            let way = cause.map_or(0.0, |cause| cause.way);
-            let lagged = LagCause { law, slip_speed: faster, way };
-            let mut change = self.lag.change(k, &lagged, &mut carried);
-            if let Some(yielding) = &self.yielding {
-                let slips = self.heat.durations(k).map(|time| (faster + speed * way) * time);
-                let limit = cause.map_or(UNCHANGED, |cause| cause.limit);
-                let cause = FlowCause { friction: change, slips, limit };
-                change = yielding.change(k, &cause, &mut flowed);
-            }
-            bound[k] = self.pressure[k] * change;
-        }
-        self.risen = risen;
-    }
-
-    /// Changes of the rises times effusivity (in W √s/m²) due to those of the heat fluxes, in W/m².
-    fn rise_changes(&mut self, flux: &[f64], risen: &mut [f64]) {
-        let conduction = self.conduction_along.as_mut().filter(|_| self.conductors.is_some());
-        let Some(conduction) = conduction else {
-            for (k, risen) in risen.iter_mut().enumerate() {
-                *risen = self.heat.weighted(k, &flux[..=k]);
-            }
-            return;
-        };
-        let heat = flux.iter().zip(&self.flux_over_power).map(|(flux, over)| flux / over);
-        conduction.contact_rise(&heat.collect::<Vec<f64>>(), risen);
-        let factor = self.conduction.contact_factor();
-        for risen in risen {
-            *risen /= factor;
-        }
-    }
-
-    /// Change of the slip velocity (in m/s) due to that of A p along the passage of a cell (in m),
-    /// and to a cause.
-    fn slip_change(&self, change: &[f64], cause: Option<&FrictionCause>, k: usize) -> [f64; 2] {
-        let per_length = self.kinematics.speed / self.spacing;
-        let given = cause.map_or([0.0; 2], |cause| cause.slip[k]);
-        slip(given, per_length, pair(change, k))
-    }
 }
 
-/// The paths of the material in every cell of a patch; see [`ways_through`].
-fn ways(patch: &Patch) -> impl Iterator<Item = [f64; 2]> {
+/// The paths of the material in every cell of a patch; see [`paths_through`].
+fn paths(patch: &Patch) -> impl Iterator<Item = [f64; 2]> {
     let cells = patch.strips.iter().flat_map(|strip| strip.cells.clone().map(move |k| (strip, k)));
-    cells.map(|(strip, k)| ways_through(patch, strip, k))
+    cells.map(|(strip, k)| paths_through(patch, strip, k))
 }
 
 /// The conducting bodies of a problem if heat also flows along the surface.
@@ -472,7 +377,7 @@ pub(super) struct FrictionCause {
     /// dimensionless.
     pub entry: Vec<f64>,
     /// Of the logarithm of all paths, dimensionless.
-    pub way: f64,
+    pub path: f64,
     /// Of the limit of elasticity of the layer between the surfaces.
     pub limit: YieldLimit,
 }
@@ -488,7 +393,7 @@ impl FrictionCause {
             scaled_rise: vec![0.0; cells],
             law: vec![0.0; cells],
             entry: vec![0.0; cells],
-            way: 0.0,
+            path: 0.0,
             limit: UNCHANGED,
         }
     }

@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::numerics::vector::norm;
 use crate::problem::Problem;
 use crate::rolling::shared::contact::Displaced;
-use crate::rolling::shared::coulomb::Calibrated;
+use crate::rolling::shared::strip::Calibrated;
 
 use super::level::{Descent, Level};
 use super::steady_friction::{Change, FrictionCause, SteadyFriction};

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use crate::patch::Patch;
 use crate::rolling::shared::contact::{Row as Compliances, at_distance};
-use crate::rolling::shared::coulomb::{Answer, CoulombContact, Matrix, SlipStencil};
+use crate::rolling::shared::strip::{Matrix, Resolvent, SlipStencil, StripContact};
 use crate::settings;
 
 use super::block::{Block, Twice, image, reduced_by};
@@ -46,13 +46,13 @@ pub(super) struct StripFactors {
 
 impl StripFactors {
     /// Of a patch.
-    pub fn new(patch: &Patch, contact: &CoulombContact, stencils: &[SlipStencil]) -> Self {
+    pub fn new(patch: &Patch, contact: &StripContact, stencils: &[SlipStencil]) -> Self {
         let row = short_range(&contact.row);
         let mut slips = Vec::with_capacity(patch.len());
         let has_neighbours = row[1] != [0.0; 2];
         let local = Local { patch, contact, row: &row, has_neighbours };
         let own = if row[0][0] > 0.0 { row[0][0] } else { 1.0 };
-        for cells in &contact.slivers.kept {
+        for cells in &contact.slaved.kept {
             slips.resize(cells.start, Row::default());
             for k in cells.clone() {
                 let mut blocks = Row::default();
@@ -85,13 +85,13 @@ impl StripFactors {
             for n in 0..longest {
                 for cells in cells.iter().filter(|cells| n < cells.len()) {
                     let k = cells.start + n;
-                    let slope = Block::of(&interface.answers[k].by_pull);
+                    let slope = Block::of(&interface.resolvents[k].by_trial);
                     let mut row = [Block::default(); WIDTH];
                     for (block, slip) in row.iter_mut().zip(&self.slips[k]) {
                         *block = block.plus(stiffness, slope.times(*slip));
                     }
                     if let Some(bristles) = &interface.bristles {
-                        bristles.add(&mut row, &interface.answers[k], k);
+                        bristles.add(&mut row, &interface.resolvents[k], k);
                     }
                     self.factorise_row((k, n), row, slope);
                 }
@@ -150,11 +150,11 @@ impl StripFactors {
     }
 }
 
-/// What the interface answers in every cell.
+/// The law in every cell, linearised.
 pub(super) struct Interface<'a> {
     /// The cells with equations of their own, strip by strip.
     pub kept: &'a [Range<usize>],
-    pub answers: &'a [Answer],
+    pub resolvents: &'a [Resolvent],
     /// γ, in Pa/m.
     pub gamma: f64,
     /// What the bristles do, if there are any.
@@ -170,13 +170,13 @@ pub(super) struct Upstream<'a> {
 
 impl Upstream<'_> {
     /// Takes what the traction of cell `k` owes to those upstream off its row.
-    fn add(&self, row: &mut Row<Block>, answer: &Answer, k: usize) {
+    fn add(&self, row: &mut Row<Block>, resolvent: &Resolvent, k: usize) {
         for (cell, weight) in self.stencils[k].upstream(k) {
             if let Some(at) = row.get_mut((LOWER + cell).wrapping_sub(k))
                 && self.bound[cell] > 0.0
             {
                 let per_bound = weight / self.bound[cell];
-                let by = answer.by_upstream.map(|row| row.map(|by| per_bound * by));
+                let by = resolvent.by_upstream.map(|row| row.map(|by| per_bound * by));
                 *at = at.plus(-1.0, Block::of(&by));
             }
         }
@@ -206,7 +206,7 @@ fn add_block(row: &mut Row<Matrix>, at: usize, weight: f64, [xx, yy, xy]: [f64; 
 /// Displacements of the cells of a strip relative to the entry.
 struct Local<'a> {
     patch: &'a Patch,
-    contact: &'a CoulombContact,
+    contact: &'a StripContact,
     row: &'a [[f64; 2]],
     has_neighbours: bool,
 }
@@ -257,8 +257,8 @@ mod tests {
 
     use super::*;
     use crate::rolling::shared::cell::times;
-    use crate::rolling::shared::coulomb::Bristles;
     use crate::rolling::shared::passage::pair;
+    use crate::rolling::shared::strip::BristleState;
 
     /// The factors solve the banded system, strip by strip, in stick and in slip.
     #[test]
@@ -272,14 +272,14 @@ mod tests {
         let slips: Vec<Row<Matrix>> = (0..14)
             .map(|k| std::array::from_fn(|at| block(k, at).map(|r| r.map(|s| 1e-2 * s))))
             .collect();
-        let bristles = Bristles::default();
-        let answers: Vec<Answer> =
-            (0..14).map(|k| Answer::to([0.3 * f64::from(k), 1.0], 2.0, &bristles)).collect();
+        let bristles = BristleState::default();
+        let resolvents: Vec<Resolvent> =
+            (0..14).map(|k| Resolvent::at([0.3 * f64::from(k), 1.0], 2.0, &bristles)).collect();
         let single = slips.iter().map(|row| row.map(|block| Block::of(&block)));
         let mut factors = StripFactors::of(single.collect());
         factors.factorise(&Interface {
             kept: std::slice::from_ref(&cells),
-            answers: &answers,
+            resolvents: &resolvents,
             gamma: 3.0,
             bristles: None,
         });
@@ -293,7 +293,7 @@ mod tests {
                 let by = times(&slips[k][LOWER + j - k], pair(&v, j));
                 slid = [slid[0] + 3.0 * by[0], slid[1] + 3.0 * by[1]];
             }
-            let moved = times(&answers[k].by_pull, [own[0] - slid[0], own[1] - slid[1]]);
+            let moved = times(&resolvents[k].by_trial, [own[0] - slid[0], own[1] - slid[1]]);
             for c in 0..2 {
                 assert_relative_eq!(own[c] - moved[c], right[2 * k + c], epsilon = 2e-5);
             }

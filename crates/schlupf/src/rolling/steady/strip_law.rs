@@ -1,8 +1,11 @@
 //! What the interface of wheel and rail demands along the strips of a patch in steady rolling.
 //!
-//! For every cell p = R(p + γ v), see [`resolvent`](crate::rolling::shared::coulomb::Answer): v is
-//! the sliding over the way into the cell, and what the material brings along is what it has done
+//! For every cell p = R(p + γ v), see [`resolvent`](crate::rolling::shared::strip::Resolvent): v is
+//! the sliding over the path into the cell, and what the material brings along is what it has done
 //! upstream in its strip.
+
+mod material;
+mod uncoupled;
 
 use std::ops::Range;
 
@@ -14,13 +17,10 @@ use crate::patch::{Cell, Patch};
 use crate::problem::Problem;
 use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
-use crate::rolling::shared::coulomb::{
-    Answer, Bristles, Calibrated, Calibration, CoulombContact, Matrix, SlipStencil, saturation,
-    slide,
-};
 use crate::rolling::shared::passage::pair;
-use crate::settings;
-use crate::state::{Element, Places, TrackPoint};
+use crate::rolling::shared::strip::{
+    BristleState, Calibrated, Calibration, Matrix, Resolvent, SlipStencil, StripContact, slide,
+};
 
 use super::steady_friction::SteadyFriction;
 use super::strip_factors::{Interface, StripFactors, Upstream};
@@ -32,22 +32,22 @@ pub(super) struct StripLaw {
     gamma: f64,
     /// μ pₙ of each cell, in Pa.
     bound: Vec<f64>,
-    contact: CoulombContact,
+    contact: StripContact,
     /// Of the slip, and of what the bristles do.
     stencils: Vec<SlipStencil>,
     factors: StripFactors,
-    /// Whether tangents are exact, for derivatives of a solution; see [`Bristles::is_exact`].
+    /// Whether tangents are exact, for derivatives of a solution; see [`BristleState::is_exact`].
     pub is_exact: bool,
     /// Whether factors and inverses are those of the last residual.
     is_factorised: bool,
     /// Whether a cell is the first of its strip.
     is_first: Vec<bool>,
-    /// Rigid sliding since entry, and over the way into each cell, in m.
+    /// Rigid sliding since entry, and over the path into each cell, in m.
     rigid_since_entry: Vec<f64>,
     rigid: Vec<f64>,
     /// p/(μ pₙ) at the last residual, dimensionless.
     saturation: Vec<f64>,
-    answers: Vec<Answer>,
+    resolvents: Vec<Resolvent>,
     /// Inverse of the local Jacobian of each cell.
     inverses: Vec<Matrix>,
     /// Changes of the saturation.
@@ -80,13 +80,13 @@ impl StripLaw {
     /// The strips of a patch; [`Self::set_problem`] sets motion and laws.
     ///
     /// # Errors
-    /// Those of [`CoulombContact::new`].
+    /// Those of [`StripContact::new`].
     pub fn new(
         problem: &Problem,
         normal: &NormalContact,
         discrete: &mut DiscreteContact,
     ) -> Result<Self, Error> {
-        let contact = CoulombContact::new(problem, normal, discrete)?;
+        let contact = StripContact::new(problem, normal, discrete)?;
         let patch = &discrete.patch;
         let (stencils, factors) = discretised(problem.contact_law, patch, &contact);
         let cells = patch.len();
@@ -106,7 +106,7 @@ impl StripLaw {
             rigid_since_entry: vec![0.0; 2 * cells],
             rigid: vec![0.0; 2 * cells],
             saturation: vec![0.0; 2 * cells],
-            answers: vec![Answer::default(); cells],
+            resolvents: vec![Resolvent::default(); cells],
             inverses: vec![Matrix::default(); cells],
             changes: vec![0.0; 2 * cells],
             flux_changes: vec![0.0; cells],
@@ -136,7 +136,7 @@ impl StripLaw {
 
     /// The cells of each strip that have equations of their own.
     pub fn kept(&self) -> &[Range<usize>] {
-        &self.contact.slivers.kept
+        &self.contact.slaved.kept
     }
 
     /// ‖μ pₙ‖₂, in Pa.
@@ -155,7 +155,7 @@ impl StripLaw {
         {
             *bound = coefficient * cell.pressure;
         }
-        self.contact.slivers.complete_scalar(&mut self.bound);
+        self.contact.slaved.complete_scalar(&mut self.bound);
     }
 
     /// Converts displacements at the cells under the traction p, relative to those where their
@@ -185,64 +185,26 @@ impl StripLaw {
         Ok(calibration.is_some())
     }
 
-    /// Sliding at a cell over the way into it, in m.
+    /// Sliding at a cell over the path into it, in m.
     fn sliding(&self, b: &[f64], k: usize) -> [f64; 2] {
         [0, 1].map(|c| self.rigid[2 * k + c] - b[2 * k + c])
     }
 
-    /// The tractions if every cell were displaced by its own one only, with the compliance (in
-    /// m/Pa) of each in both directions: cell by cell from the leading edge.
-    pub fn uncoupled_state(&self, compliance: &[f64], p: &mut [f64]) {
-        let (mut saturation, mut displacement) = (vec![0.0; p.len()], vec![0.0; p.len()]);
-        for k in self.contact.kept() {
-            let (own, of_cell) = (self.stencils[k].own(), pair(compliance, k));
-            let mean = 0.5 * (of_cell[0] + of_cell[1]);
-            let [x, y] = pair(&self.rigid, k);
-            let gamma = if mean > 0.0 {
-                (own * mean).recip()
-            } else {
-                // So stiff that the traction moves nothing.
-                let slides = x.hypot(y);
-                let per_length = if slides > 0.0 { slides.recip() } else { self.law.stiffness() };
-                settings::rigidity() * self.bound[k] * per_length
-            };
-            let [along, across] = of_cell.map(|of_cell| gamma * own * of_cell);
-            let stiffening = [[along, 0.0], [0.0, across]];
-            for _ in 0..settings::patience() {
-                let before = pair(p, k);
-                for c in 0..2 {
-                    displacement[2 * k + c] = of_cell[c] * before[c];
-                }
-                let moved = self.stencils[k].apply(&displacement, k);
-                let pull = [0, 1].map(|c| before[c] + gamma * (self.rigid[2 * k + c] - moved[c]));
-                let answer = self.answer((pull, gamma), &saturation, k);
-                let left = [0, 1].map(|c| before[c] - answer.traction[c]);
-                let step = times(&inverse_2x2(answer.jacobian(&stiffening)), left);
-                for c in 0..2 {
-                    p[2 * k + c] = before[c] - step[c];
-                }
-                if step[0].hypot(step[1]) <= f64::EPSILON * self.bound[k] {
-                    break;
-                }
-            }
-            saturation[2 * k..2 * k + 2].copy_from_slice(&self.saturated(p, k));
-            for c in 0..2 {
-                displacement[2 * k + c] = of_cell[c] * p[2 * k + c];
-            }
-        }
-        self.contact.slivers.complete(p);
-    }
-
-    /// The answer of a cell to a pull with a γ, and to p/(μ pₙ) of the cells upstream.
-    fn answer(&self, (pull, gamma): ([f64; 2], f64), saturation: &[f64], k: usize) -> Answer {
+    /// The resolvent of a cell at a trial traction with a γ, and to p/(μ pₙ) of the cells upstream.
+    fn resolvent(
+        &self,
+        (trial, gamma): ([f64; 2], f64),
+        saturation: &[f64],
+        k: usize,
+    ) -> Resolvent {
         let compliance = gamma / self.law.stiffness();
         let bristles = if compliance > 0.0 {
             let is_exact = self.is_exact;
-            Bristles { is_exact, ..self.stencils[k].bristles(compliance, saturation, k) }
+            BristleState { is_exact, ..self.stencils[k].bristles(compliance, saturation, k) }
         } else {
-            Bristles::default()
+            BristleState::default()
         };
-        Answer::to(pull, self.bound[k], &bristles)
+        Resolvent::at(trial, self.bound[k], &bristles)
     }
 
     /// F(p), in Pa; prepares the tangent.
@@ -254,15 +216,15 @@ impl StripLaw {
                 self.saturation[2 * k..2 * k + 2].copy_from_slice(&saturated);
             }
         }
-        for strip in 0..self.contact.slivers.kept.len() {
-            for k in self.contact.slivers.kept[strip].clone() {
+        for strip in 0..self.contact.slaved.kept.len() {
+            for k in self.contact.slaved.kept[strip].clone() {
                 let sliding = self.sliding(b, k);
-                let pull = [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
-                let answer = self.answer((pull, self.gamma), &self.saturation, k);
+                let trial = [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
+                let resolvent = self.resolvent((trial, self.gamma), &self.saturation, k);
                 for c in 0..2 {
-                    residual[2 * k + c] = p[2 * k + c] - answer.traction[c];
+                    residual[2 * k + c] = p[2 * k + c] - resolvent.traction[c];
                 }
-                self.answers[k] = answer;
+                self.resolvents[k] = resolvent;
             }
         }
         self.is_factorised = false;
@@ -277,22 +239,24 @@ impl StripLaw {
     /// Change of F due to small changes.
     pub fn tangent(&mut self, change: &Changed, cause: Option<&Cause>, product: &mut [f64]) {
         product.fill(0.0);
-        for cells in &self.contact.slivers.kept {
+        for cells in &self.contact.slaved.kept {
             let pairs = 2 * cells.start..2 * cells.end;
             let tractions = change.traction[pairs.clone()].chunks_exact(2);
             let responses = change.response[pairs.clone()].chunks_exact(2);
             let products = product[pairs].chunks_exact_mut(2);
-            let data = tractions.zip(responses).zip(&self.answers[cells.clone()]);
-            for (product, ((p, u), answer)) in products.zip(data) {
-                let moved =
-                    times(&answer.by_pull, [p[0] - self.gamma * u[0], p[1] - self.gamma * u[1]]);
+            let data = tractions.zip(responses).zip(&self.resolvents[cells.clone()]);
+            for (product, ((p, u), resolvent)) in products.zip(data) {
+                let moved = times(
+                    &resolvent.by_trial,
+                    [p[0] - self.gamma * u[0], p[1] - self.gamma * u[1]],
+                );
                 product.copy_from_slice(&[p[0] - moved[0], p[1] - moved[1]]);
             }
         }
         if let Some(bound) = change.bound {
             for k in self.contact.kept() {
                 for c in 0..2 {
-                    product[2 * k + c] -= bound[k] * self.answers[k].by_bound[c];
+                    product[2 * k + c] -= bound[k] * self.resolvents[k].by_bound[c];
                 }
             }
         }
@@ -303,11 +267,11 @@ impl StripLaw {
         let mut slid = self.since_entry(&cause.rigid);
         slide(&self.stencils, &mut slid);
         for k in self.contact.kept() {
-            let answer = &self.answers[k];
-            let moved = times(&answer.by_pull, pair(&slid, k));
+            let resolvent = &self.resolvents[k];
+            let moved = times(&resolvent.by_trial, pair(&slid, k));
             for c in 0..2 {
                 product[2 * k + c] -=
-                    self.gamma * moved[c] + cause.stiffness * answer.by_stiffness[c];
+                    self.gamma * moved[c] + cause.stiffness * resolvent.by_stiffness[c];
             }
         }
     }
@@ -323,7 +287,7 @@ impl StripLaw {
 
     /// Adds what changes upstream do through the bristles.
     fn add_upstream(&mut self, change: &Changed, product: &mut [f64]) {
-        for k in self.contact.slivers.kept.iter().flat_map(Clone::clone) {
+        for k in self.contact.slaved.kept.iter().flat_map(Clone::clone) {
             let raised = change.bound.map_or(0.0, |bound| bound[k]);
             for c in 0..2 {
                 let at = 2 * k + c;
@@ -336,7 +300,7 @@ impl StripLaw {
             for (cell, weight) in self.stencils[k].upstream(k) {
                 upstream = [0, 1].map(|c| upstream[c] + weight * self.changes[2 * cell + c]);
             }
-            let moved = times(&self.answers[k].by_upstream, upstream);
+            let moved = times(&self.resolvents[k].by_upstream, upstream);
             for c in 0..2 {
                 product[2 * k + c] -= moved[c];
             }
@@ -350,11 +314,11 @@ impl StripLaw {
         if !self.is_factorised {
             self.factorise(friction.is_some());
         }
-        self.factors.solve(&self.contact.slivers.kept, v);
+        self.factors.solve(&self.contact.slaved.kept, v);
         if let Some(friction) = friction {
             self.flux_changes.fill(0.0);
             for k in self.contact.kept() {
-                let by_bound = times(&self.inverses[k], self.answers[k].by_bound);
+                let by_bound = times(&self.inverses[k], self.resolvents[k].by_bound);
                 let traction = pair(v, k);
                 let raised = friction.raised_bound(k, &self.flux_changes, traction, by_bound);
                 let traction = [0, 1].map(|c| traction[c] + raised * by_bound[c]);
@@ -362,13 +326,13 @@ impl StripLaw {
                 v[2 * k..2 * k + 2].copy_from_slice(&traction);
             }
         }
-        self.contact.slivers.complete(v);
+        self.contact.slaved.complete(v);
     }
 
     fn factorise(&mut self, is_coupled: bool) {
         let interface = Interface {
-            kept: &self.contact.slivers.kept,
-            answers: &self.answers,
+            kept: &self.contact.slaved.kept,
+            resolvents: &self.resolvents,
             gamma: self.gamma,
             bristles: self
                 .remembers()
@@ -376,93 +340,19 @@ impl StripLaw {
         };
         self.factors.factorise(&interface);
         if is_coupled {
-            for k in self.contact.slivers.kept.iter().flat_map(Clone::clone) {
+            for k in self.contact.slaved.kept.iter().flat_map(Clone::clone) {
                 let weight = self.gamma * self.stencils[k].own();
                 let stiffening = self.contact.local[k].map(|row| row.map(|local| weight * local));
-                self.inverses[k] = inverse_2x2(self.answers[k].jacobian(&stiffening));
+                self.inverses[k] = inverse_2x2(self.resolvents[k].jacobian(&stiffening));
             }
         }
         self.is_factorised = true;
     }
 
-    /// The elements of the steady state with the traction p, without their heat, given also the
-    /// displacements at the cells relative to those where their material entered, in m.
-    pub fn elements(&self, patch: &Patch, p: &[f64], relative: &[f64]) -> Vec<Element> {
-        let mut displaced = relative.to_vec();
-        self.contact.calibration.add(p, &mut displaced);
-        let pairs = self.rigid_since_entry.iter().zip(&displaced);
-        let slid: Vec<f64> = pairs.map(|(rigid, displaced)| rigid - displaced).collect();
-        let mut elements = Vec::with_capacity(self.len());
-        for (number, strip) in patch.strips.iter().enumerate() {
-            for k in strip.cells.clone() {
-                elements.push(Element {
-                    index: patch.cells[k].index,
-                    traction: pair(p, k),
-                    saturation: saturation(pair(p, k), self.bound[k]),
-                    sliding: pair(&slid, k),
-                    track: self.track(patch, &slid, p, (number, k)),
-                    ..Element::default()
-                });
-            }
-        }
-        elements
-    }
-
-    /// The places of the path of an element to a cell of a strip from which the next slip follows,
-    /// the latest first, with the sliding since entry up to each cell, in m. Slivers at the leading
-    /// edge are none of them.
-    fn track(&self, patch: &Patch, slid: &[f64], p: &[f64], at: (usize, usize)) -> Places {
-        let (strip, k) = at;
-        let kept = self.contact.slivers.kept[strip].clone();
-        let here = patch.cells[k].since_entry.distance;
-        let entry = TrackPoint { distance: here, ..TrackPoint::default() };
-        let cells = (kept.start..=k).rev().filter(|cell| kept.contains(cell) || *cell == k);
-        let cells = cells.map(|j| TrackPoint {
-            distance: here - patch.cells[j].since_entry.distance,
-            sliding: pair(slid, j),
-            saturation: saturation(pair(p, j), self.bound[j]),
-        });
-        cells.chain([entry]).collect()
-    }
-
     /// Gives the cells that have no equation of their own the traction that follows from the
     /// others, in place.
     pub fn complete(&self, p: &mut [f64]) {
-        self.contact.slivers.complete(p);
-    }
-
-    /// Gives such cells the coefficient of friction (dimensionless) that their traction obeys.
-    pub fn complete_friction(&self, coefficient: &mut [f64]) {
-        self.contact.slivers.copy(coefficient);
-    }
-
-    /// Replaces the slip velocity of the cells, at a rolling speed in m/s, by that of the law:
-    /// exactly zero where a cell sticks without bristles. The friction power, from mean slips over
-    /// the cells, is not.
-    pub fn take_slip(&self, b: &[f64], speed: f64, slip: &mut [[f64; 2]]) {
-        if self.is_total() {
-            return;
-        }
-        for k in self.contact.kept() {
-            let way = self.stencils[k].way;
-            let per_way = if way > 0.0 { speed / way } else { 0.0 };
-            let slides = self.answers[k].is_sliding();
-            let sliding = if slides { self.sliding(b, k) } else { [0.0; 2] };
-            slip[k] = sliding.map(|s| per_way * s);
-        }
-        self.contact.slivers.copy(slip);
-    }
-
-    /// Sums along the strips of something that happens on the way into each cell.
-    fn since_entry(&self, on_the_way: &[f64]) -> Vec<f64> {
-        let mut sums = on_the_way.to_vec();
-        for k in 1..self.len() {
-            if !self.is_first[k] {
-                sums[2 * k] += sums[2 * k - 2];
-                sums[2 * k + 1] += sums[2 * k - 1];
-            }
-        }
-        sums
+        self.contact.slaved.complete(p);
     }
 }
 
@@ -470,9 +360,9 @@ impl StripLaw {
 fn discretised(
     law: ContactLaw,
     patch: &Patch,
-    contact: &CoulombContact,
+    contact: &StripContact,
 ) -> (Vec<SlipStencil>, StripFactors) {
-    let kept = &contact.slivers.kept;
+    let kept = &contact.slaved.kept;
     let stencils = match law {
         ContactLaw::Coulomb | ContactLaw::Incremental(_) => SlipStencil::of(patch, kept),
         ContactLaw::TotalDisplacement(_) => SlipStencil::since_entry(patch, kept),

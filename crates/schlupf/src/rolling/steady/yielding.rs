@@ -1,5 +1,5 @@
 //! Plastic flow of the layer between the surfaces in steady rolling: what bounds the traction of a
-//! cell follows from the way that its material has flowed upstream.
+//! cell follows from the path that its material has flowed upstream.
 
 use crate::interface::third_body::{Flow, ThirdBodyLayer, YieldLimit};
 use crate::patch::{Cell, Patch};
@@ -29,8 +29,8 @@ pub(super) struct FlowCause {
 
 impl YieldLimit {
     /// What a change by this adds to the limit after a plastic way (in m), in Pa.
-    fn raised(&self, way: f64) -> f64 {
-        self.stress + self.hardening * way
+    fn raised(&self, path: f64) -> f64 {
+        self.stress + self.hardening * path
     }
 }
 

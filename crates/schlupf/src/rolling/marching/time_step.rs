@@ -15,10 +15,10 @@ use crate::patch::Patch;
 use crate::problem::Problem;
 use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
-use crate::rolling::shared::coulomb::{
-    Answer, Bristles, CoulombContact, Matrix, order, reduced, saturation, through,
-};
 use crate::rolling::shared::passage::pair;
+use crate::rolling::shared::strip::{
+    BristleState, Matrix, Resolvent, StripContact, order, reduced, saturation, through,
+};
 use crate::state::{Places, TrackPoint};
 
 use super::arrival::Arrival;
@@ -27,15 +27,15 @@ use super::past::Past;
 use super::step_response::{Prescribed, StepResponse};
 
 /// Stick and slip on a patch, kept from step to step.
-pub(super) struct StickSlip {
-    pub contact: CoulombContact,
+pub(super) struct TimeStepLaw {
+    pub contact: StripContact,
     interface: ContactLaw,
     directions: Directions,
     /// λ of the cells, and which material entered in place: the linear response of the directions.
     of: (Vec<f64>, Vec<bool>),
 }
 
-impl StickSlip {
+impl TimeStepLaw {
     /// Of a problem.
     pub fn of(
         problem: &Problem,
@@ -43,7 +43,7 @@ impl StickSlip {
         contact: &mut DiscreteContact,
     ) -> Result<Self, Error> {
         Ok(Self {
-            contact: CoulombContact::new(problem, normal, contact)?,
+            contact: StripContact::new(problem, normal, contact)?,
             interface: problem.contact_law,
             directions: Directions::default(),
             of: Default::default(),
@@ -56,7 +56,7 @@ impl StickSlip {
             let onto = reduced(pair(p, k), bound[k]);
             p[2 * k..2 * k + 2].copy_from_slice(&onto);
         }
-        self.contact.slivers.complete(p);
+        self.contact.slaved.complete(p);
     }
 
     /// Replaces the slip velocity of the cells by that of the last step, at a rolling speed in m/s.
@@ -67,7 +67,7 @@ impl StickSlip {
         for k in self.contact.kept() {
             slip[k] = moved[k].slip.map(|s| speed * s);
         }
-        self.contact.slivers.copy(slip);
+        self.contact.slaved.copy(slip);
     }
 }
 
@@ -79,14 +79,14 @@ struct PathSlip {
     weight: f64,
     /// In m.
     known: [f64; 2],
-    bristles: Bristles,
-    /// Way from the nearest place, in m.
-    way: f64,
+    bristles: BristleState,
+    /// Path from the nearest place, in m.
+    path: f64,
 }
 
 /// From a single node with p/(μ pₙ).
-fn from(saturation: [f64; 2]) -> Bristles {
-    Bristles { own: 1.0, upstream: saturation.map(|q| -q), order: 1, ..Bristles::default() }
+fn from(saturation: [f64; 2]) -> BristleState {
+    BristleState { own: 1.0, upstream: saturation.map(|q| -q), order: 1, ..BristleState::default() }
 }
 
 /// Earlier places of the path of the material in a cell.
@@ -115,9 +115,10 @@ impl Track {
             return PathSlip { weight: 1.0, bristles, ..PathSlip::default() };
         };
         let known = sliding.map(|s| weights[0] * s);
-        let way = nearest.distance;
-        let bristles = Bristles { own: weights[0], order: order(&weights), ..Bristles::default() };
-        let mut slip = PathSlip { weight: weights[0], known, bristles, way };
+        let path = nearest.distance;
+        let bristles =
+            BristleState { own: weights[0], order: order(&weights), ..BristleState::default() };
+        let mut slip = PathSlip { weight: weights[0], known, bristles, path };
         for (weight, place) in weights[1..].iter().zip(places.iter()) {
             for c in 0..2 {
                 slip.known[c] += weight * place.sliding[c];
@@ -129,26 +130,26 @@ impl Track {
 }
 
 /// The equilibrium of one instant with stick and slip.
-pub(super) struct StickSlipStep<'a> {
+pub(super) struct TimeStepEquilibrium<'a> {
     response: StepResponse<'a>,
-    law: &'a mut StickSlip,
+    law: &'a mut TimeStepLaw,
     gamma: f64,
     /// μ pₙ of each cell, in Pa.
     bound: Vec<f64>,
     tracks: Vec<Track>,
     slips: Vec<PathSlip>,
-    answers: Vec<Answer>,
+    resolvents: Vec<Resolvent>,
     /// Inverse of the local Jacobian of each cell.
     inverses: Vec<Matrix>,
     /// Largest ‖p‖₂ of the previous steps, in Pa.
     largest: f64,
 }
 
-impl<'a> StickSlipStep<'a> {
+impl<'a> TimeStepEquilibrium<'a> {
     /// With residuals measured relative to a traction (‖p‖₂ in Pa) if that of this step is smaller.
     pub fn new(
         response: StepResponse<'a>,
-        law: &'a mut StickSlip,
+        law: &'a mut TimeStepLaw,
         bound: &[f64],
         tracks: Vec<Track>,
         largest: f64,
@@ -159,11 +160,11 @@ impl<'a> StickSlipStep<'a> {
             law.of = (in_contact.clone(), in_place.clone());
         }
         let mut bound = bound.to_vec();
-        law.contact.slivers.complete_scalar(&mut bound);
+        law.contact.slaved.complete_scalar(&mut bound);
         Self {
             gamma: response.contact.cell_stiffness(),
             slips: tracks.iter().map(Track::slip).collect(),
-            answers: vec![Answer::default(); tracks.len()],
+            resolvents: vec![Resolvent::default(); tracks.len()],
             inverses: vec![Matrix::default(); tracks.len()],
             response,
             law,
@@ -186,8 +187,8 @@ impl<'a> StickSlipStep<'a> {
         [0, 1].map(|c| sliding[2 * k + c] - u[2 * k + c])
     }
 
-    /// What the law answers to the traction of a cell (in Pa) and its sliding.
-    fn answer(&self, p: &[f64], u: &[f64], k: usize) -> Answer {
+    /// The resolvent of a cell at its traction (in Pa) and its sliding.
+    fn resolvent(&self, p: &[f64], u: &[f64], k: usize) -> Resolvent {
         let track = &self.tracks[k];
         let compliance = self.gamma / self.law.interface.stiffness();
         let (bristles, sliding) = match self.law.interface {
@@ -199,8 +200,8 @@ impl<'a> StickSlipStep<'a> {
                 (self.slips[k].bristles, self.sliding(u, k))
             }
         };
-        let pull = [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
-        Answer::to(pull, self.bound[k], &Bristles { compliance, ..bristles })
+        let trial = [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
+        Resolvent::at(trial, self.bound[k], &BristleState { compliance, ..bristles })
     }
 
     /// Weight of the change of a cell in what its law sees, dimensionless.
@@ -214,7 +215,7 @@ impl<'a> StickSlipStep<'a> {
     fn inverse(&self, k: usize) -> Matrix {
         let weight = self.gamma * self.weight(k);
         let stiffening = self.law.contact.local[k].map(|row| row.map(|entry| weight * entry));
-        inverse_2x2(self.answers[k].jacobian(&stiffening))
+        inverse_2x2(self.resolvents[k].jacobian(&stiffening))
     }
 
     /// What the material of the cells has done in the step that ends with the traction p.
@@ -224,23 +225,23 @@ impl<'a> StickSlipStep<'a> {
             let sliding = [0, 1].map(|c| track.sliding[c] + increment[c]);
             let saturation = saturation(pair(p, k), self.bound[k]);
             let here = TrackPoint { distance: 0.0, sliding, saturation };
-            // Slivers at the leading edge say nothing of their own.
-            let here = (!self.law.contact.slivers.leads[k]).then_some(here);
-            let way = self.slips[k].way;
-            let slides = self.answers[k].is_sliding();
-            let slip = if slides && way > 0.0 { self.sliding(u, k) } else { [0.0; 2] };
+            // SlavedCells at the leading edge say nothing of their own.
+            let here = (!self.law.contact.slaved.leads[k]).then_some(here);
+            let path = self.slips[k].path;
+            let slides = self.resolvents[k].is_sliding();
+            let slip = if slides && path > 0.0 { self.sliding(u, k) } else { [0.0; 2] };
             Moved {
                 saturation,
                 sliding,
                 track: here.into_iter().chain(track.places.iter().copied()).collect(),
-                slip: slip.map(|s| if s == 0.0 { 0.0 } else { s / way }),
+                slip: slip.map(|s| if s == 0.0 { 0.0 } else { s / path }),
             }
         };
         self.tracks.iter().enumerate().map(moved).collect()
     }
 }
 
-impl Equilibrium for StickSlipStep<'_> {
+impl Equilibrium for TimeStepEquilibrium<'_> {
     fn size(&self) -> usize {
         2 * self.bound.len()
     }
@@ -255,12 +256,12 @@ impl Equilibrium for StickSlipStep<'_> {
 
     fn residual(&mut self, p: &[f64], u: &[f64], residual: &mut [f64]) {
         residual.fill(0.0);
-        for strip in 0..self.law.contact.slivers.kept.len() {
-            for k in self.law.contact.slivers.kept[strip].clone() {
-                self.answers[k] = self.answer(p, u, k);
+        for strip in 0..self.law.contact.slaved.kept.len() {
+            for k in self.law.contact.slaved.kept[strip].clone() {
+                self.resolvents[k] = self.resolvent(p, u, k);
                 self.inverses[k] = self.inverse(k);
                 for c in 0..2 {
-                    residual[2 * k + c] = p[2 * k + c] - self.answers[k].traction[c];
+                    residual[2 * k + c] = p[2 * k + c] - self.resolvents[k].traction[c];
                 }
             }
         }
@@ -270,16 +271,16 @@ impl Equilibrium for StickSlipStep<'_> {
         product.fill(0.0);
         for k in self.law.contact.kept() {
             let weight = self.gamma * self.weight(k);
-            let pulled = [0, 1].map(|c| v[2 * k + c] - weight * response[2 * k + c]);
-            let answer = times(&self.answers[k].by_pull, pulled);
+            let tried = [0, 1].map(|c| v[2 * k + c] - weight * response[2 * k + c]);
+            let resolvent = times(&self.resolvents[k].by_trial, tried);
             for c in 0..2 {
-                product[2 * k + c] = v[2 * k + c] - answer[c];
+                product[2 * k + c] = v[2 * k + c] - resolvent[c];
             }
         }
     }
 
     fn complete(&self, p: &mut [f64]) {
-        self.law.contact.slivers.complete(p);
+        self.law.contact.slaved.complete(p);
     }
 
     fn directions(&mut self) -> Option<&mut Directions> {
@@ -292,13 +293,13 @@ impl Equilibrium for StickSlipStep<'_> {
             let solved = times(&self.inverses[k], pair(v, k));
             v[2 * k..2 * k + 2].copy_from_slice(&solved);
         }
-        self.law.contact.slivers.complete(v);
+        self.law.contact.slaved.complete(v);
     }
 }
 
 /// The record of an instant with the displacements calibrated.
-pub(super) fn calibrate(past: &mut Past, stick_slip: &StickSlip, patch: &Patch, p: &[f64]) {
-    let calibration = &stick_slip.contact.calibration;
+pub(super) fn calibrate(past: &mut Past, law: &TimeStepLaw, patch: &Patch, p: &[f64]) {
+    let calibration = &law.contact.calibration;
     let zeros = || vec![0.0; p.len()];
     let (mut at_cells, mut at_entries) = (zeros(), zeros());
     calibration.add_at_cells(p, &mut at_cells);

@@ -1,7 +1,7 @@
 //! The law of a cell as one equation, for bristles of any stiffness.
 //!
-//! Per cell let q = p/(μ pₙ), v the sliding over the way into it, and τ and c the weight of the
-//! cell itself and the part of n nodes upstream in the derivative there, times that way. The
+//! Per cell let q = p/(μ pₙ), v the sliding over the path into it, and τ and c the weight of the
+//! cell itself and the part of n nodes upstream in the derivative there, times that path. The
 //! incremental law dq = k_c (ds − q |ds|) with that derivative applied to q is
 //!
 //! (τ q + c) φ(k_c |v|) = k_c (v − |v| q),  φ(K) = (K + K²/2 + … + Kⁿ/n!)/(exp(K) − 1).
@@ -11,8 +11,8 @@
 //! one node this is exact along a straight path (exponential fitting: Scharfetter and Gummel 1969),
 //! and with q = 0 there the law in the total displacement.
 //!
-//! With the pull Y = p + γ v, m = γ |v|, κ = τ φ γ/k_c and G = c φ γ/k_c (all in Pa) this is a
-//! traction p = R(Y, c) that follows from one number:
+//! With the trial traction Y = p + γ v, m = γ |v|, κ = τ φ γ/k_c and G = c φ γ/k_c (all in Pa) this
+//! is a traction p = R(Y, c) that follows from one number:
 //!
 //! R = μpₙ (Y − G)/(μpₙ + κ + m), where m (μpₙ + κ + m) = |(κ + m) Y + μpₙ G|.
 //!
@@ -26,7 +26,7 @@ fn length(q: [f64; 2]) -> f64 {
     (q[0] * q[0] + q[1] * q[1]).sqrt()
 }
 
-/// A traction or pull, reduced to a bound if it exceeds that; both in Pa.
+/// A traction or trial traction, reduced to a bound if it exceeds that; both in Pa.
 pub(in crate::rolling) fn reduced(q: [f64; 2], bound: f64) -> [f64; 2] {
     let length = length(q);
     if length > bound { q.map(|q| q * (bound / length)) } else { q }
@@ -40,7 +40,7 @@ pub(in crate::rolling) fn saturation(traction: [f64; 2], bound: f64) -> [f64; 2]
 
 /// What the material of a cell brings along.
 #[derive(Debug, Clone, Copy, Default)]
-pub(in crate::rolling) struct Bristles {
+pub(in crate::rolling) struct BristleState {
     /// γ/k_c, in Pa; zero without bristles.
     pub compliance: f64,
     /// τ, dimensionless.
@@ -55,10 +55,10 @@ pub(in crate::rolling) struct Bristles {
     pub is_exact: bool,
 }
 
-impl Bristles {
+impl BristleState {
     /// Reduces |c| to τ if it is larger, with the derivative of the result by c. q extrapolated to
     /// the cell is then at most one: a stencil overshoots a kink, and where it does, a larger
-    /// sliding would go with a smaller traction, and a pull with several states.
+    /// sliding would go with a smaller traction, and a trial traction with several states.
     fn limit(&mut self) -> Matrix {
         let size = length(self.upstream);
         if size <= self.own {
@@ -75,7 +75,7 @@ impl Bristles {
 
     /// φ and its derivative by m (in 1/Pa), where m is given in Pa; linear and zero where it is so to
     /// rounding.
-    fn forgotten(&self, sliding: f64) -> [f64; 2] {
+    fn memory(&self, sliding: f64) -> [f64; 2] {
         let relaxed = sliding / self.compliance;
         if relaxed > -f64::EPSILON.ln() {
             return [0.0; 2];
@@ -105,13 +105,13 @@ fn across(factor: f64, n: [f64; 2]) -> Matrix {
 
 /// The traction of a cell, and its derivatives.
 #[derive(Debug, Clone, Copy, Default)]
-pub(in crate::rolling) struct Answer {
+pub(in crate::rolling) struct Resolvent {
     /// p, in Pa.
     pub traction: [f64; 2],
     /// m: γ times the sliding, in Pa; zero where the cell sticks.
     pub sliding: f64,
-    /// By the pull, dimensionless.
-    pub by_pull: Matrix,
+    /// By the trial traction, dimensionless.
+    pub by_trial: Matrix,
     /// By c, in Pa.
     pub by_upstream: Matrix,
     /// By μ pₙ, dimensionless.
@@ -120,47 +120,47 @@ pub(in crate::rolling) struct Answer {
     pub by_stiffness: [f64; 2],
 }
 
-impl Answer {
-    /// Under a pull, with a bound μ pₙ (both in Pa).
-    pub fn to(pull: [f64; 2], bound: f64, bristles: &Bristles) -> Self {
+impl Resolvent {
+    /// Under a trial traction, with a bound μ pₙ (both in Pa).
+    pub fn at(trial: [f64; 2], bound: f64, bristles: &BristleState) -> Self {
         if bristles.compliance > 0.0 {
-            return Self::of_bristles(pull, bound, bristles);
+            return Self::with_bristles(trial, bound, bristles);
         }
-        let size = length(pull);
+        let size = length(trial);
         if size <= bound {
-            return Self { traction: pull, by_pull: IDENTITY, ..Self::default() };
+            return Self { traction: trial, by_trial: IDENTITY, ..Self::default() };
         }
-        let (share, n) = (bound / size, pull.map(|p| p / size));
+        let (share, n) = (bound / size, trial.map(|p| p / size));
         Self {
             traction: n.map(|n| bound * n),
             sliding: size - bound,
-            by_pull: across(share, n),
+            by_trial: across(share, n),
             by_bound: n,
             ..Self::default()
         }
     }
 
-    fn of_bristles(pull: [f64; 2], bound: f64, bristles: &Bristles) -> Self {
+    fn with_bristles(trial: [f64; 2], bound: f64, bristles: &BristleState) -> Self {
         let mut bristles = *bristles;
         let by_c = bristles.limit();
-        let sliding = sliding(pull, bound, &bristles);
-        let Bristles { compliance, own, upstream, .. } = bristles;
-        let [left, fading] = bristles.forgotten(sliding);
+        let sliding = sliding(trial, bound, &bristles);
+        let BristleState { compliance, own, upstream, .. } = bristles;
+        let [left, fading] = bristles.memory(sliding);
         let (kept, kept_slope) = (compliance * own * left, compliance * own * fading);
         let from = upstream.map(|c| compliance * left * c);
         let from_slope = upstream.map(|c| compliance * fading * c);
         let free = kept + sliding;
         let whole = bound + free;
-        let along = [0, 1].map(|c| free * pull[c] + bound * from[c]);
+        let along = [0, 1].map(|c| free * trial[c] + bound * from[c]);
         let size = length(along);
         let n = along.map(|along| if size > 0.0 { along / size } else { 0.0 });
         let dot = |v: [f64; 2]| n[0] * v[0] + n[1] * v[1];
         let looser = 1.0 + kept_slope;
         // m follows from an excess of zero.
-        let by_sliding = whole + sliding * looser - looser * dot(pull) - bound * dot(from_slope);
+        let by_sliding = whole + sliding * looser - looser * dot(trial) - bound * dot(from_slope);
         let steepness = by_sliding.recip();
         let share = bound / whole;
-        let traction = [0, 1].map(|c| share * (pull[c] - from[c]));
+        let traction = [0, 1].map(|c| share * (trial[c] - from[c]));
         let slides = [0, 1].map(|c| -share * from_slope[c] - traction[c] * looser / whole);
         let block = |own: f64, moved: f64| {
             let moved = moved * steepness;
@@ -170,15 +170,15 @@ impl Answer {
         // κ and G go with γ/k_c at the same k_c m.
         let softer = sliding * kept_slope - kept;
         let stiffer = [0, 1].map(|c| sliding * from_slope[c] - from[c]);
-        let by_stiffness = (softer * (dot(pull) - sliding) + bound * dot(stiffer)) * steepness;
+        let by_stiffness = (softer * (dot(trial) - sliding) + bound * dot(stiffer)) * steepness;
         let by_inherited = block(-compliance * left * share, compliance * left * bound);
         Self {
             traction,
             sliding,
-            by_pull: block(share, free),
+            by_trial: block(share, free),
             by_upstream: product_2x2(&by_inherited, &by_c),
             by_bound: [0, 1]
-                .map(|c| (1.0 - share) * (pull[c] - from[c]) / whole + slides[c] * by_bound),
+                .map(|c| (1.0 - share) * (trial[c] - from[c]) / whole + slides[c] * by_bound),
             by_stiffness: [0, 1].map(|c| {
                 -share * stiffer[c] - traction[c] * softer / whole + slides[c] * by_stiffness
             }),
@@ -193,27 +193,27 @@ impl Answer {
     /// The local Jacobian 1 − R′ (1 − γ B), where `stiffening` is γ B of the cell alone;
     /// dimensionless.
     pub fn jacobian(&self, stiffening: &Matrix) -> Matrix {
-        let [[xx, xy], [yx, yy]] = product_2x2(&self.by_pull, stiffening);
-        let by = &self.by_pull;
+        let [[xx, xy], [yx, yy]] = product_2x2(&self.by_trial, stiffening);
+        let by = &self.by_trial;
         [[1.0 - by[0][0] + xx, xy - by[0][1]], [yx - by[1][0], 1.0 - by[1][1] + yy]]
     }
 }
 
 /// m, in Pa.
-fn sliding(pull: [f64; 2], bound: f64, bristles: &Bristles) -> f64 {
-    let Bristles { compliance, own, upstream, .. } = *bristles;
-    let size = length(pull);
+fn sliding(trial: [f64; 2], bound: f64, bristles: &BristleState) -> f64 {
+    let BristleState { compliance, own, upstream, .. } = *bristles;
+    let size = length(trial);
     // By the triangle inequality it is no larger.
     let (mut low, mut high) = (0.0, size.max(compliance * length(upstream)));
     let mut at = (size - bound).max(0.0);
     // Newton's method, and bisection where its steps do not become half as long each time.
     let mut last = high;
     for _ in 0..2 * f64::MANTISSA_DIGITS {
-        let [left, fading] = bristles.forgotten(at);
+        let [left, fading] = bristles.memory(at);
         let free = compliance * own * left + at;
         let looser = 1.0 + compliance * own * fading;
         let from = bound * compliance * left;
-        let along = [0, 1].map(|c| free * pull[c] + from * upstream[c]);
+        let along = [0, 1].map(|c| free * trial[c] + from * upstream[c]);
         let size = length(along);
         let excess = at * (bound + free) - size;
         if excess > 0.0 {
@@ -224,7 +224,7 @@ fn sliding(pull: [f64; 2], bound: f64, bristles: &Bristles) -> f64 {
         let n = along.map(|along| if size > 0.0 { along / size } else { 0.0 });
         let dot = |v: [f64; 2]| n[0] * v[0] + n[1] * v[1];
         let slope = bound + free + at * looser
-            - looser * dot(pull)
+            - looser * dot(trial)
             - bound * compliance * fading * dot(upstream);
         let next = at - excess / slope;
         let is_within = next >= low && next <= high && (next - at).abs() <= 0.5 * last;
@@ -250,11 +250,11 @@ mod tests {
 
     const H: f64 = 1e-6;
 
-    /// Changes of pull, bound, c and ln k_c.
+    /// Changes of trial traction, bound, c and ln k_c.
     type Changes = ([f64; 2], f64, [f64; 2], f64);
 
     /// Derivatives against central differences.
-    fn assert_derivatives(answer: &Answer, at: impl Fn(Changes) -> Answer) {
+    fn assert_derivatives(resolvent: &Resolvent, at: impl Fn(Changes) -> Resolvent) {
         let difference = |plus: Changes, minus: Changes| {
             let [plus, minus] = [plus, minus].map(|change| at(change).traction);
             [0, 1].map(|c| (plus[c] - minus[c]) / (2.0 * H))
@@ -262,20 +262,20 @@ mod tests {
         let along = |c: usize, h: f64| [0, 1].map(|k| if k == c { h } else { 0.0 });
         let none = [0.0; 2];
         for c in 0..2 {
-            let pulled = |h: f64| (along(c, h), 0.0, none, 0.0);
+            let tried = |h: f64| (along(c, h), 0.0, none, 0.0);
             let upstream = |h: f64| (none, 0.0, along(c, h), 0.0);
-            let [by_pull, by_upstream] =
-                [difference(pulled(H), pulled(-H)), difference(upstream(H), upstream(-H))];
+            let [by_trial, by_upstream] =
+                [difference(tried(H), tried(-H)), difference(upstream(H), upstream(-H))];
             for r in 0..2 {
-                assert_relative_eq!(answer.by_pull[r][c], by_pull[r], epsilon = 1e-6);
-                assert_relative_eq!(answer.by_upstream[r][c], by_upstream[r], epsilon = 1e-6);
+                assert_relative_eq!(resolvent.by_trial[r][c], by_trial[r], epsilon = 1e-6);
+                assert_relative_eq!(resolvent.by_upstream[r][c], by_upstream[r], epsilon = 1e-6);
             }
         }
         let by_bound = difference((none, H, none, 0.0), (none, -H, none, 0.0));
         let by_stiffness = difference((none, 0.0, none, H), (none, 0.0, none, -H));
         for r in 0..2 {
-            assert_relative_eq!(answer.by_bound[r], by_bound[r], epsilon = 1e-6);
-            assert_relative_eq!(answer.by_stiffness[r], by_stiffness[r], epsilon = 1e-6);
+            assert_relative_eq!(resolvent.by_bound[r], by_bound[r], epsilon = 1e-6);
+            assert_relative_eq!(resolvent.by_stiffness[r], by_stiffness[r], epsilon = 1e-6);
         }
     }
 
@@ -290,27 +290,28 @@ mod tests {
             (3, 1.8, [0.0; 2]),
         ] {
             for compliance in [3.0, 0.1, 1e-3, 0.0] {
-                for pull in [[0.3, -0.2], [0.3, -0.8], [-2.0, 1.0], [1e-3, 0.0]] {
-                    let at = |(pulled, raised, changed, stiffer): Changes| {
+                for trial in [[0.3, -0.2], [0.3, -0.8], [-2.0, 1.0], [1e-3, 0.0]] {
+                    let at = |(tried, raised, changed, stiffer): Changes| {
                         let compliance = compliance * f64::exp(-stiffer);
                         let upstream = [0, 1].map(|k| c[k] + changed[k]);
-                        let made = Bristles { compliance, own, upstream, order, is_exact: true };
-                        Answer::to([0, 1].map(|k| pull[k] + pulled[k]), bound + raised, &made)
+                        let made =
+                            BristleState { compliance, own, upstream, order, is_exact: true };
+                        Resolvent::at([0, 1].map(|k| trial[k] + tried[k]), bound + raised, &made)
                     };
-                    let answer = at(([0.0; 2], 0.0, [0.0; 2], 0.0));
-                    assert_derivatives(&answer, at);
-                    let p = answer.traction;
+                    let resolvent = at(([0.0; 2], 0.0, [0.0; 2], 0.0));
+                    assert_derivatives(&resolvent, at);
+                    let p = resolvent.traction;
                     assert!(length(p) <= bound * (1.0 + 1e-12));
-                    let slid = [0, 1].map(|k| pull[k] - p[k]);
-                    assert_relative_eq!(length(slid), answer.sliding, epsilon = 1e-12);
+                    let slid = [0, 1].map(|k| trial[k] - p[k]);
+                    assert_relative_eq!(length(slid), resolvent.sliding, epsilon = 1e-12);
                     let reduced = (own / length(c)).min(1.0);
-                    let relaxed = answer.sliding / compliance;
+                    let relaxed = resolvent.sliding / compliance;
                     let terms = [relaxed, relaxed.powi(2) / 2.0, relaxed.powi(3) / 6.0];
                     let left = terms[..order].iter().sum::<f64>() / relaxed.exp_m1();
                     let left = if relaxed < 100.0 { compliance * left } else { 0.0 };
                     for k in 0..2 {
                         let kept = left * (own * p[k] / bound + reduced * c[k]);
-                        let stretched = slid[k] - answer.sliding * p[k] / bound;
+                        let stretched = slid[k] - resolvent.sliding * p[k] / bound;
                         assert_relative_eq!(kept, stretched, epsilon = 1e-10);
                     }
                 }
@@ -323,20 +324,25 @@ mod tests {
     #[test]
     fn the_sliding_is_found_from_anywhere() {
         let bound = 1.0;
-        let check = |pull: [f64; 2], bristles: Bristles| {
-            let answer = Answer::to(pull, bound, &bristles);
-            let Bristles { compliance, own, upstream, .. } = bristles;
-            let [left, _] = bristles.forgotten(answer.sliding);
+        let check = |trial: [f64; 2], bristles: BristleState| {
+            let resolvent = Resolvent::at(trial, bound, &bristles);
+            let BristleState { compliance, own, upstream, .. } = bristles;
+            let [left, _] = bristles.memory(resolvent.sliding);
             for k in 0..2 {
-                let q = answer.traction[k] / bound;
+                let q = resolvent.traction[k] / bound;
                 let kept = compliance * left * (own * q + upstream[k]);
-                let stretched = pull[k] - answer.traction[k] - answer.sliding * q;
+                let stretched = trial[k] - resolvent.traction[k] - resolvent.sliding * q;
                 assert_relative_eq!(kept, stretched, epsilon = 1e-11);
             }
         };
         let own = 11.0 / 6.0;
-        let of =
-            |compliance, upstream| Bristles { compliance, own, upstream, order: 3, is_exact: true };
+        let of = |compliance, upstream| BristleState {
+            compliance,
+            own,
+            upstream,
+            order: 3,
+            is_exact: true,
+        };
         check([0.785_664, -0.281_233], of(6.130_85e-5, [1.216_533, 0.205_007]));
         let mut seed = 1_u64;
         let mut random = || {
@@ -362,12 +368,13 @@ mod tests {
             let at = |slid: f64| along.map(|n| -(-slid).exp_m1() * n);
             let before = at(2.0 * relaxed);
             let exact = at(3.0 * relaxed).map(|q| bound * q);
-            let pull = [0, 1].map(|c| exact[c] + sliding * along[c]);
+            let trial = [0, 1].map(|c| exact[c] + sliding * along[c]);
             let (compliance, upstream) = (sliding / relaxed, before.map(|q| -q));
-            let bristles = Bristles { compliance, own: 1.0, upstream, order: 1, is_exact: true };
-            let answer = Answer::to(pull, bound, &bristles);
-            assert_relative_eq!(answer.sliding, sliding, max_relative = 1e-10);
-            for (found, exact) in answer.traction.into_iter().zip(exact) {
+            let bristles =
+                BristleState { compliance, own: 1.0, upstream, order: 1, is_exact: true };
+            let resolvent = Resolvent::at(trial, bound, &bristles);
+            assert_relative_eq!(resolvent.sliding, sliding, max_relative = 1e-10);
+            for (found, exact) in resolvent.traction.into_iter().zip(exact) {
                 assert_relative_eq!(found, exact, max_relative = 1e-9);
             }
         }

@@ -5,15 +5,15 @@
 //! follows from an equation of the first kind, whose accuracy on few cells rests on three things:
 //! the displacement is calibrated with a traction for which it is known ([`calibration`]), the slip
 //! is of third order ([`slip_stencil`]), and cells that are hardly loaded take the traction of
-//! their neighbours ([`slivers`]).
+//! their neighbours ([`slaved_cells`]).
 
-mod slivers;
+mod slaved_cells;
 mod calibration;
 mod slip_stencil;
 mod resolvent;
 mod contact;
 
 pub(in crate::rolling) use calibration::{Calibrated, Calibration};
-pub(in crate::rolling) use contact::CoulombContact;
-pub(in crate::rolling) use resolvent::{Answer, Bristles, Matrix, reduced, saturation};
+pub(in crate::rolling) use contact::StripContact;
+pub(in crate::rolling) use resolvent::{BristleState, Matrix, Resolvent, reduced, saturation};
 pub(in crate::rolling) use slip_stencil::{SlipStencil, order, slide, through};

@@ -6,12 +6,12 @@ use crate::patch::Patch;
 use crate::settings;
 use crate::state::MOST_PLACES;
 
-use super::resolvent::Bristles;
+use super::resolvent::BristleState;
 
 /// Number of nodes of the polynomial, which is of third order: the cell and the places of a track.
 const NODES: usize = MOST_PLACES + 1;
 
-/// The derivative along the path at a cell, times the way into it, of the polynomial through the
+/// The derivative along the path at a cell, times the path into it, of the polynomial through the
 /// values at the cell and at those upstream of it; the entry, where the value is zero, is a node
 /// too. The first cell of a strip is thus of first order, the second one of second order.
 #[derive(Debug, Clone, Copy, Default)]
@@ -21,8 +21,8 @@ pub(in crate::rolling) struct SlipStencil {
     weight: [f64; NODES],
     /// Number of nodes upstream that are cells; one more is the entry.
     cells: usize,
-    /// Way into the cell from the one upstream of it, or from the entry, in m.
-    pub way: f64,
+    /// Path into the cell from the one upstream of it, or from the entry, in m.
+    pub path: f64,
 }
 
 impl SlipStencil {
@@ -55,21 +55,21 @@ impl SlipStencil {
         let backs = upstream.chain([&0.0]).take(NODES - 1).map(|before| own - before);
         let mut stencil =
             Self { cells: distances.len().saturating_sub(1).min(NODES - 1), ..Self::default() };
-        stencil.way = backs.clone().next().unwrap_or_default();
+        stencil.path = backs.clone().next().unwrap_or_default();
         stencil.weight = through(backs);
         stencil
     }
 
     /// τ, c from the values of p/(μ pₙ) (x and y of each cell in turn) and n at cell `k`, with
     /// γ/k_c in Pa.
-    pub fn bristles(&self, compliance: f64, saturation: &[f64], k: usize) -> Bristles {
+    pub fn bristles(&self, compliance: f64, saturation: &[f64], k: usize) -> BristleState {
         let mut upstream = [0.0; 2];
         for (cell, weight) in self.upstream(k) {
             upstream[0] += weight * saturation[2 * cell];
             upstream[1] += weight * saturation[2 * cell + 1];
         }
         let (own, order) = (self.weight[0], order(&self.weight));
-        Bristles { compliance, own, upstream, order, is_exact: false }
+        BristleState { compliance, own, upstream, order, is_exact: false }
     }
 
     /// The cells upstream of cell `k`, with their weights; dimensionless.
@@ -101,7 +101,7 @@ impl SlipStencil {
     }
 }
 
-/// Converts values since entry (x and y of each cell in turn) into their changes over the way into
+/// Converts values since entry (x and y of each cell in turn) into their changes over the path into
 /// each cell, in place.
 pub(in crate::rolling) fn slide(stencils: &[SlipStencil], values: &mut [f64]) {
     for (k, stencil) in stencils.iter().enumerate().rev() {
@@ -115,9 +115,9 @@ pub(in crate::rolling) fn order(weight: &[f64; NODES]) -> usize {
     weight[1..].iter().filter(|weight| **weight != 0.0).count()
 }
 
-/// Weights (dimensionless) of the derivative at a place, times the way to the nearest node, of the
+/// Weights (dimensionless) of the derivative at a place, times the path to the nearest node, of the
 /// polynomial through it and nodes at some distances behind it (in m). A node that is too near to
-/// the one before has none. Without a way it is the difference to the nearest.
+/// the one before has none. Without a path it is the difference to the nearest.
 pub(in crate::rolling) fn through(backs: impl Iterator<Item = f64>) -> [f64; NODES] {
     let nodes = behind(backs);
     match nodes[1] {
@@ -129,12 +129,12 @@ pub(in crate::rolling) fn through(backs: impl Iterator<Item = f64>) -> [f64; NOD
 /// A place and nodes at some distances behind it, less those that are too near to the one before.
 fn behind(backs: impl Iterator<Item = f64>) -> [Option<f64>; NODES] {
     let mut nodes = [Some(0.0), None, None, None];
-    let mut way = 0.0;
+    let mut path = 0.0;
     let mut last = 0.0;
     for (node, back) in nodes[1..].iter_mut().zip(backs) {
-        if way == 0.0 {
-            way = back;
-        } else if back - last < settings::nearest_node() * way {
+        if path == 0.0 {
+            path = back;
+        } else if back - last < settings::nearest_node() * path {
             continue;
         }
         *node = Some(-back);
@@ -172,12 +172,12 @@ mod tests {
         for (n, degree) in [(0, 1), (1, 2), (2, 3), (3, 3), (4, 3)] {
             let stencil = SlipStencil::at(&distances[..=n]);
             let d = distances[n];
-            let way = if n == 0 { d } else { d - distances[n - 1] };
+            let path = if n == 0 { d } else { d - distances[n - 1] };
             for power in 1..=degree {
                 let values: Vec<f64> =
                     distances.iter().flat_map(|d| [d.powi(power), 0.0]).collect();
                 let [slip, _] = stencil.apply(&values, n);
-                let exact = f64::from(power) * d.powi(power - 1) * way;
+                let exact = f64::from(power) * d.powi(power - 1) * path;
                 assert_relative_eq!(slip, exact, max_relative = 1e-12);
             }
         }

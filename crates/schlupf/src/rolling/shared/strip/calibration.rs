@@ -54,7 +54,7 @@ impl Missing {
     }
 
     /// Of the contact of a problem: against the exact displacement if it is known, and otherwise
-    /// that on a finer grid. Nothing is missing if cells do not displace each other. `None` if the
+    /// that on a finer grid. Nothing is missing if cells are not coupled. `None` if the
     /// elasticity does not know the derivative.
     pub fn new(
         problem: &Problem,

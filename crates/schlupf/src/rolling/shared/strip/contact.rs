@@ -8,11 +8,11 @@ use crate::settings;
 
 use super::calibration::{Calibrated, Calibration, Missing, Symmetric};
 use super::resolvent::Matrix;
-use super::slivers::{Slivers, Worth};
+use super::slaved_cells::{Determinacy, SlavedCells};
 
-/// The slivers and the calibration of a contact.
-pub(in crate::rolling) struct CoulombContact {
-    pub slivers: Slivers,
+/// The slaved cells and the calibration of a contact.
+pub(in crate::rolling) struct StripContact {
+    pub slaved: SlavedCells,
     pub calibration: Calibration,
     /// Compliance of each cell under its own traction, in m/Pa.
     pub local: Vec<Matrix>,
@@ -21,7 +21,7 @@ pub(in crate::rolling) struct CoulombContact {
     pub row: Row,
 }
 
-impl CoulombContact {
+impl StripContact {
     /// Of a problem, on its discretised contact.
     ///
     /// # Errors
@@ -39,22 +39,22 @@ impl CoulombContact {
         }
         let missing = Missing::new(problem, normal, contact, Calibrated::Displacement)?;
         let missing = missing.unwrap_or_else(|| Missing::nothing(contact.patch.len()));
-        let slivers = slivers(contact, &missing, &row);
-        let calibration = Calibration::new(&missing, &contact.patch, &slivers.kept);
+        let slaved = slaved(contact, &missing, &row);
+        let calibration = Calibration::new(&missing, &contact.patch, &slaved.kept);
         let local = calibration.at_cells.iter().map(|[xx, yy, xy]| {
             let along = |own: f64, missing: f64| own + missing.max(-settings::most_reduced() * own);
             [[along(own[0], *xx), *xy], [*xy, along(own[1], *yy)]]
         });
-        Ok(Self { local: local.collect(), slivers, calibration, missing, row })
+        Ok(Self { local: local.collect(), slaved, calibration, missing, row })
     }
 
-    /// Follows a change of the laws of the contact; returns whether other cells are slivers now.
+    /// Follows a change of the laws of the contact; returns whether other cells are slaved now.
     pub fn settle(&mut self, contact: &DiscreteContact) -> bool {
-        let slivers = slivers(contact, &self.missing, &self.row);
-        let is_other = slivers.kept != self.slivers.kept;
+        let slaved = slaved(contact, &self.missing, &self.row);
+        let is_other = slaved.kept != self.slaved.kept;
         if is_other {
-            self.calibration = Calibration::new(&self.missing, &contact.patch, &slivers.kept);
-            self.slivers = slivers;
+            self.calibration = Calibration::new(&self.missing, &contact.patch, &slaved.kept);
+            self.slaved = slaved;
         }
         is_other
     }
@@ -70,33 +70,34 @@ impl CoulombContact {
         contact: &mut DiscreteContact,
     ) -> Result<Option<Calibration>, Error> {
         let missing = Missing::new(problem, normal, contact, what)?;
-        Ok(missing.map(|missing| Calibration::new(&missing, &contact.patch, &self.slivers.kept)))
+        Ok(missing.map(|missing| Calibration::new(&missing, &contact.patch, &self.slaved.kept)))
     }
 
     /// The cells with equations of their own.
     pub fn kept(&self) -> impl Iterator<Item = usize> {
-        self.slivers.kept.iter().flat_map(Clone::clone)
+        self.slaved.kept.iter().flat_map(Clone::clone)
     }
 }
 
-/// The slivers of a contact; none where cells do not displace each other.
-fn slivers(contact: &DiscreteContact, missing: &Missing, row: &Row) -> Slivers {
+/// The slaved cells of a contact; none where cells are not coupled.
+fn slaved(contact: &DiscreteContact, missing: &Missing, row: &Row) -> SlavedCells {
     if !contact.compliance.couples_cells() {
-        return Slivers::none(&contact.patch);
+        return SlavedCells::none(&contact.patch);
     }
-    let worth = (0..contact.patch.len()).map(|k| worth(k, contact, missing, row));
-    Slivers::new(&contact.patch, &worth.collect::<Vec<Worth>>())
+    let determinacy = (0..contact.patch.len()).map(|k| determinacy(k, contact, missing, row));
+    SlavedCells::new(&contact.patch, &determinacy.collect::<Vec<Determinacy>>())
 }
 
-/// What the equation of cell `k` is worth, for the direction in which it is worth less.
-fn worth(k: usize, contact: &DiscreteContact, missing: &Missing, row: &Row) -> Worth {
+/// How well the equation of cell `k` determines its traction, for the direction in which it does
+/// so less.
+fn determinacy(k: usize, contact: &DiscreteContact, missing: &Missing, row: &Row) -> Determinacy {
     let patch = &contact.patch;
     let cell = &patch.cells[k];
     let [own, ..] = row;
     let at_entry = at_distance(row, cell.since_entry.distance / patch.grid.spacing_x);
     let smaller = |of: [f64; 2]| of[0].min(of[1]);
     let over = |missing: &[Symmetric], c: usize| missing[k][c] / (own[c] * cell.pressure);
-    Worth {
+    Determinacy {
         missing: smaller([0, 1].map(|c| over(&missing.at_cells, c))),
         slid: smaller([0, 1].map(|c| {
             1.0 + over(&missing.at_cells, c) - at_entry[c] / own[c] - over(&missing.at_entries, c)
