@@ -53,9 +53,6 @@ settings! {
     /// fall below the largest remembered.
     most_halvings: usize = 10;
 
-    /// Steps p ← p − F(p) where no part of a Newton step reduces the residual norm.
-    fixed_point_steps: usize = 20;
-
     /// Newton steps without a residual less than nine tenths of the least one, after which Newton's
     /// method is given up; and trials of a time step with prescribed forces.
     patience: usize = 40;
@@ -83,8 +80,9 @@ settings! {
 
     // Nested grids, branches and derivatives of steady states.
 
-    /// Largest residual of a coarse grid from which a finer one starts; and the residual of its
-    /// guess up to which it does not correct that of a finer one.
+    /// Largest residual of a coarse grid from which a finer one starts. Up to half as much again of
+    /// its guess it does not correct that of the finer one: that is hardly more than what it leaves
+    /// undone.
     coarse_tolerance: f64 = 1e-2;
 
     /// A grid with fewer cells across the patch is not coarsened further. On five cells the long

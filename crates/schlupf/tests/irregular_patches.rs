@@ -218,7 +218,7 @@ fn a_state_that_is_not_found_is_approached_from_faster_motions() {
         products[usize::from(followed)].push(two.work.operator_products);
     }
     let [cold, followed] = products;
-    assert!(followed.len() <= 2 && followed.iter().all(|of| *of < 800.0), "{followed:?}");
+    assert!(followed.len() <= 6 && followed.iter().all(|of| *of < 800.0), "{followed:?}");
     let [median, _, largest] = quantiles(cold);
     assert!(median < 100.0 && largest < 200.0, "{median} {largest}");
 }

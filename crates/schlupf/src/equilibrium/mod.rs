@@ -28,15 +28,10 @@ pub trait Equilibrium: Send + Sync {
     fn compliance_product(&mut self, p: &[f64], u: &mut [f64]);
 
     /// F(p), in Pa, with u = L p given. Prepares the tangent at p.
-    /// The step p ← p − F(p) must never lead away from the solution.
     fn residual(&mut self, p: &[f64], u: &[f64], residual: &mut [f64]);
 
     /// Jacobian of F times v, with L v given, at the p of the last residual evaluation.
     fn tangent_product(&mut self, v: &[f64], response: &[f64], product: &mut [f64]);
-
-    /// Gives the unknowns that have no equation of their own what follows from the others, in
-    /// place: a step along F leaves them behind.
-    fn complete(&self, _p: &mut [f64]) {}
 
     /// Another initial guess, where the given one is nearly worthless; returns whether there is
     /// one.

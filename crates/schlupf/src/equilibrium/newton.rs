@@ -91,7 +91,12 @@ impl Newton {
             let next = self
                 .line_search(system, p, before, halvings / 3)
                 .or_else(|| self.line_search(system, p, largest, halvings));
-            length = next.unwrap_or_else(|| self.fixed_point_steps(system, p, &mut outcome));
+            let Some(next) = next else {
+                // The last residual evaluated is to be that of the result.
+                system.residual(p, &self.u, &mut self.residual);
+                return Ok(Solved { outcome, response: &self.u });
+            };
+            length = next;
             forcing = (0.9 * (length / before).powi(2))
                 .clamp(settings::least_forcing(), settings::largest_forcing());
         }
@@ -193,23 +198,6 @@ impl Newton {
         add_scaled(trial_u, fraction, &self.response_step);
         system.residual(trial_p, trial_u, trial_residual);
         norm(trial_residual)
-    }
-
-    /// Leaves a kink along which no step reduces the norm by steps p ← p − F(p).
-    fn fixed_point_steps(
-        &mut self,
-        system: &mut impl Equilibrium,
-        p: &mut [f64],
-        outcome: &mut Outcome,
-    ) -> f64 {
-        for _ in 0..settings::fixed_point_steps() {
-            add_scaled(p, -1.0, &self.residual);
-            system.complete(p);
-            system.compliance_product(p, &mut self.u);
-            system.residual(p, &self.u, &mut self.residual);
-        }
-        outcome.products += settings::fixed_point_steps();
-        norm(&self.residual)
     }
 
     /// Goes to where the residual was evaluated last.

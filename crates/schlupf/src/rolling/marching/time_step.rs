@@ -279,10 +279,6 @@ impl Equilibrium for TimeStepEquilibrium<'_> {
         }
     }
 
-    fn complete(&self, p: &mut [f64]) {
-        self.law.contact.slaved.complete(p);
-    }
-
     fn directions(&mut self) -> Option<&mut Directions> {
         Some(&mut self.law.directions)
     }

@@ -295,11 +295,6 @@ impl Equilibrium for Driven<'_> {
         }
     }
 
-    fn complete(&self, p: &mut [f64]) {
-        let split = p.len() - self.count();
-        self.levels[0].strips.complete(&mut p[..split]);
-    }
-
     fn other_guess(&mut self, p: &mut [f64]) -> bool {
         let split = p.len() - self.count();
         let (p, unknowns) = p.split_at_mut(split);

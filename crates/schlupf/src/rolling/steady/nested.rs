@@ -103,8 +103,8 @@ impl NestedGrids {
                 if is_result { search.options.tolerance } else { settings::coarse_tolerance() };
             outcome = self.solve_level(depth, tolerance, (drives, search))?;
             let level = &mut self.levels[depth];
-            level.corrects =
-                self.earlier.is_empty() || outcome.first_residual > settings::coarse_tolerance();
+            level.corrects = self.earlier.is_empty()
+                || outcome.first_residual > 1.5 * settings::coarse_tolerance();
             level.is_found = outcome.converged;
         }
         if outcome.converged {

@@ -90,10 +90,6 @@ impl Equilibrium for SteadyState<'_> {
         strips.tangent(&Changed { traction: v, response, bound }, None, product);
     }
 
-    fn complete(&self, p: &mut [f64]) {
-        self.level().strips.complete(p);
-    }
-
     /// The state of rigid bodies, which is a good guess where friction follows a high slip speed.
     fn other_guess(&mut self, p: &mut [f64]) -> bool {
         if self.is_coupled() {
