@@ -193,9 +193,13 @@ mod tests {
     use crate::interface::friction::Friction;
     use crate::interface::friction::polach::Polach;
     use crate::interface::friction::temperature_linear::TemperatureLinear;
+    use crate::kinematics::Kinematics;
     use crate::material::Material;
+    use crate::prescribed::ForceSolver;
+    use crate::prescribed_forces::PrescribedForces;
     use crate::rolling::marching::march;
     use crate::solution::Solution;
+    use crate::solver::Solver as _;
     use crate::transient::Transient;
     use crate::{Method, Options, Problem, Status, unwatched};
 
@@ -224,8 +228,10 @@ mod tests {
     }
 
     /// Creepages and spin from stick to slip, of a patch of some millimetres; spin in 1/m.
-    const MOTIONS: [[f64; 3]; 6] = [
+    const MOTIONS: [[f64; 3]; 8] = [
+        [1e-6, 0.0, 0.0],
         [3e-4, 0.0, 0.0],
+        [6e-4, 0.0, 0.0],
         [1e-3, 5e-4, 0.0],
         [0.0, 1e-3, 0.3],
         [5e-4, -1e-3, 0.5],
@@ -233,26 +239,38 @@ mod tests {
         [2e-2, 1e-2, 0.0],
     ];
 
+    /// The same contacts in all motions, one contact after the other; at last some whose friction
+    /// falls so steeply that there may be several states, and some with a prescribed force.
     fn problems() -> Vec<Problem> {
         let steel = Material::STEEL;
         let half_space = HalfSpace::new(&steel, &steel).unwrap();
         let layer = CalibratedLayer::new(&steel, &steel, None).unwrap();
         let bristles = |stiffness| ContactLaw::from(Incremental::new(stiffness).unwrap());
-        let falling = Friction::new(Arc::new(Polach::new(0.4, 0.5, 1.0).unwrap()), 20.0);
+        let falling =
+            |limit, decay| Friction::new(Arc::new(Polach::new(0.4, limit, decay).unwrap()), 20.0);
         let hot = Friction::new(Arc::new(TemperatureLinear::new(0.4, 900.0, 0.1).unwrap()), 20.0);
-        let mut problems = Vec::new();
-        for [x, y, spin] in MOTIONS {
-            let at = || Problem::builder().creepage_x(x).creepage_y(y).spin(spin);
-            let on_half_space = |law| at().elasticity(half_space).contact_law(law).build().unwrap();
-            let on_layer = |law| at().elasticity(layer).contact_law(law).build().unwrap();
-            let coulomb = on_half_space(ContactLaw::Coulomb);
-            problems.push(Problem { friction: falling.clone(), ..coulomb.clone() });
-            problems.push(coulomb);
-            problems.push(on_half_space(bristles(3e7)));
-            problems.push(on_layer(bristles(5e6)));
-            problems.push(Problem { friction: hot.clone(), ..on_layer(ContactLaw::Coulomb) });
-        }
-        problems
+        let on_half_space =
+            |law| Problem::builder().elasticity(half_space).contact_law(law).build().unwrap();
+        let on_layer = |law| Problem::builder().elasticity(layer).contact_law(law).build().unwrap();
+        let coulomb = on_half_space(ContactLaw::Coulomb);
+        let prescribed = PrescribedForces { y: Some(2e4), ..PrescribedForces::default() };
+        let contacts = [
+            coulomb.clone(),
+            Problem { friction: falling(0.5, 1.0), ..coulomb.clone() },
+            on_half_space(bristles(3e7)),
+            on_layer(bristles(5e6)),
+            Problem { friction: hot, ..on_layer(ContactLaw::Coulomb) },
+            Problem { friction: falling(0.3, 30.0), ..coulomb.clone() },
+            Problem { prescribed, ..coulomb },
+        ];
+        let moving = |contact: &Problem| {
+            let contact = contact.clone();
+            MOTIONS.map(|[creepage_x, creepage_y, spin]| {
+                let kinematics = Kinematics { creepage_x, creepage_y, spin, ..contact.kinematics };
+                Problem { kinematics, ..contact.clone() }
+            })
+        };
+        contacts.iter().flat_map(moving).collect()
     }
 
     /// Steady states, each from the one before, with derivatives and forces extrapolated; and
@@ -260,10 +278,10 @@ mod tests {
     fn solutions() -> Vec<Solution> {
         let on = |cells| Options { cells_x: cells, cells_y: cells, ..Options::default() };
         let options = Options { sensitivity: true, extrapolate: true, ..on(20) };
-        let mut solver = Method::Full.solver(&options);
+        let mut solver = ForceSolver::new(Method::Full.solver(&options));
         let steady = |problem: &Problem| solver.solve(problem, &unwatched).unwrap();
         let mut found: Vec<Solution> = problems().iter().map(steady).collect();
-        for problem in &problems()[5..10] {
+        for problem in &problems()[10..14] {
             let options = Options { tolerance: 1e-5, ..on(10) };
             found.push(march(&Transient::to_steady_state(problem), &options, &unwatched).unwrap());
         }
@@ -278,13 +296,15 @@ mod tests {
     }
 
     /// Prints how work and forces change at half and at twice each setting. All problems are
-    /// solved, forces change by less than the error of the grid, and work by less than a half.
+    /// solved; forces change by less than what 20 cells are off by, and the work of none is a
+    /// multiple, but without coarser grids.
     #[test]
     #[ignore = "minutes: cargo xtask long"]
     fn half_and_twice() {
         let reference = solutions();
         let whole = products(&reference);
         println!("{whole:.0} products");
+        let mut missed = Vec::new();
         for name in NAMES {
             for factor in [0.5, 2.0] {
                 *CHANGED.write().unwrap() = Some((*name, factor));
@@ -297,9 +317,13 @@ mod tests {
                 let apart = apart.fold(0.0, f64::max);
                 let work = products(&found) / whole;
                 println!("{name} × {factor}: products × {work:.2}, forces {apart:.0e} of the load");
-                assert!(found.iter().all(|one| one.status == Status::Converged), "{name}");
-                assert!(apart < 2e-3 && work < 1.5, "{name}: {apart}, {work}");
+                let is_solved = found.iter().all(|one| one.status == Status::Converged);
+                let most = if *name == "coarsest_cells" { 5.0 } else { 2.0 };
+                if !is_solved || apart > 3e-3 || work > most {
+                    missed.push((name, factor, apart, work));
+                }
             }
         }
+        assert!(missed.is_empty(), "{missed:?}");
     }
 }

@@ -6,7 +6,8 @@ use schlupf::grid::{Extent, Grid};
 use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::normal::NormalSummary;
 use schlupf::solution::{
-    Area, Fields, Instant, Power, Resultant, Sensitivity, Solution, TGamma, Temperature, Work,
+    Area, Fields, Instant, Power, Resultant, Sensitivity, Solution, Strategy, TGamma, Temperature,
+    Work,
 };
 use schlupf::state::State;
 use schlupf::{Method, Status};
@@ -92,6 +93,7 @@ pub fn solution(recipe: Recipe) -> Solution {
         }),
         warnings: Vec::new(),
         work: Work {
+            strategy: Some(Strategy::March),
             newton_iterations: 97,
             operator_products: 512.5,
             sensitivity_products: 96,
