@@ -60,11 +60,12 @@ fn coupling_halves_the_distance_of_the_tractions() {
     }
 }
 
-/// The same over all axes ratios and several ν. Tractions twice as close is the goal, held here to a
-/// fifth for ν up to 0.28, that of steel. For ν = 0.4 it is missed (0.61 at a/b = 0.2, with spin);
-/// there they are printed, and only forces are held. The table is assessed on 40 cells: on 20, the
-/// discretisation errors of layer and half-space add 1 % with spin at a/b = 5 (the table deviates
-/// by 3.8 % on 20 cells, 3.3 % on 40 and 2.8 % on 80). A calibration on 20 cells has them too.
+/// The same over all axes ratios and several ν. Tractions twice as close is the goal, held here to
+/// a fifth for ν up to 0.28, that of steel. For ν = 0.4 it is missed (0.61 at a/b = 0.2, with
+/// spin); there they are printed, and only forces are held. The table is assessed on 40 cells: on
+/// 20, the discretisation errors of layer and half-space add 1 % with spin at a/b = 5 (the table
+/// deviates by 3.8 % on 20 cells, 3.3 % on 40 and 2.8 % on 80). A calibration on 20 cells has them
+/// too.
 #[test]
 #[ignore = "minutes: cargo xtask long"]
 fn calibrations_over_all_axes_ratios() {

@@ -1,8 +1,8 @@
 //! Jacobians of single strips, factorised.
 //!
 //! Along a strip a cell is displaced by its own traction and by those of two neighbours on either
-//! side, compared with the displacement at the entry and with that of cells farther away. With the slip taken of that, the Jacobian of
-//! a strip is banded, with blocks of both components.
+//! side, compared with the displacement at the entry and with that of cells farther away. With the
+//! slip taken of that, the Jacobian of a strip is banded, with blocks of both components.
 
 use std::ops::Range;
 

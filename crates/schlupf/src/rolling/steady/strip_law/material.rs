@@ -32,8 +32,8 @@ impl StripLaw {
     }
 
     /// The places of the path of an element to a cell of a strip from which the next slip follows,
-    /// the latest first, with the sliding since entry up to each cell, in m. SlavedCells at the leading
-    /// edge are none of them.
+    /// the latest first, with the sliding since entry up to each cell, in m. Slaved cells at the
+    /// leading edge are none of them.
     fn track(&self, patch: &Patch, slid: &[f64], p: &[f64], at: (usize, usize)) -> Places {
         let (strip, k) = at;
         let kept = self.contact.slaved.kept[strip].clone();
