@@ -386,7 +386,7 @@ pub struct Instant {
     pub residual: f64,
 }
 
-/// What led to a steady state of the full equations, in the order in which it is tried.
+/// What led to a state of the full equations; to a steady one they are tried in this order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -395,17 +395,14 @@ pub enum Strategy {
     Warm,
     /// Newton's method from no traction, on nested grids.
     Cold,
-    /// Newton's method along motions that lead to the one sought: of all that slip more, or from
-    /// rest. Both branches are followed where there may be several states.
+    /// Newton's method along motions that lead to the one sought, from larger creepages or from
+    /// rest: along both where there may be several states.
     Continuation,
     /// Time steps until nothing changes any more.
     March,
 }
 
 impl Strategy {
-    /// All, in this order.
-    pub const ALL: [Self; 4] = [Self::Warm, Self::Cold, Self::Continuation, Self::March];
-
     /// Name in results.
     pub fn name(self) -> &'static str {
         match self {
@@ -421,7 +418,8 @@ impl Strategy {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Work {
-    /// What led to the solution; the last resort, if there are several; none of the fast methods.
+    /// What led to the solution, of several to the one it was hardest to find; `None` with fast
+    /// methods.
     pub strategy: Option<Strategy>,
     /// Newton steps in total.
     pub newton_iterations: usize,
@@ -440,7 +438,7 @@ pub struct Work {
 }
 
 impl Work {
-    /// Adds the work of another solution of the same contact.
+    /// Adds the work of another solution, with its number of cells.
     pub(crate) fn add(&mut self, other: &Self) {
         self.strategy = self.strategy.max(other.strategy);
         self.newton_iterations += other.newton_iterations;

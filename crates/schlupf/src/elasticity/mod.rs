@@ -58,12 +58,6 @@ pub trait Compliance: Debug + Send + Sync {
     /// leading edge.
     fn couples_cells(&self) -> bool;
 
-    /// Whether the displacement decays exponentially with the distance from a loaded cell. Then a
-    /// grid of a few cells still captures the compliance of the whole patch.
-    fn is_short_ranged(&self) -> bool {
-        false
-    }
-
     /// Ratio of the largest displacement at the outer edge of the modelled surface to the largest
     /// one anywhere, dimensionless; zero if the model has no outer edge.
     fn edge_displacement(&mut self, _traction: &VectorField) -> f64 {

@@ -41,8 +41,4 @@ impl Compliance for Rigid {
     fn couples_cells(&self) -> bool {
         false
     }
-
-    fn is_short_ranged(&self) -> bool {
-        true
-    }
 }

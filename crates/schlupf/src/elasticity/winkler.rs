@@ -71,8 +71,4 @@ impl Compliance for Winkler {
     fn couples_cells(&self) -> bool {
         false
     }
-
-    fn is_short_ranged(&self) -> bool {
-        true
-    }
 }

@@ -97,8 +97,7 @@ impl Newton {
                 return Ok(Solved { outcome, response: &self.u });
             };
             length = next;
-            forcing = (0.9 * (length / before).powi(2))
-                .clamp(settings::least_forcing(), settings::largest_forcing());
+            forcing = (0.9 * (length / before).powi(2)).min(settings::largest_forcing());
         }
     }
 
@@ -209,8 +208,8 @@ impl Newton {
     }
 }
 
-/// The smallest residual so far. Rounding, amplified by a very stiff contact law, can hide the
-/// rest.
+/// The smallest residual so far. With a very stiff contact law, rounding keeps it from falling
+/// further.
 struct Best {
     length: f64,
     iteration: usize,

@@ -15,7 +15,7 @@ use crate::prescribed_forces::PrescribedForces;
 use crate::problem::{Branch, Options, Problem};
 use crate::progress::Watch;
 use crate::rolling::steady::SteadySolver;
-use crate::solution::{Solution, Status};
+use crate::solution::{Solution, Status, Strategy};
 use crate::solver::Solver;
 use crate::warning::Warning;
 
@@ -167,7 +167,7 @@ impl ForceSolver {
         };
         let mut solution = chosen(scaled, first, found.next(), branch);
         let share = cells(&coarse) / cells(self.inner.options());
-        solution.work.operator_products += share * path.products;
+        count_path(&mut solution, share * path.products);
         Ok(solution)
     }
 
@@ -186,7 +186,7 @@ impl ForceSolver {
             matches!(warning, Warning::SeveralMotions { .. } | Warning::OneMotion {})
         };
         solution.warnings.extend(found.warnings.into_iter().filter(is_of_path));
-        solution.work.operator_products += path.products;
+        count_path(&mut solution, path.products);
         Ok(solution)
     }
 
@@ -248,6 +248,13 @@ impl ForceSolver {
         let has_others = scaled.count() > 1;
         Ok(ForceError::Unreachable { quantity, value, largest, limit, has_others }.into())
     }
+}
+
+/// Adds the work of the path to that of the solution at its end.
+fn count_path(solution: &mut Solution, products: f64) {
+    let work = &mut solution.work;
+    work.operator_products += products;
+    work.strategy = work.strategy.max(work.strategy.and(Some(Strategy::Continuation)));
 }
 
 /// Tangential forces of the friction limit and beyond need no search.

@@ -267,10 +267,6 @@ impl Compliance for LayerCompliance {
         self.couples_cells
     }
 
-    fn is_short_ranged(&self) -> bool {
-        true
-    }
-
     fn edge_displacement(&mut self, traction: &VectorField) -> f64 {
         if !self.couples_cells {
             return 0.0;

@@ -119,7 +119,7 @@ impl Place<'_> {
         let path = self.motion.map_or(cell.path_in.distance, |motion| {
             let before = motion.path_until_start(departure.x, departure.entry_x);
             let path = motion.path_until_end(cell.x, cell.entry_x()) - before;
-            path.clamp(0.0, settings::longest_way() * self.grid.spacing_x)
+            path.clamp(0.0, settings::longest_path() * self.grid.spacing_x)
         });
         let in_contact = self.part_of_step(path);
         let entered = self.entered.unwrap_or(departure.at_entry);

@@ -133,7 +133,7 @@ impl ForceControl {
     /// Prepares a step that ends at a time, in s. After one whose forces no creepage causes the
     /// search goes on from the last that had its forces.
     pub fn begin(&mut self, history: &History, time: f64) {
-        if self.trials >= settings::patience() {
+        if self.trials >= settings::most_trials() {
             self.creepages.copy_from(&self.reached);
             self.slopes.copy_from(&self.first_slopes);
         }
@@ -143,7 +143,7 @@ impl ForceControl {
 
     /// What is prescribed first, if the last step did not end with its forces.
     pub fn missed(&self) -> Option<Quantity> {
-        self.prescribed.first().filter(|_| self.trials >= settings::patience())
+        self.prescribed.first().filter(|_| self.trials >= settings::most_trials())
     }
 
     /// Compares the forces of a trial with those prescribed under a load in N, to an accuracy
@@ -167,11 +167,11 @@ impl ForceControl {
         self.missing = missing.norm();
         self.trials += 1;
         if self.missing <= accuracy * size.max(share) {
-            self.trials = self.trials.min(settings::patience() - 1);
+            self.trials = self.trials.min(settings::most_trials() - 1);
             self.reached.copy_from(&self.creepages);
             return true;
         }
-        if self.trials >= settings::patience() {
+        if self.trials >= settings::most_trials() {
             return true;
         }
         self.learn(&missing);

@@ -225,7 +225,7 @@ impl<'a> TimeStepEquilibrium<'a> {
             let sliding = [0, 1].map(|c| track.sliding[c] + increment[c]);
             let saturation = saturation(pair(p, k), self.bound[k]);
             let here = TrackPoint { distance: 0.0, sliding, saturation };
-            // SlavedCells at the leading edge say nothing of their own.
+            // Slaved cells at the leading edge have no equation of their own.
             let here = (!self.law.contact.slaved.leads[k]).then_some(here);
             let path = self.slips[k].path;
             let slides = self.resolvents[k].is_sliding();

@@ -244,11 +244,6 @@ impl DiscreteContact {
         self.compliance.edge_displacement(&self.workspace.traction)
     }
 
-    /// Whether displacements decay within the patch.
-    pub fn is_short_ranged(&self) -> bool {
-        self.compliance.is_short_ranged()
-    }
-
     /// Displacement of bristles under p = pₙ, 1/(μ0 k_c), in m; zero without any.
     pub fn bristle_deflection(&self) -> f64 {
         self.bristles.recip()

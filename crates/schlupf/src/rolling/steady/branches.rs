@@ -63,6 +63,7 @@ pub(super) fn motions_to(kinematics: &Kinematics, branch: Branch) -> Vec<Kinemat
             let share = |highest: f64, n: usize| highest.powf(n as f64 / steps as f64);
             let mut shares = (0..=steps).rev().map(|n| share(settings::highest_slip(), n));
             let highest = shares.find(|share| rolls(*share)).unwrap_or(1.0);
+            let steps = if highest > 1.0 { steps } else { 0 };
             (0..=steps).rev().map(|n| share(highest, n)).map(part).collect()
         }
     }

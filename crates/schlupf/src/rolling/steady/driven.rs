@@ -83,6 +83,11 @@ impl Drives {
         Self { all: Vec::new(), ..*self }
     }
 
+    /// The prescribed forces, in N or N m.
+    pub fn forces(&self) -> Vec<(Direction, f64)> {
+        self.all.iter().map(|drive| (drive.direction, drive.force)).collect()
+    }
+
     pub fn is_empty(&self) -> bool {
         self.all.is_empty()
     }

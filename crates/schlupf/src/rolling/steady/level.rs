@@ -79,14 +79,9 @@ pub(super) fn nested(
             levels.push(level);
             return Ok(levels);
         }
-        let is_short_ranged = level.contact.is_short_ranged();
-        let coarsest = if is_short_ranged {
-            settings::coarsest_cells_of_layer()
-        } else {
-            settings::coarsest_cells()
-        };
+        let fewest = settings::fewest_cells_coarsened();
         levels.push(level);
-        let halved = cells.map(|count| if count < coarsest { count } else { count.div_ceil(2) });
+        let halved = cells.map(|count| if count < fewest { count } else { count.div_ceil(2) });
         if halved == cells {
             return Ok(levels);
         }

@@ -16,6 +16,7 @@ use super::branches;
 use super::driven::{Driven, Drives};
 use super::level::{self, Descent, Level};
 use super::steady_state::SteadyState;
+use super::strategy::Unsolved;
 
 /// The state that is sought.
 #[derive(Clone, Copy)]
@@ -24,19 +25,6 @@ pub(super) struct Goal<'a> {
     pub problem: &'a Problem,
     /// The prescribed forces; none if all creepages are given.
     pub drives: &'a Drives,
-}
-
-impl Goal<'_> {
-    /// Whether it is the state of another problem of the same contact.
-    pub fn is_of(&self, other: &Problem) -> bool {
-        let one = self.problem;
-        self.drives.is_empty()
-            && one.kinematics == other.kinematics
-            && (one.contact_law, one.wheel, one.rail)
-                == (other.contact_law, other.wheel, other.rail)
-            && one.friction.is_same(&other.friction)
-            && one.heat.is_same(&other.heat)
-    }
 }
 
 /// Parameters of a search, and its work.
@@ -55,8 +43,8 @@ pub(super) struct NestedGrids {
     pub levels: Vec<Level>,
     /// Motions of the solutions stored in the levels, the latest first.
     pub earlier: Vec<Kinematics>,
-    /// A problem whose state Newton's method has not found, and where it ended.
-    pub unsolved: Option<(Problem, Outcome)>,
+    /// What Newton's method did not reach last.
+    pub unsolved: Option<Unsolved>,
 }
 
 impl NestedGrids {
@@ -82,12 +70,8 @@ impl NestedGrids {
         search.work.cells = self.levels[0].contact.patch.len();
         search.work.outer_iterations = 1;
         let Goal { problem, drives } = goal;
-        let mut ahead = if drives.is_empty() { self.extrapolation(problem) } else { 0.0 };
+        let ahead = if drives.is_empty() { self.extrapolation(problem) } else { 0.0 };
         self.problem = problem.clone();
-        if self.is_nearer_rest() && self.is_worse_than_rest(ahead, search) {
-            self.earlier.clear();
-            ahead = 0.0;
-        }
         let mut outcome = Outcome::default();
         for depth in (0..self.levels.len()).rev() {
             self.levels[depth].set_problem(&self.problem);
@@ -98,7 +82,8 @@ impl NestedGrids {
                 // as if everything stuck.
                 self.solve_level(depth, settings::coarse_tolerance(), (&drives.without(), search))?;
             }
-            let is_result = depth == 0 || (depth == 1 && search.options.extrapolate);
+            let is_extrapolated = search.options.extrapolate && drives.is_empty();
+            let is_result = depth == 0 || (depth == 1 && is_extrapolated);
             let tolerance =
                 if is_result { search.options.tolerance } else { settings::coarse_tolerance() };
             outcome = self.solve_level(depth, tolerance, (drives, search))?;
@@ -156,25 +141,35 @@ impl NestedGrids {
         Ok(outcome)
     }
 
-    /// Whether the motion is nearer to pure rolling than to that of the last solution.
-    fn is_nearer_rest(&self) -> bool {
-        let at = self.problem.kinematics;
-        let rest = Kinematics { creepage_x: 0.0, creepage_y: 0.0, spin: 0.0, ..at };
+    /// Drops earlier solutions where no traction is a better start: if nothing slides, if every
+    /// cell can be solved by itself, or if the motion is nearer to pure rolling than to that of the
+    /// last solution and, on the coarsest grid, the residual is smaller without them.
+    pub fn drop_useless_start(&mut self, goal: Goal, search: &mut Search) {
+        let (Goal { problem, drives }, coarsest) = (goal, self.levels.len() - 1);
+        let Some(last) = self.earlier.first() else { return };
+        let level = &mut self.levels[coarsest];
+        level.set_problem(problem);
+        let is_plane = level.contact.patch.rows.is_none();
+        let is_at_rest = problem.kinematics.is_pure_rolling() && is_plane && drives.is_empty();
+        let is_uncoupled = !level.contact.compliance.couples_cells() && !level.friction.is_coupled;
+        let rest = Kinematics { creepage_x: 0.0, creepage_y: 0.0, spin: 0.0, ..*last };
         let square = |from: &Kinematics| {
-            let apart = self.between(from, &at);
+            let apart = self.between(from, &problem.kinematics);
             dot(&apart, &apart)
         };
-        self.earlier.first().is_some_and(|last| square(last) > square(&rest))
+        let is_nearer_rest = square(last) > square(&rest);
+        if is_at_rest || is_uncoupled || (is_nearer_rest && self.is_worse_than_rest(goal, search)) {
+            self.earlier.clear();
+        }
     }
 
     /// Whether the guess from earlier solutions is worse than no traction, on the coarsest level.
-    fn is_worse_than_rest(&mut self, ahead: f64, search: &mut Search) -> bool {
+    fn is_worse_than_rest(&mut self, Goal { problem, .. }: Goal, search: &mut Search) -> bool {
         let coarsest = self.levels.len() - 1;
-        self.levels[coarsest].set_problem(&self.problem);
-        self.guess(coarsest, ahead);
+        self.guess(coarsest, self.extrapolation(problem));
         search.work.operator_products += self.part_of_product(coarsest);
         let guess = std::mem::take(&mut self.levels[coarsest].traction);
-        let mut system = SteadyState::new(&self.problem, &mut self.levels[coarsest..]);
+        let mut system = SteadyState::new(problem, &mut self.levels[coarsest..]);
         let mut response = vec![0.0; system.response_size()];
         let mut residual = vec![0.0; system.size()];
         let none = vec![0.0; system.size()];
@@ -196,8 +191,7 @@ impl NestedGrids {
     fn guess(&mut self, depth: usize, ahead: f64) {
         let (levels, coarser) = self.levels.split_at_mut(depth + 1);
         let level = &mut levels[depth];
-        let is_alone = self.earlier.is_empty() || !level.friction.is_coupled;
-        if is_alone && !level.contact.compliance.couples_cells() {
+        if self.earlier.is_empty() && !level.contact.compliance.couples_cells() {
             level.guess_uncoupled(&self.problem);
             return;
         }

@@ -49,7 +49,6 @@ pub(super) fn by_motions(
     watch: Watch,
 ) -> Result<(Option<Vec<Resultant>>, usize), Error> {
     let mut derivatives = Derivatives::new(problem, (levels, directions), 1.0, watch);
-    derivatives.accuracy = settings::accuracy_of_slopes();
     let warmer = derivatives.warmer();
     let found = motions.iter().map(|motion| derivatives.along(motion, &warmer)).collect();
     derivatives.finished(found)
@@ -94,7 +93,9 @@ impl<'a> Derivatives<'a> {
         SteadyState::new(problem, levels).residual(&p, &u, &mut vec![0.0; size]);
         levels[0].strips.is_exact = false;
         Self {
-            accuracy: settings::accuracy_of_derivatives() * tolerance,
+            accuracy: (settings::accuracy_of_derivatives() * tolerance)
+                .min(settings::least_accurate_derivatives())
+                .max(f64::EPSILON * size as f64),
             products: 0,
             watch,
             stopped: None,
@@ -215,6 +216,7 @@ impl<'a> Derivatives<'a> {
         let layer = self.problem.layer?;
         let mut direct = Direct::nothing(self.levels[0].strips.len());
         direct.response = self.part_of_response(Calibrated::OfLayer)?;
+        self.products += 1;
         Some(scaled(&self.by(&direct)?, -layer.shear_modulus().recip()))
     }
 
@@ -340,8 +342,9 @@ impl<'a> Derivatives<'a> {
             add_scaled(&mut self.change, 1.0, &self.step);
             (before, left) = (left, norm(&residual));
         }
-        let is_good = left <= settings::accuracy_of_slopes() * start && start.is_finite();
-        is_good.then(|| summary::resultant(&self.levels[0].contact.patch, &self.change))
+        let is_good = left <= settings::inaccurate_derivatives() * self.accuracy * start;
+        (is_good && start.is_finite())
+            .then(|| summary::resultant(&self.levels[0].contact.patch, &self.change))
     }
 }
 

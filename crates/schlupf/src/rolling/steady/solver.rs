@@ -20,7 +20,8 @@ use super::strategy::Found;
 
 /// Solves a problem for its steady state.
 ///
-/// Where Newton's method fails, the solver marches to the state instead, and a warning says so.
+/// Where Newton's method finds it neither from no traction nor along other motions, the solver
+/// marches to it, and a warning says so.
 ///
 /// ```
 /// use schlupf::{Options, Problem, rolling, unwatched};
@@ -42,7 +43,7 @@ pub fn solve(problem: &Problem, options: &Options, watch: Watch) -> Result<Solut
 
 /// Finds steady states of the full equations directly.
 ///
-/// Each solution starts from previous ones; if that fails, from none.
+/// Each solution starts from previous ones; if that fails, see [`Strategy`](crate::solution::Strategy).
 pub struct SteadySolver {
     options: Options,
     grids: Option<NestedGrids>,
@@ -184,42 +185,43 @@ impl SteadySolver {
         watch: Watch,
     ) -> Result<State, Error> {
         self.options.check()?;
-        let problem = &at.problem;
-        let grids = self.grids.take().filter(|grids| grids.fits(problem));
+        let grids = self.grids.take().filter(|grids| grids.fits(&at.problem));
         let mut grids = match grids {
             Some(grids) => grids,
-            None => NestedGrids::new(problem, &self.options, watch)?,
+            None => NestedGrids::new(&at.problem, &self.options, watch)?,
         };
-        let is_plane = grids.levels[0].contact.patch.rows.is_none();
-        let drives = Drives::of(problem, &grids.levels[0], (prescribed, at.place()))?;
-        if problem.kinematics.is_pure_rolling() && is_plane && drives.is_empty() {
-            // Nothing slides: no earlier solution is closer than none.
-            grids.earlier.clear();
-        }
+        let state = self.state_on(&mut grids, (at, prescribed), with_derivatives, watch);
+        self.grids = Some(grids);
+        state
+    }
+
+    fn state_on(
+        &mut self,
+        grids: &mut NestedGrids,
+        (at, prescribed): (&AtPatch, &PrescribedForces),
+        with_derivatives: bool,
+        watch: Watch,
+    ) -> Result<State, Error> {
+        let drives = &Drives::of(&at.problem, &grids.levels[0], (prescribed, at.place()))?;
         let (options, work) = (&self.options, Work::default());
         let mut search = Search { options, newton: &mut self.newton, work, watch };
-        let mut found = grids.find(Goal { problem, drives: &drives }, &mut search)?;
+        let mut found = grids.find(Goal { problem: &at.problem, drives }, &mut search)?;
         let problem = grids.problem.clone();
         if found.outcome.converged && !drives.is_empty() && options.extrapolate {
             // Forces are extrapolated at the same motion on all grids.
-            let strategy = search.work.strategy;
-            let goal = Goal { problem: &problem, drives: &drives.without() };
-            found = grids.find(goal, &mut search)?;
-            search.work.strategy = strategy;
+            let given = Goal { problem: &problem, drives: &drives.without() };
+            found.outcome = grids.solve(given, &mut search)?;
         }
         let work = search.work;
-        let state = if found.outcome.converged {
-            let mut solution = grids.solution(&problem, &self.options, &found.outcome, work);
-            solution.warnings.extend(found.warning);
-            if with_derivatives {
-                self.differentiate(&problem, &mut grids, &mut solution, watch)?;
-            }
-            State::Found(Box::new(solution))
-        } else {
-            State::Lost(found, work)
-        };
-        self.grids = Some(grids);
-        Ok(state)
+        if !found.outcome.converged {
+            return Ok(State::Lost(found, work));
+        }
+        let mut solution = grids.solution(&problem, &self.options, &found.outcome, work);
+        solution.warnings.extend(found.warning);
+        if with_derivatives {
+            self.differentiate(&problem, grids, &mut solution, watch)?;
+        }
+        Ok(State::Found(Box::new(solution)))
     }
 
     /// Adds the derivatives to a solution that has just been found.

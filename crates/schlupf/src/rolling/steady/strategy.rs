@@ -10,6 +10,7 @@
 
 use crate::equilibrium::Outcome;
 use crate::error::Error;
+use crate::prescribed_forces::Direction;
 use crate::problem::{Branch, Options, Problem};
 use crate::progress::Watch;
 use crate::rolling::marching::march;
@@ -29,48 +30,55 @@ pub(super) struct Found {
     pub warning: Option<Warning>,
 }
 
+/// A goal that Newton's method has not reached, and where it ended.
+pub(super) struct Unsolved {
+    problem: Problem,
+    forces: Vec<(Direction, f64)>,
+    found: Found,
+}
+
 impl NestedGrids {
-    /// The state by Newton's method, unless it is known not to be found that way.
+    /// The state by Newton's method. What was not found before with the same laws and the same
+    /// motion or forces is not tried again.
     pub fn find(&mut self, goal: Goal, search: &mut Search) -> Result<Found, Error> {
-        let unsolved = self.unsolved.as_ref().filter(|(problem, _)| goal.is_of(problem));
-        if let Some((_, outcome)) = unsolved {
-            return Ok(Found { outcome: *outcome, warning: None });
+        if let Some(Unsolved { found, .. }) = self.unsolved.as_ref().filter(|one| one.is(&goal)) {
+            return Ok(found.clone());
         }
+        self.drop_useless_start(goal, search);
         let mut found = Found::default();
         let mut may_be_several = false;
         for strategy in [Strategy::Warm, Strategy::Cold, Strategy::Continuation] {
-            found = match strategy {
+            match strategy {
                 Strategy::Warm if self.earlier.is_empty() => continue,
                 // The state is found, but there may be others.
                 Strategy::Cold if found.outcome.converged => continue,
-                Strategy::Continuation => self.follow_motions(goal, may_be_several, search)?,
-                _ => {
-                    if strategy == Strategy::Cold {
-                        self.earlier.clear();
-                    }
-                    Found { outcome: self.solve(goal, search)?, warning: None }
-                }
-            };
+                Strategy::Cold => self.earlier.clear(),
+                _ => {}
+            }
             search.work.strategy = Some(strategy);
+            if strategy == Strategy::Continuation {
+                found = self.follow_motions(goal, may_be_several, search)?;
+                break;
+            }
+            found = Found { outcome: self.solve(goal, search)?, warning: None };
             let converged = found.outcome.converged;
-            let is_followed = strategy == Strategy::Continuation || !goal.drives.is_empty();
-            let Goal { problem, .. } = goal;
-            may_be_several =
-                !is_followed && branches::may_be_several(problem, &self.levels[0], converged);
+            may_be_several = goal.drives.is_empty()
+                && branches::may_be_several(goal.problem, &self.levels[0], converged);
             if converged && !may_be_several {
-                return Ok(found);
+                break;
             }
         }
-        if goal.drives.is_empty() {
-            self.unsolved = Some((goal.problem.clone(), found.outcome));
+        if !found.outcome.converged {
+            let (problem, forces) = (goal.problem.clone(), goal.drives.forces());
+            self.unsolved = Some(Unsolved { problem, forces, found: found.clone() });
         }
         Ok(found)
     }
 
-    /// Along motions to the state: if forces are prescribed from that of the guessed motion, and
-    /// else along the branch that is asked for. Where there may be several states, the other one is
-    /// followed, too, and a warning tells whether they differ; if one is lost, the state is
-    /// whichever is found.
+    /// Along motions to the state: if forces are prescribed, from that of the guessed motion, and
+    /// otherwise along the branch that is asked for. Where there may be several states, the other
+    /// one is followed, too, and a warning tells whether they differ or one is lost. If it is the
+    /// one that is asked for, the state is whichever is found from no traction.
     fn follow_motions(
         &mut self,
         goal: Goal,
@@ -87,8 +95,7 @@ impl NestedGrids {
             return Ok(Found { outcome, warning: None });
         }
         if !may_be_several {
-            let followed = self.follow(goal, Branch::HighSlip, search)?;
-            let outcome = followed.map_or_else(Outcome::default, |(outcome, _)| outcome);
+            let (outcome, _) = self.follow(goal, Branch::HighSlip, search)?;
             return Ok(Found { outcome, warning: None });
         }
         let branch = search.options.branch;
@@ -96,52 +103,64 @@ impl NestedGrids {
             Branch::LowSlip => Branch::HighSlip,
             Branch::HighSlip => Branch::LowSlip,
         };
-        let there = self.follow(goal, other, search)?;
-        let here = self.follow(goal, branch, search)?;
-        let (Some((outcome, force)), Some((_, other))) = (here, there) else {
-            self.earlier.clear();
-            let outcome = self.solve(goal, search)?;
+        let (elsewhere, other_force) = self.follow(goal, other, search)?;
+        let (mut outcome, force) = self.follow(goal, branch, search)?;
+        if !(outcome.converged && elsewhere.converged) {
+            if !outcome.converged {
+                self.earlier.clear();
+                outcome = self.solve(goal, search)?;
+                search.work.strategy = Some(Strategy::Cold);
+            }
             return Ok(Found { outcome, warning: Some(Warning::BranchLost {}) });
-        };
+        }
         let normal = &self.levels[0].contact.normal;
         let limit = goal.problem.friction.cold_coefficient() * normal.load;
         let lever = (normal.semi_axis_x * normal.semi_axis_y).sqrt();
-        let change = force.plus(-1.0, &other).scaled(1.0, lever.recip());
+        let change = force.plus(-1.0, &other_force).scaled(1.0, lever.recip());
         let apart = change.tangential().hypot(change.moment_z.unwrap_or(0.0));
-        let warning = (apart > settings::distinct_states() * search.options.tolerance * limit)
-            .then(|| {
-                let tangential = |force: Resultant| [force.x, force.y];
-                Warning::SeveralStates {
-                    from_low_slip: branch == Branch::LowSlip,
-                    force: tangential(force),
-                    other_force: tangential(other),
-                }
-            });
+        let distinct = settings::distinct_states() * search.options.tolerance * limit;
+        let warning = (apart > distinct).then(|| Warning::SeveralStates {
+            from_low_slip: branch == Branch::LowSlip,
+            force: [force.x, force.y],
+            other_force: [other_force.x, other_force.y],
+        });
         Ok(Found { outcome, warning })
     }
 
-    /// The end of a branch with its forces; `None` if the state there is not found.
+    /// The end of a branch, and the forces there.
     fn follow(
         &mut self,
         goal: Goal,
         branch: Branch,
         search: &mut Search,
-    ) -> Result<Option<(Outcome, Resultant)>, Error> {
+    ) -> Result<(Outcome, Resultant), Error> {
         self.earlier.clear();
-        let mut end = None;
+        let mut outcome = Outcome::default();
         for kinematics in branches::motions_to(&goal.problem.kinematics, branch) {
             let problem = &Problem { kinematics, ..goal.problem.clone() };
             let next = Goal { problem, ..goal };
-            let mut outcome = self.solve(next, search)?;
+            outcome = self.solve(next, search)?;
             if !outcome.converged && !self.earlier.is_empty() {
                 // Where the branch ends, the state jumps.
                 self.earlier.clear();
                 outcome = self.solve(next, search)?;
             }
-            end = Some(outcome).filter(|outcome| outcome.converged);
         }
-        let force = summary::resultant(&self.levels[0].contact.patch, &self.levels[0].traction);
-        Ok(end.map(|outcome| (outcome, force)))
+        let level = &self.levels[0];
+        Ok((outcome, summary::resultant(&level.contact.patch, &level.traction)))
+    }
+}
+
+impl Unsolved {
+    /// Whether it is a goal of the same contact.
+    fn is(&self, goal: &Goal) -> bool {
+        let (one, other) = (&self.problem, goal.problem);
+        one.kinematics == other.kinematics
+            && (one.contact_law, one.wheel, one.rail)
+                == (other.contact_law, other.wheel, other.rail)
+            && one.friction.is_same(&other.friction)
+            && one.heat.is_same(&other.heat)
+            && self.forces == goal.drives.forces()
     }
 }
 

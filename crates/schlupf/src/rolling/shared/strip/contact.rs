@@ -99,7 +99,7 @@ fn determinacy(k: usize, contact: &DiscreteContact, missing: &Missing, row: &Row
     let over = |missing: &[Symmetric], c: usize| missing[k][c] / (own[c] * cell.pressure);
     Determinacy {
         missing: smaller([0, 1].map(|c| over(&missing.at_cells, c))),
-        slid: smaller([0, 1].map(|c| {
+        sliding: smaller([0, 1].map(|c| {
             1.0 + over(&missing.at_cells, c) - at_entry[c] / own[c] - over(&missing.at_entries, c)
         })),
         bristles: contact.bristle_deflection() / own[0].max(own[1]),

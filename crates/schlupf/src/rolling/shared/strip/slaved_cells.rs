@@ -1,4 +1,5 @@
-//! Cells at the ends of a strip that are so little loaded that they say nothing of their own.
+//! Cells at the ends of a strip whose equation does not determine their traction, because they are
+//! hardly loaded.
 
 use std::ops::Range;
 
@@ -13,7 +14,7 @@ pub(in crate::rolling) struct Determinacy {
     pub missing: f64,
     /// Displacement under its own traction relative to that at its entry, if it is the first cell
     /// of its strip; dimensionless.
-    pub slid: f64,
+    pub sliding: f64,
     /// Pressure (in Pa) under which a cell is displaced as much as bristles under p = pₙ, which is
     /// 1/(μ0 k_c) under any: cells on soft bristles need no neighbours to tell their traction.
     pub bristles: f64,
@@ -55,7 +56,8 @@ impl SlavedCells {
             pressure(k) + bristles < settings::least_edge_pressure() * (pressure(next) + bristles)
                 || (is_stiff && patch.cells[k].covered < 1.0 - f64::EPSILON.sqrt())
         };
-        let hardly_slides = |k: usize| determinacy[k].slid + softer(k) < settings::least_sliding();
+        let hardly_slides =
+            |k: usize| determinacy[k].sliding + softer(k) < settings::least_sliding();
         let mut all = Vec::new();
         let mut kept = Vec::with_capacity(patch.strips.len());
         let mut leads = vec![false; patch.len()];

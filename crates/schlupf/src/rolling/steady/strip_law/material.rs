@@ -57,17 +57,17 @@ impl StripLaw {
         }
         for k in self.contact.kept() {
             let path = self.stencils[k].path;
-            let per_way = if path > 0.0 { speed / path } else { 0.0 };
+            let per_path = if path > 0.0 { speed / path } else { 0.0 };
             let slides = self.resolvents[k].is_sliding();
             let sliding = if slides { self.sliding(b, k) } else { [0.0; 2] };
-            slip[k] = sliding.map(|s| per_way * s);
+            slip[k] = sliding.map(|s| per_path * s);
         }
         self.contact.slaved.copy(slip);
     }
 
     /// Sums along the strips of something that happens on the path into each cell.
-    pub(super) fn since_entry(&self, on_the_way: &[f64]) -> Vec<f64> {
-        let mut sums = on_the_way.to_vec();
+    pub(super) fn since_entry(&self, on_the_path: &[f64]) -> Vec<f64> {
+        let mut sums = on_the_path.to_vec();
         for k in 1..self.len() {
             if !self.is_first[k] {
                 sums[2 * k] += sums[2 * k - 2];

@@ -25,7 +25,7 @@ impl StripLaw {
             };
             let [along, across] = of_cell.map(|of_cell| gamma * own * of_cell);
             let stiffening = [[along, 0.0], [0.0, across]];
-            for _ in 0..settings::patience() {
+            for _ in 0..f64::MANTISSA_DIGITS {
                 let before = pair(p, k);
                 for c in 0..2 {
                     displacement[2 * k + c] = of_cell[c] * before[c];
