@@ -328,8 +328,7 @@ mod tests {
         let options = Options { sensitivity: true, extrapolate: true, ..on(20) };
         let mut solver = ForceSolver::new(Method::Full.solver(&options));
         let steady = |problem: &Problem| solver.solve(problem, &unwatched).unwrap();
-        let mut found: Vec<Solution> = problems().iter().map(steady).collect();
-        found.extend(angular().iter().map(steady));
+        let mut found: Vec<Solution> = problems().iter().chain(&angular()).map(steady).collect();
         let problems = problems();
         let marches = problems[10..14].iter().map(Transient::to_steady_state);
         for transient in marches.chain([10, 26].map(|k| transient(&problems[k]))) {
