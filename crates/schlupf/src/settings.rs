@@ -150,8 +150,8 @@ settings! {
     /// pressure it is hardly ever less than a third. [forces 3·10⁻³ of the load]
     least_sliding: f64 = 0.25;
 
-    /// A node of a stencil nearer to the one before than this part of the path into the cell is left
-    /// out: its weight would be large. [0.97, 0.98]
+    /// A node of a stencil nearer to the one before than this part of the path into the cell is
+    /// left out: its weight would be large. [0.97, 0.98]
     nearest_node: f64 = 0.4;
 
     /// Refinement of the grid that stands for the exact displacement.
@@ -160,8 +160,8 @@ settings! {
     /// Part of a cell's own compliance by which a calibration reduces it in the preconditioner.
     most_reduced: f64 = 0.3;
 
-    /// Ratio of the trial traction of a cell of rigid bodies to its bound, and of their stiffness to
-    /// that of the bristles: the traction moves nothing.
+    /// Ratio of the trial traction of a cell of rigid bodies to its bound, and of their stiffness
+    /// to that of the bristles: the traction moves nothing.
     rigidity: f64 = 1e10;
 
     /// Ratio of width to length of a cell times that of the numbers of cells of the contact along
@@ -294,8 +294,8 @@ mod tests {
         contacts.iter().flat_map(moving).collect()
     }
 
-    /// Two circles under 1 GPa from a coarse table, on cells that are wider than long, with Coulomb's
-    /// law: kinks from cell to cell.
+    /// Two circles under 1 GPa from a coarse table, on cells that are wider than long, with
+    /// Coulomb's law: kinks from cell to cell.
     fn angular() -> Vec<Problem> {
         let axis = |farthest: i32| (-farthest..=farthest).map(|k| 2.5e-4 * f64::from(k));
         let (x, y): (Vec<f64>, Vec<f64>) = (axis(5).collect(), axis(20).collect());

@@ -13,6 +13,7 @@ mod steady_state;
 mod sensitivity;
 mod branches;
 mod driven;
+mod goal;
 mod nested;
 mod result;
 mod strategy;

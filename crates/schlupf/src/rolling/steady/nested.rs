@@ -14,18 +14,9 @@ use crate::solution::Work;
 
 use super::branches;
 use super::driven::{Driven, Drives};
+use super::goal::{Goal, Unsolved};
 use super::level::{self, Descent, Level};
 use super::steady_state::SteadyState;
-use super::strategy::Unsolved;
-
-/// The state that is sought.
-#[derive(Clone, Copy)]
-pub(super) struct Goal<'a> {
-    /// Creepages whose force is prescribed are a first guess.
-    pub problem: &'a Problem,
-    /// The prescribed forces; none if all creepages are given.
-    pub drives: &'a Drives,
-}
 
 /// Parameters of a search, and its work.
 pub(super) struct Search<'a> {

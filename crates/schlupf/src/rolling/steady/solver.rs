@@ -13,10 +13,10 @@ use crate::solver::Solver;
 use crate::warning::Warning;
 
 use super::driven::Drives;
+use super::goal::{Found, Goal};
 use super::level::Level;
-use super::nested::{Goal, NestedGrids, Search};
+use super::nested::{NestedGrids, Search};
 use super::sensitivity::{by_constants, by_motions, sensitivity};
-use super::strategy::Found;
 
 /// Solves a problem for its steady state.
 ///
@@ -43,7 +43,8 @@ pub fn solve(problem: &Problem, options: &Options, watch: Watch) -> Result<Solut
 
 /// Finds steady states of the full equations directly.
 ///
-/// Each solution starts from previous ones; if that fails, see [`Strategy`](crate::solution::Strategy).
+/// Each solution starts from previous ones; what follows if that fails is a
+/// [`Strategy`](crate::solution::Strategy).
 pub struct SteadySolver {
     options: Options,
     grids: Option<NestedGrids>,

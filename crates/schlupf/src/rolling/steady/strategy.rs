@@ -10,7 +10,6 @@
 
 use crate::equilibrium::Outcome;
 use crate::error::Error;
-use crate::prescribed_forces::Direction;
 use crate::problem::{Branch, Options, Problem};
 use crate::progress::Watch;
 use crate::rolling::marching::march;
@@ -21,28 +20,15 @@ use crate::transient::Transient;
 use crate::warning::Warning;
 
 use super::branches;
-use super::nested::{Goal, NestedGrids, Search};
-
-/// How far Newton's method got, and a warning about the branch of the state.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Found {
-    pub outcome: Outcome,
-    pub warning: Option<Warning>,
-}
-
-/// A goal that Newton's method has not reached, and where it ended.
-pub(super) struct Unsolved {
-    problem: Problem,
-    forces: Vec<(Direction, f64)>,
-    found: Found,
-}
+use super::goal::{Found, Goal, Unsolved};
+use super::nested::{NestedGrids, Search};
 
 impl NestedGrids {
     /// The state by Newton's method. What was not found before with the same laws and the same
     /// motion or forces is not tried again.
     pub fn find(&mut self, goal: Goal, search: &mut Search) -> Result<Found, Error> {
-        if let Some(Unsolved { found, .. }) = self.unsolved.as_ref().filter(|one| one.is(&goal)) {
-            return Ok(found.clone());
+        if let Some(unsolved) = self.unsolved.as_ref().filter(|one| one.is(&goal)) {
+            return Ok(unsolved.found.clone());
         }
         self.drop_useless_start(goal, search);
         let mut found = Found::default();
@@ -69,8 +55,7 @@ impl NestedGrids {
             }
         }
         if !found.outcome.converged {
-            let (problem, forces) = (goal.problem.clone(), goal.drives.forces());
-            self.unsolved = Some(Unsolved { problem, forces, found: found.clone() });
+            self.unsolved = Some(Unsolved::new(goal, &found));
         }
         Ok(found)
     }
@@ -148,19 +133,6 @@ impl NestedGrids {
         }
         let level = &self.levels[0];
         Ok((outcome, summary::resultant(&level.contact.patch, &level.traction)))
-    }
-}
-
-impl Unsolved {
-    /// Whether it is a goal of the same contact.
-    fn is(&self, goal: &Goal) -> bool {
-        let (one, other) = (&self.problem, goal.problem);
-        one.kinematics == other.kinematics
-            && (one.contact_law, one.wheel, one.rail)
-                == (other.contact_law, other.wheel, other.rail)
-            && one.friction.is_same(&other.friction)
-            && one.heat.is_same(&other.heat)
-            && self.forces == goal.drives.forces()
     }
 }
 

@@ -1,0 +1,48 @@
+//! The state that is sought, and what has become of it.
+
+use crate::equilibrium::Outcome;
+use crate::prescribed_forces::Direction;
+use crate::problem::Problem;
+use crate::warning::Warning;
+
+use super::driven::Drives;
+
+/// The state that is sought.
+#[derive(Clone, Copy)]
+pub(super) struct Goal<'a> {
+    /// Creepages whose force is prescribed are a first guess.
+    pub problem: &'a Problem,
+    /// The prescribed forces; none if all creepages are given.
+    pub drives: &'a Drives,
+}
+
+/// How far Newton's method got, and a warning about the branch of the state.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Found {
+    pub outcome: Outcome,
+    pub warning: Option<Warning>,
+}
+
+/// A goal that Newton's method has not reached, and where it ended.
+pub(super) struct Unsolved {
+    problem: Problem,
+    forces: Vec<(Direction, f64)>,
+    pub found: Found,
+}
+
+impl Unsolved {
+    pub fn new(Goal { problem, drives }: Goal, found: &Found) -> Self {
+        Self { problem: problem.clone(), forces: drives.forces(), found: found.clone() }
+    }
+
+    /// Whether it is a goal of the same contact.
+    pub fn is(&self, goal: &Goal) -> bool {
+        let (one, other) = (&self.problem, goal.problem);
+        one.kinematics == other.kinematics
+            && (one.contact_law, one.wheel, one.rail)
+                == (other.contact_law, other.wheel, other.rail)
+            && one.friction.is_same(&other.friction)
+            && one.heat.is_same(&other.heat)
+            && self.forces == goal.drives.forces()
+    }
+}
