@@ -8,10 +8,12 @@ use crate::settings;
 
 use super::level::Level;
 
-/// Whether the feedback of friction on slip is so strong that there may be several steady states;
-/// `has_state` tells whether the slip is that of a steady state.
-pub(super) fn may_be_several(problem: &Problem, level: &Level, has_state: bool) -> bool {
-    level.friction.is_coupled && feedback(problem, level, has_state) > settings::several_states()
+/// Whether the feedback of friction on slip is so strong that there may be several steady states on
+/// one of some nested grids; `has_state` tells whether the slip is that of a steady state. Friction
+/// with memory hardly follows the slip within a small cell, but it does over several of them.
+pub(super) fn may_be_several(problem: &Problem, levels: &[Level], has_state: bool) -> bool {
+    let exceeds = |level| feedback(problem, level, has_state) > settings::several_states();
+    levels[0].friction.is_coupled && levels.iter().any(exceeds)
 }
 
 /// Ratio of the slip speed that follows elastically to the one that caused it, dimensionless. Heat
@@ -29,15 +31,17 @@ fn feedback(problem: &Problem, level: &Level, has_state: bool) -> f64 {
     let fastest = if has_state { fastest } else { rigid };
     // Every cell at its y and its temperature, each at other speeds: neighbouring cells complement
     // each other, and the golden ratio leaves no gaps.
+    let memory = problem.friction_memory();
+    let passage = contact.patch.grid.spacing_x / problem.kinematics.speed;
     let (samples, golden) = (settings::samples_of_cell(), 0.5 * (5_f64.sqrt() - 1.0));
     let cells = contact.patch.cells.iter().zip(&friction.scaled_rise).enumerate();
     let fall = cells.map(|(k, (cell, scaled_rise))| {
         let falls = (0..samples).map(|n| {
             let part = (golden * (k * samples + n + 1) as f64).fract();
             let speed = settings::fastest_sample() * fastest * part.powi(3);
-            -problem
-                .friction_response(&friction.conduction, *scaled_rise, speed, cell.y)
-                .by_slip_speed
+            let law = problem.friction_response(&friction.conduction, *scaled_rise, speed, cell.y);
+            let followed = memory.map_or(1.0, |memory| 1.0 - memory.kept(speed, passage).part);
+            -followed * law.by_slip_speed
         });
         cell.pressure * falls.fold(0.0, f64::max)
     });

@@ -14,6 +14,8 @@ pub(super) struct Goal<'a> {
     pub problem: &'a Problem,
     /// The prescribed forces; none if all creepages are given.
     pub drives: &'a Drives,
+    /// Residual of the state at most, dimensionless.
+    pub tolerance: f64,
 }
 
 /// How far Newton's method got, and a warning about the branch of the state.
@@ -31,7 +33,7 @@ pub(super) struct Unsolved {
 }
 
 impl Unsolved {
-    pub fn new(Goal { problem, drives }: Goal, found: &Found) -> Self {
+    pub fn new(Goal { problem, drives, .. }: Goal, found: &Found) -> Self {
         Self { problem: problem.clone(), forces: drives.forces(), found: found.clone() }
     }
 

@@ -60,7 +60,7 @@ impl NestedGrids {
     pub fn solve(&mut self, goal: Goal, search: &mut Search) -> Result<Outcome, Error> {
         search.work.cells = self.levels[0].contact.patch.len();
         search.work.outer_iterations = 1;
-        let Goal { problem, drives } = goal;
+        let Goal { problem, drives, tolerance } = goal;
         let ahead = if drives.is_empty() { self.extrapolation(problem) } else { 0.0 };
         self.problem = problem.clone();
         let mut outcome = Outcome::default();
@@ -75,9 +75,8 @@ impl NestedGrids {
             }
             let is_extrapolated = search.options.extrapolate && drives.is_empty();
             let is_result = depth == 0 || (depth == 1 && is_extrapolated);
-            let tolerance =
-                if is_result { search.options.tolerance } else { settings::coarse_tolerance() };
-            outcome = self.solve_level(depth, tolerance, (drives, search))?;
+            let enough = if is_result { tolerance } else { settings::coarse_tolerance() };
+            outcome = self.solve_level(depth, enough, (drives, search))?;
             let level = &mut self.levels[depth];
             level.corrects = self.earlier.is_empty()
                 || outcome.first_residual > 1.5 * settings::coarse_tolerance();
@@ -101,7 +100,7 @@ impl NestedGrids {
         let limits = Limits {
             tolerance,
             max_iterations: search.options.max_iterations,
-            is_monotone: branches::may_be_several(&self.problem, &self.levels[depth], false),
+            is_monotone: branches::may_be_several(&self.problem, &self.levels[depth..], false),
         };
         let mut unknowns = std::mem::take(&mut self.levels[depth].traction);
         let size = unknowns.len();
@@ -136,7 +135,7 @@ impl NestedGrids {
     /// cell can be solved by itself, or if the motion is nearer to pure rolling than to that of the
     /// last solution and, on the coarsest grid, the residual is smaller without them.
     pub fn drop_useless_start(&mut self, goal: Goal, search: &mut Search) {
-        let (Goal { problem, drives }, coarsest) = (goal, self.levels.len() - 1);
+        let (Goal { problem, drives, .. }, coarsest) = (goal, self.levels.len() - 1);
         let Some(last) = self.earlier.first() else { return };
         let level = &mut self.levels[coarsest];
         level.set_problem(problem);

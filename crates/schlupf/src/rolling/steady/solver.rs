@@ -206,11 +206,12 @@ impl SteadySolver {
         let drives = &Drives::of(&at.problem, &grids.levels[0], (prescribed, at.place()))?;
         let (options, work) = (&self.options, Work::default());
         let mut search = Search { options, newton: &mut self.newton, work, watch };
-        let mut found = grids.find(Goal { problem: &at.problem, drives }, &mut search)?;
+        let goal = Goal { problem: &at.problem, drives, tolerance: options.tolerance };
+        let mut found = grids.find(goal, &mut search)?;
         let problem = grids.problem.clone();
         if found.outcome.converged && !drives.is_empty() && options.extrapolate {
             // Forces are extrapolated at the same motion on all grids.
-            let given = Goal { problem: &problem, drives: &drives.without() };
+            let given = Goal { problem: &problem, drives: &drives.without(), ..goal };
             found.outcome = grids.solve(given, &mut search)?;
         }
         let work = search.work;

@@ -49,7 +49,7 @@ impl NestedGrids {
             found = Found { outcome: self.solve(goal, search)?, warning: None };
             let converged = found.outcome.converged;
             may_be_several = goal.drives.is_empty()
-                && branches::may_be_several(goal.problem, &self.levels[0], converged);
+                && branches::may_be_several(goal.problem, &self.levels, converged);
             if converged && !may_be_several {
                 break;
             }
@@ -123,7 +123,10 @@ impl NestedGrids {
         let mut outcome = Outcome::default();
         for kinematics in branches::motions_to(&goal.problem.kinematics, branch) {
             let problem = &Problem { kinematics, ..goal.problem.clone() };
-            let next = Goal { problem, ..goal };
+            let is_last = kinematics == goal.problem.kinematics;
+            let passing = goal.tolerance.max(settings::coarse_tolerance());
+            let tolerance = if is_last { goal.tolerance } else { passing };
+            let next = Goal { problem, tolerance, ..goal };
             outcome = self.solve(next, search)?;
             if !outcome.converged && !self.earlier.is_empty() {
                 // Where the branch ends, the state jumps.
