@@ -10,14 +10,18 @@ use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
 use schlupf::elasticity::winkler::Winkler;
 use schlupf::interface::contact_law::{ContactLaw, Incremental};
+use schlupf::interface::friction::exponential::Exponential;
 use schlupf::interface::friction::linear::Linear;
+use schlupf::interface::friction::memory::FrictionMemory;
 use schlupf::interface::friction::polach::Polach;
 use schlupf::interface::friction::slip_terms::SlipTerms;
+use schlupf::interface::third_body::ThirdBodyLayer;
 use schlupf::method::FastMethod;
+use schlupf::normal::ellipse::Ellipse;
 use schlupf::prescribed::ForceSolver;
 use schlupf::prescribed_forces::{LongitudinalForce, PrescribedForces};
 use schlupf::rolling::steady::SteadySolver;
-use schlupf::solution::Strategy;
+use schlupf::solution::{Strategy, Work};
 use schlupf::{Method, Options, Problem, Solution, Solver, Status, Warning, unwatched};
 
 fn coulomb() -> Problem {
@@ -78,6 +82,25 @@ fn branches_are_a_continuation() {
     assert!(found.warnings.iter().any(|of| matches!(of, Warning::SeveralStates { .. })));
 }
 
+/// Friction that falls steeply, but with a memory that the cells resolve, on a locomotive's patch
+/// with a layer: one state, as cheap on a fine grid.
+#[test]
+fn memory_leaves_one_state_on_fine_grids() {
+    let mut problem = coulomb();
+    problem.kinematics.speed = 10.0;
+    problem.kinematics.creepage_x = 6e-3;
+    problem.normal = Arc::new(Ellipse::from_load(8.5e-3, 5.5e-3, 106.7e3).unwrap());
+    problem.layer = Some(ThirdBodyLayer::new(1.25e-3, 8.2e9).unwrap());
+    problem.friction.law = Arc::new(Exponential(SlipTerms::new(0.33, 0.14, 1.25, None).unwrap()));
+    problem.friction.memory = Some(FrictionMemory::new(3e-6, 1e-3).unwrap());
+    for count in [24, 48, 140] {
+        let Work { strategy, operator_products, .. } =
+            solve(&mut SteadySolver::new(&cells(count)), &problem).work;
+        assert_eq!(strategy, Some(Strategy::Cold), "{count} cells");
+        assert!(operator_products < 40.0, "{operator_products} products on {count} cells");
+    }
+}
+
 /// Prescribed forces are found with the tractions, cold and warm; along a path of forces where
 /// friction falls.
 #[test]
@@ -101,7 +124,7 @@ fn prescribed_forces_say_what_led_to_them() {
 /// second time it is not tried again, and the result is the same. There are no derivatives.
 #[test]
 fn what_is_not_found_is_marched_to() {
-    let options = Options { max_iterations: 4, tolerance: 1e-5, ..cells(12) };
+    let options = Options { max_iterations: 3, tolerance: 1e-4, ..cells(12) };
     let mut base = coulomb();
     base.kinematics.spin = 0.5;
     let mut solver = SteadySolver::new(&options);
@@ -111,7 +134,7 @@ fn what_is_not_found_is_marched_to() {
         let [Warning::Marched { residual, newton_steps }] = found.warnings[..] else {
             panic!("{:?}", found.warnings)
         };
-        assert!(residual > options.tolerance && newton_steps == 4, "{residual} {newton_steps}");
+        assert!(residual > options.tolerance && newton_steps == 3, "{residual} {newton_steps}");
     }
     assert_eq!((first.force, &first.warnings), (second.force, &second.warnings));
     assert!(first.work.newton_iterations > second.work.newton_iterations);
