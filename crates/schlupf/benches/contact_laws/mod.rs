@@ -1,4 +1,4 @@
-//! Work and times with Coulomb's law and with stiff bristles.
+//! Work and times with bristles of every stiffness and with Coulomb's law.
 
 use std::sync::Arc;
 use std::time::Instant;
@@ -18,33 +18,50 @@ const ROUNDS: usize = 3;
 /// Semi-axes in m: that of the other tables, and a long patch.
 const SEMI_AXES: [[f64; 2]; 2] = [[6e-3, 5e-3], [11.2e-3, 2.24e-3]];
 
-/// A table of cold solutions without spin and with, and of points of a creep curve.
+/// Stiffnesses in 1/m; the last one is Coulomb's law.
+const STIFFNESSES: [f64; 6] = [5e6, 3e7, 1e8, 1e9, 1e10, f64::INFINITY];
+
+/// A table of cold solutions without spin and with, and of points of a creep curve: a row for each
+/// stiffness and shape, with the grids in its cells.
 pub fn table() -> String {
-    let stiff: ContactLaw = Incremental::new(1e8).unwrap().into();
-    let laws = [("Coulomb", ContactLaw::Coulomb as ContactLaw), ("k_c = 1e8/m", stiff)];
-    let mut lines = vec![
-        "Half-space without heat; cold: creepages 0.003 and 0.001, spin 0 and 0.2/m; warm: as above:\n\n\
-         | law | a/b | cells across | cold: products | ms | with spin: products | ms | warm: products | ms |\n\
-         |---|--:|--:|--:|--:|--:|--:|--:|--:|"
-            .to_owned(),
-    ];
-    for (name, law) in &laws {
-        for [a, b] in SEMI_AXES {
-            for cells in GRIDS {
+    let mut lines = vec![format!(
+        "Half-space without heat, on {}; cold: creepages 0.003 and 0.001, spin 0 and 0.2/m; \
+         warm: as above:\n\n\
+         | k_c, 1/m | a/b | cold: products | ms | with spin: products | ms | warm: products | ms |\n\
+         |---|--:|--:|--:|--:|--:|--:|--:|",
+        joined(GRIDS.map(|cells| format!("{cells}²")))
+    )];
+    for [a, b] in SEMI_AXES {
+        for stiffness in STIFFNESSES {
+            let contact_law = if stiffness.is_finite() {
+                Incremental::new(stiffness).unwrap().into()
+            } else {
+                ContactLaw::Coulomb
+            };
+            let on_grids = GRIDS.map(|cells| {
                 let case = Case { bodies: Bodies::HalfSpace, is_heated: false, cells };
-                let at_rest = Problem {
-                    contact_law: *law,
-                    normal: Arc::new(Ellipse::from_peak_pressure(a, b, 1e9).unwrap()),
-                    ..case.at_rest()
-                };
-                let measured = measured(&case, &at_rest)
-                    .map(|[products, time]| format!("{products:.1} | {:.2}", 1e3 * time));
-                let ratio = a / b;
-                lines.push(format!("| {name} | {ratio:.1} | {cells} | {} |", measured.join(" | ")));
-            }
+                let normal = Arc::new(Ellipse::from_peak_pressure(a, b, 1e9).unwrap());
+                measured(&case, &Problem { contact_law, normal, ..case.at_rest() })
+            });
+            let cells: [String; 3] = std::array::from_fn(|n| {
+                let products = joined(on_grids.map(|of| format!("{:.0}", of[n][0])));
+                let times = joined(on_grids.map(|of| format!("{:.2}", 1e3 * of[n][1])));
+                format!("{products} | {times}")
+            });
+            let name = if stiffness.is_finite() {
+                format!("{stiffness:.0e}")
+            } else {
+                "∞ (Coulomb)".into()
+            };
+            lines.push(format!("| {name} | {:.1} | {} |", a / b, cells.join(" | ")));
         }
     }
     lines.join("\n")
+}
+
+/// Values for each grid in one cell of the table.
+fn joined(values: [String; GRIDS.len()]) -> String {
+    values.join(" / ")
 }
 
 /// Products and the best time in s: cold without spin and with, and a point of the creep curve.
