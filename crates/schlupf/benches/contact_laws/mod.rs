@@ -29,7 +29,7 @@ pub fn table() -> String {
          warm: as above:\n\n\
          | k_c, 1/m | a/b | cold: products | ms | with spin: products | ms | warm: products | ms |\n\
          |---|--:|--:|--:|--:|--:|--:|--:|",
-        joined(GRIDS.map(|cells| format!("{cells}²")))
+        joined(&GRIDS.map(|cells| format!("{cells}²")))
     )];
     for [a, b] in SEMI_AXES {
         for stiffness in STIFFNESSES {
@@ -44,8 +44,8 @@ pub fn table() -> String {
                 measured(&case, &Problem { contact_law, normal, ..case.at_rest() })
             });
             let cells: [String; 3] = std::array::from_fn(|n| {
-                let products = joined(on_grids.map(|of| format!("{:.0}", of[n][0])));
-                let times = joined(on_grids.map(|of| format!("{:.2}", 1e3 * of[n][1])));
+                let products = joined(&on_grids.map(|of| format!("{:.0}", of[n][0])));
+                let times = joined(&on_grids.map(|of| format!("{:.2}", 1e3 * of[n][1])));
                 format!("{products} | {times}")
             });
             let name = if stiffness.is_finite() {
@@ -60,7 +60,7 @@ pub fn table() -> String {
 }
 
 /// Values for each grid in one cell of the table.
-fn joined(values: [String; GRIDS.len()]) -> String {
+fn joined(values: &[String; GRIDS.len()]) -> String {
     values.join(" / ")
 }
 
