@@ -63,8 +63,8 @@ settings! {
     /// New directions of one linear system.
     most_directions: usize = 120;
 
-    /// Part of a response that must be orthogonal to all before for the direction to count. Of
-    /// products of pairs, which hold half as many digits, its root.
+    /// Part of a response that must be orthogonal to all before for the direction to count. Where
+    /// it is taken from the Gram matrix, which has half as many digits, its root.
     least_new_part: f64 = 1e-6;
 
     /// The same part below which the recycled space stagnates.
@@ -81,13 +81,13 @@ settings! {
     // Nested grids, branches and derivatives of steady states.
 
     /// Largest residual of a coarse grid from which a finer one starts, and of a motion along a
-    /// branch from which the next one starts: with less, no other states were found. If the
+    /// branch from which the next one starts: with tighter ones the same states were found. If the
     /// residual of its own guess is less than 1.5 times this, a coarse solution is not prolonged to
     /// the finer grid: it would change little more than what it leaves undone.
     coarse_tolerance: f64 = 1e-2;
 
     /// Fewest cells across the patch of a grid that is coarsened further. On five cells the long
-    /// waves of a half-space are so wrong that they mislead the preconditioner. [1.03, 0.96]
+    /// waves of a half-space are so wrong that they spoil the preconditioner. [1.03, 0.96]
     fewest_cells_coarsened: usize = 16;
 
     /// Extrapolation of two earlier solutions at most, over their distance.

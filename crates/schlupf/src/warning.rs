@@ -75,8 +75,8 @@ messages! {
 
     /// There may be several steady states.
     "branch-lost" BranchLost {} Quantity::Branch, |name, words| {
-        "friction falls so fast that there may be several steady states; they could not be followed \
-         along the creepage, so it is unknown which one this is"
+        "friction falls so fast that there may be several steady states; they could not all be \
+         followed along the creepage, so there may be another one than this"
             .to_owned()
     };
 

@@ -89,6 +89,9 @@ impl Solver for ForceSolver {
 
     fn forget(&mut self) {
         self.inner.forget();
+        if let Some(scout) = &mut self.scout {
+            scout.forget();
+        }
     }
 }
 

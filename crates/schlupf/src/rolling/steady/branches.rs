@@ -8,11 +8,14 @@ use crate::settings;
 
 use super::level::Level;
 
-/// Whether the feedback of friction on slip is so strong that there may be several steady states on
-/// one of some nested grids; `has_state` tells whether the slip is that of a steady state. Friction
-/// with memory hardly follows the slip within a small cell, but it does over several of them.
+/// Whether the feedback of friction on slip is so strong that there may be several steady states
+/// on one of some nested grids; `has_state` tells whether their slip is that of a steady state.
+/// Friction with memory hardly follows the slip within a small cell, but it does within those of a
+/// coarse grid.
 pub(super) fn may_be_several(problem: &Problem, levels: &[Level], has_state: bool) -> bool {
-    let exceeds = |level| feedback(problem, level, has_state) > settings::several_states();
+    let exceeds = |level: &Level| {
+        feedback(problem, level, has_state && level.is_found) > settings::several_states()
+    };
     levels[0].friction.is_coupled && levels.iter().any(exceeds)
 }
 
@@ -21,8 +24,7 @@ pub(super) fn may_be_several(problem: &Problem, levels: &[Level], has_state: boo
 /// the elasticity of the whole patch; no contact with several states due to heat was found.
 fn feedback(problem: &Problem, level: &Level, has_state: bool) -> f64 {
     let Level { contact, friction, .. } = level;
-    let loosening =
-        contact.cell_compliance() * problem.kinematics.speed / contact.patch.grid.spacing_x;
+    let passage = contact.patch.grid.spacing_x / problem.kinematics.speed;
     // If no state was found the slip is arbitrary and may hide the steep part of the law: the rigid
     // slip is used.
     let rigid = contact.patch.cells.iter().map(|cell| cell.rigid_slip(&problem.kinematics));
@@ -31,21 +33,17 @@ fn feedback(problem: &Problem, level: &Level, has_state: bool) -> f64 {
     let fastest = if has_state { fastest } else { rigid };
     // Every cell at its y and its temperature, each at other speeds: neighbouring cells complement
     // each other, and the golden ratio leaves no gaps.
-    let memory = problem.friction_memory();
-    let passage = contact.patch.grid.spacing_x / problem.kinematics.speed;
     let (samples, golden) = (settings::samples_of_cell(), 0.5 * (5_f64.sqrt() - 1.0));
-    let cells = contact.patch.cells.iter().zip(&friction.scaled_rise).enumerate();
-    let fall = cells.map(|(k, (cell, scaled_rise))| {
+    let cells = contact.patch.cells.iter().enumerate();
+    let fall = cells.filter(|(k, _)| !(has_state && friction.yields(*k))).map(|(k, cell)| {
         let falls = (0..samples).map(|n| {
             let part = (golden * (k * samples + n + 1) as f64).fract();
             let speed = settings::fastest_sample() * fastest * part.powi(3);
-            let law = problem.friction_response(&friction.conduction, *scaled_rise, speed, cell.y);
-            let followed = memory.map_or(1.0, |memory| 1.0 - memory.kept(speed, passage).part);
-            -followed * law.by_slip_speed
+            friction.fall(problem, (k, cell.y), speed, 0.5 * passage)
         });
         cell.pressure * falls.fold(0.0, f64::max)
     });
-    loosening * fall.fold(0.0, f64::max)
+    contact.cell_compliance() / passage * fall.fold(0.0, f64::max)
 }
 
 /// The motions along which a branch is followed, the given one last.

@@ -291,6 +291,18 @@ impl SteadyFriction {
         self.yielding.as_ref().map_or(&self.lag.coefficient, |yielding| &yielding.coefficient)
     }
 
+    /// −∂μ/∂(slip speed) in cell `k` at y (in m), in s/m, at a slip speed (in m/s) and the
+    /// temperature of the last evaluation, of material that some time ago (in s) had the friction
+    /// of rest.
+    pub fn fall(&self, problem: &Problem, (k, y): (usize, f64), speed: f64, duration: f64) -> f64 {
+        let law = problem.friction_response(&self.conduction, self.scaled_rise[k], speed, y);
+        let Some(memory) = problem.friction_memory() else { return -law.by_slip_speed };
+        let kept = memory.kept(speed, duration);
+        let at_rest = problem.entry_friction(&self.conduction, y).coefficient;
+        let faded = (at_rest - law.coefficient) * kept.by_slip_speed;
+        -(1.0 - kept.part) * law.by_slip_speed - faded
+    }
+
     /// Whether the layer bounds the traction of a cell, and not friction.
     pub fn yields(&self, k: usize) -> bool {
         self.yielding.as_ref().is_some_and(|yielding| yielding.yields(k))

@@ -3,10 +3,12 @@
 //! 1. [`Strategy::Warm`], if the solver has solved a problem with this contact before,
 //! 2. [`Strategy::Cold`],
 //! 3. [`Strategy::Continuation`], which also tells which of several states is found,
-//! 4. [`Strategy::March`], if all creepages are given and no derivatives are needed.
+//! 4. [`Strategy::March`], if all creepages are given; a march has no derivatives.
 //!
 //! All but the last are Newton's method on nested grids from different initial guesses. Where
-//! forces are prescribed, the creepages that they cause are unknown, too.
+//! forces are prescribed, the creepages that they cause are unknown, too; the path of forces along
+//! which these are found where friction depends on slip or heat ([`crate::prescribed`]) counts as a
+//! continuation.
 
 use crate::equilibrium::Outcome;
 use crate::error::Error;
@@ -48,7 +50,9 @@ impl NestedGrids {
             }
             found = Found { outcome: self.solve(goal, search)?, warning: None };
             let converged = found.outcome.converged;
+            // Without creepage there is no branch to follow.
             may_be_several = goal.drives.is_empty()
+                && !goal.problem.kinematics.is_pure_rolling()
                 && branches::may_be_several(goal.problem, &self.levels, converged);
             if converged && !may_be_several {
                 break;
