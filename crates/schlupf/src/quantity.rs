@@ -100,7 +100,7 @@ quantities! {
     LayerThickness "layer_thickness" "h" "m" "thickness of the layer between the surfaces"
     LayerShearModulus "layer_shear_modulus" "G" "Pa" "shear modulus of the layer between the surfaces"
     LayerYieldStress "layer_yield_stress" "τ_c0" "Pa" "traction at which the layer between the surfaces yields"
-    LayerHardening "layer_hardening" "k_τ" "N/m^3" "growth of that with the plastic way of the layer"
+    LayerHardening "layer_hardening" "k_τ" "N/m^3" "growth of that with the plastic displacement of the layer"
     BeddingX "bedding_x" "c_x" "N/m^3" "bedding of the layer along rolling"
     BeddingY "bedding_y" "c_y" "N/m^3" "bedding of the layer across rolling"
     CouplingX "coupling_x" "g_x" "N/m" "coupling of displacements along rolling, in that direction"

@@ -320,7 +320,7 @@ fn the_constants_of_a_layer_are_fitted() {
     assert!(refused.contains("layer_yield_stress: the layer is elastic"), "{refused}");
 }
 
-/// A steady state goes on unchanged in time: the plastic way belongs to its state.
+/// A steady state goes on unchanged in time: the plastic displacement belongs to its state.
 #[test]
 fn marching_goes_on_from_a_steady_state_with_flow() {
     let contact = contact([1.5e8, 2e10], half_space(), 0.1);
@@ -333,7 +333,7 @@ fn marching_goes_on_from_a_steady_state_with_flow() {
     let marched = follow(&goes_on, &options);
     assert_relative_eq!(marched.force.x, steady.force.x, max_relative = 1e-6);
     println!("{} steps", marched.work.steps);
-    let longest = steady.state.elements.iter().map(|element| element.plastic_way);
+    let longest = steady.state.elements.iter().map(|element| element.plastic_displacement);
     assert!(longest.fold(0.0, f64::max) > 1e-4);
 }
 

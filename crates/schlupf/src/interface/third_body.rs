@@ -40,7 +40,7 @@ const MODULUS: Requirement = Requirement::Between(1.0, 1e14);
 const STEEPEST: f64 = 1e20;
 
 impl YieldLimit {
-    /// τ_c (in Pa) after a plastic way w, in m.
+    /// τ_c (in Pa) after a plastic displacement w, in m.
     pub fn at(&self, way: f64) -> f64 {
         (self.stress + self.hardening * way).max(0.0)
     }
@@ -98,7 +98,7 @@ impl ThirdBodyLayer {
         self.thickness / self.shear_modulus
     }
 
-    /// Whether its limit changes with the plastic way.
+    /// Whether its limit changes with the plastic displacement.
     pub(crate) fn hardens(&self) -> bool {
         self.yielding.is_some_and(|limit| limit.hardening != 0.0)
     }
@@ -128,9 +128,9 @@ impl ThirdBodyLayer {
 pub(crate) struct Flow {
     /// The bound, in Pa.
     pub bound: f64,
-    /// The plastic way at the place, in m.
+    /// The plastic displacement at the place, in m.
     pub here: f64,
-    /// The plastic way on leaving the place, in m.
+    /// The plastic displacement on leaving the place, in m.
     pub left: f64,
     /// Whether it flows at the place, and until it leaves it.
     pub yields: [bool; 2],

@@ -46,8 +46,8 @@ pub(super) struct Arrival {
     pub heat: HeatRecord,
     /// Its coefficient of friction (dimensionless), with friction memory.
     pub friction: Option<f64>,
-    /// Plastic way of the layer between the surfaces, in m.
-    pub plastic_way: f64,
+    /// Plastic displacement of the layer between the surfaces, in m.
+    pub plastic_displacement: f64,
 }
 
 /// Moves all elements on by one cell. If the load changes (`moves`), the contact already has its
@@ -135,7 +135,7 @@ impl Place<'_> {
             in_place: false,
             heat: element.heat.clone(),
             friction: element.friction_on_leaving,
-            plastic_way: element.plastic_way,
+            plastic_displacement: element.plastic_displacement,
         }
     }
 

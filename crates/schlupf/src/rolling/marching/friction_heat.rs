@@ -56,7 +56,7 @@ impl FrictionPoint {
         let friction = self.of_friction(problem, now, passage, arrived);
         let Some(layer) = &problem.layer else { return friction };
         let slip = self.slip_speed * passage.paths[0] / now.over_step.speed;
-        let flow = layer.pass(friction * pressure, arrived.plastic_way, [slip; 2]);
+        let flow = layer.pass(friction * pressure, arrived.plastic_displacement, [slip; 2]);
         let found = flow.bound / pressure;
         // The slip is that of the step before. A bound that grows takes some of it up, as shear of
         // the layer; without this a layer that hardens steeply would go up and down with each step.
@@ -135,17 +135,18 @@ pub(super) fn lagging(
 pub(super) struct Brought {
     /// Coefficient of friction (dimensionless), with friction memory.
     friction: Option<f64>,
-    /// Plastic way of the layer between the surfaces, in m.
-    plastic_way: f64,
+    /// Plastic displacement of the layer between the surfaces, in m.
+    plastic_displacement: f64,
 }
 
 impl Brought {
     pub fn by(arrival: &Arrival) -> Self {
-        Self { friction: arrival.friction, plastic_way: arrival.plastic_way }
+        Self { friction: arrival.friction, plastic_displacement: arrival.plastic_displacement }
     }
 }
 
-/// The coefficients of friction and the plastic ways with which the elements leave their cells.
+/// The coefficients of friction and the plastic displacements with which the elements leave their
+/// cells.
 pub(super) fn remember(
     problem: &Problem,
     now: &Snapshot,
@@ -177,7 +178,8 @@ pub(super) fn remember(
                 let slips =
                     [paths[0], through].map(|path| element.slip_speed * path / now.over_step.speed);
                 let friction = here * cell.pressure_where_covered();
-                element.plastic_way = layer.pass(friction, before.plastic_way, slips).left;
+                element.plastic_displacement =
+                    layer.pass(friction, before.plastic_displacement, slips).left;
             }
         }
     }

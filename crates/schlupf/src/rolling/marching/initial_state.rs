@@ -39,7 +39,7 @@ pub(super) fn fitting(state: &State, grid: &Grid) -> Result<State, Error> {
             && element.scaled_rise.is_finite()
             && (0.0..f64::INFINITY).contains(&element.slip_speed)
             && element.friction_on_leaving.is_none_or(is_friction)
-            && (0.0..f64::INFINITY).contains(&element.plastic_way)
+            && (0.0..f64::INFINITY).contains(&element.plastic_displacement)
             && element.heat.iter().all(is_heat)
             && is_track(&element.track)
             && element.traction.iter().chain(&element.sliding).all(|v| v.is_finite())

@@ -29,12 +29,15 @@ pub(super) struct Found {
 pub(super) struct Unsolved {
     problem: Problem,
     forces: Vec<(Direction, f64)>,
+    /// Reference point of the forces, x and y in m.
+    place: [f64; 2],
     pub found: Found,
 }
 
 impl Unsolved {
     pub fn new(Goal { problem, drives, .. }: Goal, found: &Found) -> Self {
-        Self { problem: problem.clone(), forces: drives.forces(), found: found.clone() }
+        let (forces, place) = (drives.forces(), drives.place);
+        Self { problem: problem.clone(), forces, place, found: found.clone() }
     }
 
     /// Whether it is a goal of the same contact.
@@ -46,5 +49,6 @@ impl Unsolved {
             && one.friction.is_same(&other.friction)
             && one.heat.is_same(&other.heat)
             && self.forces == goal.drives.forces()
+            && self.place == goal.drives.place
     }
 }

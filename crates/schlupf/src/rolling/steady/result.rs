@@ -55,7 +55,7 @@ impl NestedGrids {
             element.slip_speed = speed_of(friction.slip[k]);
             element.scaled_rise = friction.scaled_rise[k];
             element.friction_on_leaving = friction.lag.on_leaving(k);
-            element.plastic_way = friction.flowed_on_leaving(k);
+            element.plastic_displacement = friction.flowed_on_leaving(k);
         }
         let patch = &contact.patch;
         if options.keeps_state && problem.heat.model.is_some() {

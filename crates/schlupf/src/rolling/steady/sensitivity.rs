@@ -230,7 +230,7 @@ impl<'a> Derivatives<'a> {
             direct.friction.limit = limit;
             return self.by(&direct);
         }
-        // A limit that does not change with the plastic way does not depend on the slip.
+        // A limit that does not change with the plastic displacement does not depend on the slip.
         SteadyState::new(self.problem, self.levels).evaluate_passing();
         self.products += 1;
         let friction = &self.levels[0].friction;

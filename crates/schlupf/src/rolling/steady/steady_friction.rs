@@ -316,7 +316,7 @@ impl SteadyFriction {
         self.pressure[k] * yielding.map_or(0.0, |yielding| yielding.change(k, &cause, &mut 0.0))
     }
 
-    /// The plastic way of the layer (in m) with which the material leaves a cell.
+    /// The plastic displacement of the layer (in m) with which the material leaves a cell.
     pub fn flowed_on_leaving(&self, k: usize) -> f64 {
         self.yielding.as_ref().map_or(0.0, |yielding| yielding.on_leaving(k))
     }

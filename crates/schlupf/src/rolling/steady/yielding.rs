@@ -28,7 +28,7 @@ pub(super) struct FlowCause {
 }
 
 impl YieldLimit {
-    /// What a change by this adds to the limit after a plastic way (in m), in Pa.
+    /// What a change by this adds to the limit after a plastic displacement (in m), in Pa.
     fn raised(&self, path: f64) -> f64 {
         self.stress + self.hardening * path
     }
@@ -65,13 +65,13 @@ impl Yielding {
         self.flows[k].yields[0]
     }
 
-    /// The plastic way with which the material leaves a cell, in m.
+    /// The plastic displacement with which the material leaves a cell, in m.
     pub fn on_leaving(&self, k: usize) -> f64 {
         self.flows[k].left
     }
 
-    /// Change of the coefficient of a cell, dimensionless. `carried` is that of the plastic way (in
-    /// m) on arrival, and then that on leaving.
+    /// Change of the coefficient of a cell, dimensionless. `carried` is that of the plastic
+    /// displacement (in m) on arrival, and then that on leaving.
     pub fn change(&self, k: usize, cause: &FlowCause, carried: &mut f64) -> f64 {
         let flow = &self.flows[k];
         let arrived = *carried;
