@@ -164,18 +164,16 @@ pub(super) struct Interface<'a> {
 /// How the bristles of a cell depend on the tractions upstream.
 pub(super) struct Upstream<'a> {
     pub stencils: &'a [SlipStencil],
-    /// μ pₙ, in Pa.
-    pub bound: &'a [f64],
+    /// 1/(μ pₙ), in 1/Pa.
+    pub over_bound: &'a [f64],
 }
 
 impl Upstream<'_> {
     /// Takes what the traction of cell `k` owes to those upstream off its row.
     fn add(&self, row: &mut Row<Block>, resolvent: &Resolvent, k: usize) {
         for (cell, weight) in self.stencils[k].upstream(k) {
-            if let Some(at) = row.get_mut((LOWER + cell).wrapping_sub(k))
-                && self.bound[cell] > 0.0
-            {
-                let per_bound = weight / self.bound[cell];
+            if let Some(at) = row.get_mut((LOWER + cell).wrapping_sub(k)) {
+                let per_bound = weight * self.over_bound[cell];
                 let by = resolvent.by_upstream.map(|row| row.map(|by| per_bound * by));
                 *at = at.plus(-1.0, Block::of(&by));
             }

@@ -19,7 +19,8 @@ use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::passage::pair;
 use crate::rolling::shared::strip::{
-    BristleState, Calibrated, Calibration, Matrix, Resolvent, SlipStencil, StripContact, slide,
+    BristleState, Calibrated, Calibration, Matrix, Resolvent, SlipStencil, StripContact,
+    UpstreamValues, slide,
 };
 
 use super::steady_friction::SteadyFriction;
@@ -30,8 +31,9 @@ use super::strip_factors::{Interface, StripFactors, Upstream};
 pub(super) struct StripLaw {
     law: ContactLaw,
     gamma: f64,
-    /// μ pₙ of each cell, in Pa.
+    /// μ pₙ of each cell, in Pa, and its inverse; both zero where there is none.
     bound: Vec<f64>,
+    over_bound: Vec<f64>,
     contact: StripContact,
     /// Of the slip, and of what the bristles do.
     stencils: Vec<SlipStencil>,
@@ -50,8 +52,6 @@ pub(super) struct StripLaw {
     resolvents: Vec<Resolvent>,
     /// Inverse of the local Jacobian of each cell.
     inverses: Vec<Matrix>,
-    /// Changes of the saturation.
-    changes: Vec<f64>,
     /// Changes of the heat flux (in W/m²) during a pass of the preconditioner down the strips.
     flux_changes: Vec<f64>,
 }
@@ -98,6 +98,7 @@ impl StripLaw {
             law: problem.contact_law,
             gamma: 0.0,
             bound: vec![0.0; cells],
+            over_bound: vec![0.0; cells],
             factors,
             stencils,
             is_exact: false,
@@ -108,7 +109,6 @@ impl StripLaw {
             saturation: vec![0.0; 2 * cells],
             resolvents: vec![Resolvent::default(); cells],
             inverses: vec![Matrix::default(); cells],
-            changes: vec![0.0; 2 * cells],
             flux_changes: vec![0.0; cells],
             contact,
         })
@@ -156,6 +156,9 @@ impl StripLaw {
             *bound = coefficient * cell.pressure;
         }
         self.contact.slaved.complete_scalar(&mut self.bound);
+        for (over, bound) in self.over_bound.iter_mut().zip(&self.bound) {
+            *over = if *bound > 0.0 { bound.recip() } else { 0.0 };
+        }
     }
 
     /// Converts displacements at the cells under the traction p, relative to those where their
@@ -194,13 +197,13 @@ impl StripLaw {
     fn resolvent(
         &self,
         (trial, gamma): ([f64; 2], f64),
-        saturation: &[f64],
+        saturation: &UpstreamValues,
         k: usize,
     ) -> Resolvent {
         let compliance = gamma / self.law.stiffness();
         let bristles = if compliance > 0.0 {
             let is_exact = self.is_exact;
-            BristleState { is_exact, ..self.stencils[k].bristles(compliance, saturation, k) }
+            BristleState { is_exact, ..self.stencils[k].bristles(compliance, saturation) }
         } else {
             BristleState::default()
         };
@@ -210,21 +213,21 @@ impl StripLaw {
     /// F(p), in Pa; prepares the tangent.
     pub fn residual(&mut self, p: &[f64], b: &[f64], residual: &mut [f64]) {
         residual.fill(0.0);
-        if self.remembers() {
-            for k in 0..self.len() {
-                let saturated = self.saturated(p, k);
-                self.saturation[2 * k..2 * k + 2].copy_from_slice(&saturated);
-            }
-        }
         for strip in 0..self.contact.slaved.kept.len() {
+            let mut upstream = UpstreamValues::default();
             for k in self.contact.slaved.kept[strip].clone() {
-                let sliding = self.sliding(b, k);
-                let trial = [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
-                let resolvent = self.resolvent((trial, self.gamma), &self.saturation, k);
+                let (traction, sliding) = (pair(p, k), self.sliding(b, k));
+                let trial = [0, 1].map(|c| traction[c] + self.gamma * sliding[c]);
+                let resolvent = self.resolvent((trial, self.gamma), &upstream, k);
                 for c in 0..2 {
-                    residual[2 * k + c] = p[2 * k + c] - resolvent.traction[c];
+                    residual[2 * k + c] = traction[c] - resolvent.traction[c];
                 }
                 self.resolvents[k] = resolvent;
+                if self.remembers() {
+                    let saturation = self.saturated(p, k);
+                    self.saturation[2 * k..2 * k + 2].copy_from_slice(&saturation);
+                    upstream.advance(saturation);
+                }
             }
         }
         self.is_factorised = false;
@@ -232,36 +235,36 @@ impl StripLaw {
 
     /// p/(μ pₙ) of a cell, dimensionless.
     fn saturated(&self, p: &[f64], k: usize) -> [f64; 2] {
-        let over = inverse(self.bound[k]);
-        pair(p, k).map(|p| over * p)
+        pair(p, k).map(|p| self.over_bound[k] * p)
     }
 
     /// Change of F due to small changes.
-    pub fn tangent(&mut self, change: &Changed, cause: Option<&Cause>, product: &mut [f64]) {
+    pub fn tangent(&self, change: &Changed, cause: Option<&Cause>, product: &mut [f64]) {
         product.fill(0.0);
+        let remembers = self.remembers();
         for cells in &self.contact.slaved.kept {
-            let pairs = 2 * cells.start..2 * cells.end;
-            let tractions = change.traction[pairs.clone()].chunks_exact(2);
-            let responses = change.response[pairs.clone()].chunks_exact(2);
-            let products = product[pairs].chunks_exact_mut(2);
-            let data = tractions.zip(responses).zip(&self.resolvents[cells.clone()]);
-            for (product, ((p, u), resolvent)) in products.zip(data) {
-                let moved = times(
-                    &resolvent.by_trial,
-                    [p[0] - self.gamma * u[0], p[1] - self.gamma * u[1]],
-                );
-                product.copy_from_slice(&[p[0] - moved[0], p[1] - moved[1]]);
-            }
-        }
-        if let Some(bound) = change.bound {
-            for k in self.contact.kept() {
-                for c in 0..2 {
-                    product[2 * k + c] -= bound[k] * self.resolvents[k].by_bound[c];
+            let mut upstream = UpstreamValues::default();
+            for k in cells.clone() {
+                let resolvent = &self.resolvents[k];
+                let (p, u) = (pair(change.traction, k), pair(change.response, k));
+                let moved = times(&resolvent.by_trial, [0, 1].map(|c| p[c] - self.gamma * u[c]));
+                let mut left = [p[0] - moved[0], p[1] - moved[1]];
+                let mut relative = p;
+                if let Some(bound) = change.bound {
+                    let saturation = pair(&self.saturation, k);
+                    for c in 0..2 {
+                        left[c] -= bound[k] * resolvent.by_bound[c];
+                        relative[c] -= bound[k] * saturation[c];
+                    }
                 }
+                if remembers {
+                    let of_upstream = self.stencils[k].of_upstream(&upstream);
+                    let brought = times(&resolvent.by_upstream, of_upstream);
+                    left = [left[0] - brought[0], left[1] - brought[1]];
+                    upstream.advance(relative.map(|change| self.over_bound[k] * change));
+                }
+                product[2 * k..2 * k + 2].copy_from_slice(&left);
             }
-        }
-        if self.remembers() {
-            self.add_upstream(change, product);
         }
         let Some(cause) = cause else { return };
         let mut slid = self.since_entry(&cause.rigid);
@@ -283,28 +286,6 @@ impl StripLaw {
     /// Whether a cell depends on p/(μ pₙ) upstream.
     fn remembers(&self) -> bool {
         matches!(self.law, ContactLaw::Incremental(_))
-    }
-
-    /// Adds what changes upstream do through the bristles.
-    fn add_upstream(&mut self, change: &Changed, product: &mut [f64]) {
-        for k in self.contact.slaved.kept.iter().flat_map(Clone::clone) {
-            let raised = change.bound.map_or(0.0, |bound| bound[k]);
-            for c in 0..2 {
-                let at = 2 * k + c;
-                let changed = change.traction[at] - self.saturation[at] * raised;
-                self.changes[at] = inverse(self.bound[k]) * changed;
-            }
-        }
-        for k in self.contact.kept() {
-            let mut upstream = [0.0; 2];
-            for (cell, weight) in self.stencils[k].upstream(k) {
-                upstream = [0, 1].map(|c| upstream[c] + weight * self.changes[2 * cell + c]);
-            }
-            let moved = times(&self.resolvents[k].by_upstream, upstream);
-            for c in 0..2 {
-                product[2 * k + c] -= moved[c];
-            }
-        }
     }
 
     /// Replaces v by an approximation to the inverse Jacobian times v: strip by strip, and then
@@ -336,7 +317,7 @@ impl StripLaw {
             gamma: self.gamma,
             bristles: self
                 .remembers()
-                .then_some(Upstream { stencils: &self.stencils, bound: &self.bound }),
+                .then_some(Upstream { stencils: &self.stencils, over_bound: &self.over_bound }),
         };
         self.factors.factorise(&interface);
         if is_coupled {
@@ -369,9 +350,4 @@ fn discretised(
     };
     let factors = StripFactors::new(patch, contact, &stencils);
     (stencils, factors)
-}
-
-/// 1/x of a bound, and zero for none.
-fn inverse(bound: f64) -> f64 {
-    if bound > 0.0 { bound.recip() } else { 0.0 }
 }

@@ -16,4 +16,4 @@ mod contact;
 pub(in crate::rolling) use calibration::{Calibrated, Calibration};
 pub(in crate::rolling) use contact::StripContact;
 pub(in crate::rolling) use resolvent::{BristleState, Matrix, Resolvent, reduced, saturation};
-pub(in crate::rolling) use slip_stencil::{SlipStencil, order, slide, through};
+pub(in crate::rolling) use slip_stencil::{SlipStencil, UpstreamValues, order, slide, through};

@@ -25,6 +25,19 @@ pub(in crate::rolling) struct SlipStencil {
     pub path: f64,
 }
 
+/// Values (x and y) at the cells upstream of one, the nearest first; zero where there is none.
+#[derive(Debug, Clone, Copy, Default)]
+pub(in crate::rolling) struct UpstreamValues([[f64; 2]; NODES - 1]);
+
+impl UpstreamValues {
+    /// Goes on to the next cell, with the value at the present one.
+    #[inline]
+    pub fn advance(&mut self, value: [f64; 2]) {
+        let [first, second, _] = self.0;
+        self.0 = [value, first, second];
+    }
+}
+
 impl SlipStencil {
     /// The stencil of every cell of a patch, without any weight for those that are not in `kept`.
     pub fn of(patch: &Patch, kept: &[Range<usize>]) -> Vec<Self> {
@@ -60,16 +73,22 @@ impl SlipStencil {
         stencil
     }
 
-    /// τ, c from the values of p/(μ pₙ) (x and y of each cell in turn) and n at cell `k`, with
-    /// γ/k_c in Pa.
-    pub fn bristles(&self, compliance: f64, saturation: &[f64], k: usize) -> BristleState {
-        let mut upstream = [0.0; 2];
-        for (cell, weight) in self.upstream(k) {
-            upstream[0] += weight * saturation[2 * cell];
-            upstream[1] += weight * saturation[2 * cell + 1];
-        }
+    /// τ, c and n from p/(μ pₙ) of the cells upstream, with γ/k_c in Pa.
+    #[inline]
+    pub fn bristles(&self, compliance: f64, saturation: &UpstreamValues) -> BristleState {
         let (own, order) = (self.weight[0], order(&self.weight));
+        let upstream = self.of_upstream(saturation);
         BristleState { compliance, own, upstream, order, is_exact: false }
+    }
+
+    /// The part of the cells upstream, in the unit of the values.
+    #[inline]
+    pub fn of_upstream(&self, UpstreamValues(values): &UpstreamValues) -> [f64; 2] {
+        let mut sum = [0.0; 2];
+        for (weight, value) in self.weight[1..].iter().zip(values) {
+            sum = [0, 1].map(|c| sum[c] + weight * value[c]);
+        }
+        sum
     }
 
     /// The cells upstream of cell `k`, with their weights; dimensionless.
