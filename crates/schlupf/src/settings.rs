@@ -157,9 +157,9 @@ settings! {
     /// kinks; with large weights there is a wrong state]
     nearest_node: f64 = 0.4;
 
-    /// Refinement of the grid that stands for the exact displacement. [1.05, 1.00; forces 2·10⁻³
-    /// of the load]
-    refinement: usize = 4;
+    /// Refinement of the grid that stands for the exact displacement: what is missing of the
+    /// displacement is found to 8 %, with 2 to 18 % and with 4 to 4 %.
+    refinement: usize = 3;
 
     /// Part of a cell's own compliance by which a calibration reduces it in the preconditioner.
     /// [0.99, 1.05]

@@ -19,8 +19,8 @@ use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::passage::pair;
 use crate::rolling::shared::strip::{
-    BristleState, Calibrated, Calibration, Matrix, Resolvent, SlipStencil, StripContact,
-    UpstreamValues, slide,
+    BristleState, Calibrated, Calibration, ExactDisplacement, Matrix, Resolvent, SlipStencil,
+    StripContact, UpstreamValues, slide,
 };
 
 use super::steady_friction::SteadyFriction;
@@ -83,10 +83,10 @@ impl StripLaw {
     /// Those of [`StripContact::new`].
     pub fn new(
         problem: &Problem,
-        normal: &NormalContact,
+        exact: Option<&ExactDisplacement>,
         discrete: &mut DiscreteContact,
     ) -> Result<Self, Error> {
-        let contact = StripContact::new(problem, normal, discrete)?;
+        let contact = StripContact::new(problem, exact, discrete)?;
         let patch = &discrete.patch;
         let (stencils, factors) = discretised(problem.contact_law, patch, &contact);
         let cells = patch.len();

@@ -12,7 +12,7 @@ use crate::elasticity::ellipsoidal_traction::EllipsoidalTraction;
 use crate::error::Error;
 use crate::grid::{BORDER, Grid, VectorField};
 use crate::normal::{NormalContact, Pressure};
-use crate::numerics::interpolation::bilinear;
+use crate::numerics::interpolation::cubic;
 use crate::patch::{Interpolation, Patch};
 use crate::problem::{MAX_CELLS_TOGETHER, Problem};
 use crate::rolling::shared::contact::DiscreteContact;
@@ -53,23 +53,17 @@ impl Missing {
         Self { at_cells: nothing.clone(), at_entries: nothing }
     }
 
-    /// Of the contact of a problem: against the exact displacement if it is known, and otherwise
-    /// that on a finer grid. Nothing is missing if cells are not coupled. `None` if the
-    /// elasticity does not know the derivative.
+    /// Of a contact, against what is taken for the exact displacement. Nothing is missing if cells
+    /// are not coupled. `None` if the elasticity does not know the derivative.
     pub fn new(
-        problem: &Problem,
-        normal: &NormalContact,
+        exact: &ExactDisplacement,
         contact: &mut DiscreteContact,
         of: Calibrated,
-    ) -> Result<Option<Self>, Error> {
-        let cells = contact.patch.len();
+    ) -> Option<Self> {
         if !contact.compliance.couples_cells() {
-            return Ok(Some(Self::nothing(cells)));
+            return Some(Self::nothing(contact.patch.len()));
         }
-        let Some(exact) = Exact::of(problem, normal, &contact.patch.grid, of)? else {
-            return Ok(None);
-        };
-        let Some([mut at_cells, mut at_entries]) = discrete(contact, of) else { return Ok(None) };
+        let [mut at_cells, mut at_entries] = discrete(contact, of)?;
         // The layer is sheared by the traction of the point above it, whatever the patch size.
         let layer = if of == Calibrated::BySize { 0.0 } else { contact.layer_compliance };
         for (k, cell) in contact.patch.cells.iter().enumerate() {
@@ -81,7 +75,7 @@ impl Missing {
             at_cells[k][0] += sheared;
             at_cells[k][1] += sheared;
         }
-        Ok(Some(Self { at_cells, at_entries }))
+        Some(Self { at_cells, at_entries })
     }
 }
 
@@ -165,20 +159,25 @@ fn discrete(contact: &mut DiscreteContact, of: Calibrated) -> Option<[Vec<Symmet
 }
 
 /// What is taken for the exact displacement under p = pₙ.
-enum Exact {
+pub(in crate::rolling) enum ExactDisplacement {
     Nothing,
     Ellipsoid(EllipsoidalTraction, f64),
     Finer { grid: Grid, under: [VectorField; 2] },
 }
 
-impl Exact {
-    fn of(
+impl ExactDisplacement {
+    /// Of the contact of a problem: the exact one if it is known, and otherwise that on a grid
+    /// finer than that of the contact. `None` if the elasticity does not know the derivative.
+    ///
+    /// # Errors
+    /// Those of the compliance on that grid.
+    pub fn of(
         problem: &Problem,
         normal: &NormalContact,
-        grid: &Grid,
+        contact: &DiscreteContact,
         of: Calibrated,
     ) -> Result<Option<Self>, Error> {
-        if of == Calibrated::OfLayer {
+        if of == Calibrated::OfLayer || !contact.compliance.couples_cells() {
             return Ok(Some(Self::Nothing));
         }
         let summary = &normal.summary;
@@ -189,6 +188,7 @@ impl Exact {
             // At the same pressure it is proportional to the size.
             return Ok(Some(Self::Ellipsoid(known, summary.peak_pressure)));
         }
+        let grid = &contact.patch.grid;
         let finer = (2..=settings::refinement())
             .rev()
             .find(|finer| finer * finer * grid.len() <= 4 * MAX_CELLS_TOGETHER);
@@ -228,16 +228,13 @@ impl Exact {
     }
 }
 
-/// A field at a point (in m), linearly between the cells of its grid.
+/// A field at a point (in m), by cubics between the cells of its grid.
 fn interpolated(grid: &Grid, values: &[f64], [x, y]: [f64; 2]) -> f64 {
-    let place = |at: f64, first: f64, spacing: f64, count: usize| {
-        let position = ((at - first) / spacing).clamp(0.0, (count - 1) as f64);
-        let cell = (position as usize).min(count.saturating_sub(2));
-        (cell, (cell + 1).min(count - 1), position - cell as f64)
+    let (column, along) = cubic((x - grid.x(0)) / grid.spacing_x, grid.columns);
+    let (row, across) = cubic((y - grid.y(0)) / grid.spacing_y, grid.rows);
+    let of_row = |j: usize| -> f64 {
+        let row = &values[grid.index(column, row + j)..];
+        along.iter().zip(row).map(|(weight, value)| weight * value).sum()
     };
-    let (i, next_i, share_x) = place(x, grid.x(0), grid.spacing_x, grid.columns);
-    let (j, next_j, share_y) = place(y, grid.y(0), grid.spacing_y, grid.rows);
-    let corners = [[i, j], [next_i, j], [i, next_j], [next_i, next_j]];
-    let weights = bilinear([share_x, share_y]);
-    corners.iter().zip(weights).map(|([i, j], w)| w * values[grid.index(*i, *j)]).sum()
+    across.iter().enumerate().map(|(j, weight)| weight * of_row(j)).sum()
 }

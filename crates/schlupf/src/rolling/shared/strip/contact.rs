@@ -6,7 +6,7 @@ use crate::problem::Problem;
 use crate::rolling::shared::contact::{DiscreteContact, Row, at_distance};
 use crate::settings;
 
-use super::calibration::{Calibrated, Calibration, Missing, Symmetric};
+use super::calibration::{Calibrated, Calibration, ExactDisplacement, Missing, Symmetric};
 use super::resolvent::Matrix;
 use super::slaved_cells::{Determinacy, SlavedCells};
 
@@ -22,13 +22,13 @@ pub(in crate::rolling) struct StripContact {
 }
 
 impl StripContact {
-    /// Of a problem, on its discretised contact.
+    /// Of a problem, on its discretised contact, calibrated with a displacement.
     ///
     /// # Errors
     /// Rigid bodies, for which nothing determines the traction where they stick.
     pub fn new(
         problem: &Problem,
-        normal: &NormalContact,
+        exact: Option<&ExactDisplacement>,
         contact: &mut DiscreteContact,
     ) -> Result<Self, Error> {
         let row = contact.row_compliances();
@@ -37,7 +37,8 @@ impl StripContact {
         if is_rigid && problem.contact_law.is_coulomb() {
             return Err(Error::CoulombOfRigidBodies {});
         }
-        let missing = Missing::new(problem, normal, contact, Calibrated::Displacement)?;
+        let missing =
+            exact.and_then(|exact| Missing::new(exact, contact, Calibrated::Displacement));
         let missing = missing.unwrap_or_else(|| Missing::nothing(contact.patch.len()));
         let slaved = slaved(contact, &missing, &row);
         let calibration = Calibration::new(&missing, &contact.patch, &slaved.kept);
@@ -69,7 +70,8 @@ impl StripContact {
         (problem, normal): (&Problem, &NormalContact),
         contact: &mut DiscreteContact,
     ) -> Result<Option<Calibration>, Error> {
-        let missing = Missing::new(problem, normal, contact, what)?;
+        let exact = ExactDisplacement::of(problem, normal, contact, what)?;
+        let missing = exact.and_then(|exact| Missing::new(&exact, contact, what));
         Ok(missing.map(|missing| Calibration::new(&missing, &contact.patch, &self.slaved.kept)))
     }
 
