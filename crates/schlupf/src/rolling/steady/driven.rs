@@ -12,7 +12,6 @@ use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::kinematics::Kinematics;
 use crate::numerics::vector::{add_scaled, norm};
-use crate::patch::Patch;
 use crate::prescribed_forces::{Direction, PrescribedForces};
 use crate::problem::Problem;
 use crate::settings;
@@ -159,8 +158,13 @@ impl<'a> Driven<'a> {
         self.drives.all.len()
     }
 
-    fn patch(&self) -> &Patch {
-        &self.levels[0].contact.patch
+    /// What the forces of a traction, or of a change of it, exceed the prescribed ones by.
+    fn excess(&self, traction: &[f64], is_change: bool) -> Vec<f64> {
+        if self.drives.is_empty() {
+            return Vec::new();
+        }
+        let patch = &self.levels[0].contact.patch;
+        self.drives.excess(&summary::resultant(patch, traction), is_change)
     }
 
     fn state(&mut self) -> SteadyState<'_> {
@@ -214,8 +218,7 @@ impl<'a> Driven<'a> {
         for j in 0..count {
             let mut image = self.columns[j].clone();
             self.state().precondition(&mut image);
-            let change = summary::resultant(self.patch(), &image);
-            by_creepage.set_column(j, &DVector::from_vec(self.drives.excess(&change, true)));
+            by_creepage.set_column(j, &DVector::from_vec(self.excess(&image, true)));
             self.images[j] = image;
         }
         self.inverse = regular_inverse(&by_creepage);
@@ -276,7 +279,7 @@ impl Equilibrium for Driven<'_> {
             residual.fill(f64::NAN);
             return;
         }
-        let excess = self.drives.excess(&summary::resultant(self.patch(), p), false);
+        let excess = self.excess(p, false);
         let (of_cells, of_forces) = residual.split_at_mut(p.len());
         self.state().residual(p, u, of_cells);
         for (residual, excess) in of_forces.iter_mut().zip(excess) {
@@ -294,7 +297,7 @@ impl Equilibrium for Driven<'_> {
         for (column, change) in self.columns.iter().zip(unknowns) {
             add_scaled(of_cells, *change, column);
         }
-        let excess = self.drives.excess(&summary::resultant(self.patch(), v), true);
+        let excess = self.excess(v, true);
         for (product, excess) in of_forces.iter_mut().zip(excess) {
             *product = -excess;
         }
@@ -313,7 +316,7 @@ impl Equilibrium for Driven<'_> {
         let split = v.len() - self.count();
         let (v, unknowns) = v.split_at_mut(split);
         self.state().precondition(v);
-        let made = self.drives.excess(&summary::resultant(self.patch(), v), true);
+        let made = self.excess(v, true);
         // −(forces of v − image · x) = what is asked for.
         let asked = unknowns.iter().zip(&made).map(|(asked, made)| asked + made);
         let found = &self.inverse * DVector::from_iterator(made.len(), asked);

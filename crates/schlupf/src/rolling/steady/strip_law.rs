@@ -202,8 +202,9 @@ impl StripLaw {
     ) -> Resolvent {
         let compliance = gamma / self.law.stiffness();
         let bristles = if compliance > 0.0 {
-            let is_exact = self.is_exact;
-            BristleState { is_exact, ..self.stencils[k].bristles(compliance, saturation) }
+            let bristles = self.stencils[k].bristles(compliance, saturation);
+            let (is_exact, guess) = (self.is_exact, self.resolvents[k].sliding);
+            BristleState { is_exact, guess, ..bristles }
         } else {
             BristleState::default()
         };

@@ -17,6 +17,8 @@ pub(in crate::rolling) struct StripContact {
     /// Compliance of each cell under its own traction, in m/Pa.
     pub local: Vec<Matrix>,
     missing: Missing,
+    /// Displacement of the bristles under p = pₙ (in m) for which cells are slaved.
+    deflection: f64,
     /// Compliance of cells at a distance of 0, 1, … columns, in m/Pa.
     pub row: Row,
 }
@@ -46,11 +48,16 @@ impl StripContact {
             let along = |own: f64, missing: f64| own + missing.max(-settings::most_reduced() * own);
             [[along(own[0], *xx), *xy], [*xy, along(own[1], *yy)]]
         });
-        Ok(Self { local: local.collect(), slaved, calibration, missing, row })
+        let deflection = contact.bristle_deflection();
+        Ok(Self { local: local.collect(), slaved, calibration, missing, deflection, row })
     }
 
     /// Follows a change of the laws of the contact; returns whether other cells are slaved now.
     pub fn settle(&mut self, contact: &DiscreteContact) -> bool {
+        let before = std::mem::replace(&mut self.deflection, contact.bristle_deflection());
+        if before == self.deflection {
+            return false;
+        }
         let slaved = slaved(contact, &self.missing, &self.row);
         let is_other = slaved.kept != self.slaved.kept;
         if is_other {

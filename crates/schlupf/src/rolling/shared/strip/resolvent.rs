@@ -49,6 +49,8 @@ pub(in crate::rolling) struct BristleState {
     pub upstream: [f64; 2],
     /// n: the nodes upstream.
     pub order: usize,
+    /// A guess of m, in Pa; zero if there is none.
+    pub guess: f64,
     /// Whether derivatives are exact. Where |c| is reduced to τ, Newton's method takes the
     /// reduction for a constant factor: where everything slides |c| is nearly τ, and would be
     /// reduced in one step and not in the next.
@@ -143,9 +145,8 @@ impl Resolvent {
     fn with_bristles(trial: [f64; 2], bound: f64, bristles: &BristleState) -> Self {
         let mut bristles = *bristles;
         let by_c = bristles.limit();
-        let sliding = sliding(trial, bound, &bristles);
+        let (sliding, [left, fading]) = sliding(trial, bound, &bristles);
         let BristleState { compliance, own, upstream, .. } = bristles;
-        let [left, fading] = bristles.memory(sliding);
         let (kept, kept_slope) = (compliance * own * left, compliance * own * fading);
         let from = upstream.map(|c| compliance * left * c);
         let from_slope = upstream.map(|c| compliance * fading * c);
@@ -163,8 +164,8 @@ impl Resolvent {
         let traction = [0, 1].map(|c| share * (trial[c] - from[c]));
         let slides = [0, 1].map(|c| -share * from_slope[c] - traction[c] * looser / whole);
         let block = |own: f64, moved: f64| {
-            let moved = moved * steepness;
-            [0, 1].map(|r| [0, 1].map(|c| own * IDENTITY[r][c] + slides[r] * moved * n[c]))
+            let [x, y] = [n[0] * moved * steepness, n[1] * moved * steepness];
+            [[own + slides[0] * x, slides[0] * y], [slides[1] * x, own + slides[1] * y]]
         };
         let by_bound = (dot(from) - sliding) * steepness;
         // κ and G go with γ/k_c at the same k_c m.
@@ -199,17 +200,18 @@ impl Resolvent {
     }
 }
 
-/// m, in Pa.
-fn sliding(trial: [f64; 2], bound: f64, bristles: &BristleState) -> f64 {
-    let BristleState { compliance, own, upstream, .. } = *bristles;
+/// m (in Pa), and φ with its derivative there.
+fn sliding(trial: [f64; 2], bound: f64, bristles: &BristleState) -> (f64, [f64; 2]) {
+    let BristleState { compliance, own, upstream, guess, .. } = *bristles;
     let size = length(trial);
     // By the triangle inequality it is no larger.
     let (mut low, mut high) = (0.0, size.max(compliance * length(upstream)));
-    let mut at = (size - bound).max(0.0);
+    let mut at = if guess > 0.0 { guess.min(high) } else { (size - bound).max(0.0) };
     // Newton's method, and bisection where its steps do not become half as long each time.
     let mut last = high;
     for _ in 0..2 * f64::MANTISSA_DIGITS {
-        let [left, fading] = bristles.memory(at);
+        let memory = bristles.memory(at);
+        let [left, fading] = memory;
         let free = compliance * own * left + at;
         let looser = 1.0 + compliance * own * fading;
         let from = bound * compliance * left;
@@ -230,12 +232,16 @@ fn sliding(trial: [f64; 2], bound: f64, bristles: &BristleState) -> f64 {
         let is_within = next >= low && next <= high && (next - at).abs() <= 0.5 * last;
         let next = if is_within { next } else { 0.5 * (low + high) };
         last = (next - at).abs();
-        at = next;
+        let before = std::mem::replace(&mut at, next);
         if last <= f64::EPSILON * (32.0 * next + bound) {
-            break;
+            return (next, memory);
+        }
+        // What a step leaves is of second order in the step.
+        if last <= f64::EPSILON.sqrt() * compliance.min(bound) && is_within {
+            return (next, [left + fading * (next - before), fading]);
         }
     }
-    at
+    (at, bristles.memory(at))
 }
 
 pub(in crate::rolling) fn product_2x2(a: &Matrix, b: &Matrix) -> Matrix {
@@ -294,8 +300,14 @@ mod tests {
                     let at = |(tried, raised, changed, stiffer): Changes| {
                         let compliance = compliance * f64::exp(-stiffer);
                         let upstream = [0, 1].map(|k| c[k] + changed[k]);
-                        let made =
-                            BristleState { compliance, own, upstream, order, is_exact: true };
+                        let made = BristleState {
+                            compliance,
+                            own,
+                            upstream,
+                            order,
+                            is_exact: true,
+                            ..BristleState::default()
+                        };
                         Resolvent::at([0, 1].map(|k| trial[k] + tried[k]), bound + raised, &made)
                     };
                     let resolvent = at(([0.0; 2], 0.0, [0.0; 2], 0.0));
@@ -337,6 +349,7 @@ mod tests {
         };
         let own = 11.0 / 6.0;
         let of = |compliance, upstream| BristleState {
+            guess: 0.0,
             compliance,
             own,
             upstream,
@@ -370,8 +383,14 @@ mod tests {
             let exact = at(3.0 * relaxed).map(|q| bound * q);
             let trial = [0, 1].map(|c| exact[c] + sliding * along[c]);
             let (compliance, upstream) = (sliding / relaxed, before.map(|q| -q));
-            let bristles =
-                BristleState { compliance, own: 1.0, upstream, order: 1, is_exact: true };
+            let bristles = BristleState {
+                compliance,
+                own: 1.0,
+                upstream,
+                order: 1,
+                is_exact: true,
+                ..BristleState::default()
+            };
             let resolvent = Resolvent::at(trial, bound, &bristles);
             assert_relative_eq!(resolvent.sliding, sliding, max_relative = 1e-10);
             for (found, exact) in resolvent.traction.into_iter().zip(exact) {

@@ -78,7 +78,7 @@ impl SlipStencil {
     pub fn bristles(&self, compliance: f64, saturation: &UpstreamValues) -> BristleState {
         let (own, order) = (self.weight[0], order(&self.weight));
         let upstream = self.of_upstream(saturation);
-        BristleState { compliance, own, upstream, order, is_exact: false }
+        BristleState { compliance, own, upstream, order, ..BristleState::default() }
     }
 
     /// The part of the cells upstream, in the unit of the values.
