@@ -76,7 +76,7 @@ messages! {
     /// There may be several steady states.
     "branch-lost" BranchLost {} Quantity::Branch, |name, words| {
         "friction falls so fast that there may be several steady states; they could not all be \
-         followed along the creepage, so there may be another one than this"
+         followed along the creepage: there may be another one than this, on either branch"
             .to_owned()
     };
 

@@ -37,7 +37,7 @@ fn on_branch(problem: &Problem, branch: Branch) -> Solution {
 /// other branch gives.
 #[test]
 fn the_branch_is_said() {
-    let several = falling(0.001, 0.004);
+    let several = falling(9.875e-4, 0.004);
     let low = on_branch(&several, Branch::LowSlip);
     let high = on_branch(&several, Branch::HighSlip);
     let limit = 0.4 * low.normal.load;
@@ -63,7 +63,7 @@ fn the_branch_is_said() {
 /// hundred over y, which is one only where there are no cells.
 #[test]
 fn a_factor_over_y_hides_no_branch() {
-    let several = falling(0.001, 0.004);
+    let several = falling(9.875e-4, 0.004);
     let mut written = several.clone();
     let law = Linear(SlipTerms::new(0.004, 0.0005, 0.004, None).unwrap());
     let y = vec![-1e-5, 0.0, 1e-5];

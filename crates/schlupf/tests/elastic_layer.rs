@@ -4,14 +4,17 @@
 
 mod common;
 
+use std::sync::Arc;
+
 use approx::assert_relative_eq;
 use common::{cells, problem, rolling, solve};
 use nalgebra::{Cholesky, DMatrix};
 use schlupf::elasticity::Elasticity;
-use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
+use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness, Springs};
 use schlupf::grid::{Extent, Grid, VectorField};
-use schlupf::interface::contact_law::TotalDisplacement;
-use schlupf::{Problem, unwatched};
+use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
+use schlupf::rolling::steady;
+use schlupf::{Options, Problem, Status, unwatched};
 
 /// ξ, η, φ in 1/m; Fx/μN, Fy/μN, Mz/μN√(ab).
 const CONVERGED: [([f64; 3], [f64; 3]); 6] = [
@@ -58,11 +61,67 @@ fn neuhaus_sextro_2014_layer_forces_at_20_cells() {
 fn refinement_converges() {
     let force = |n| {
         let rolls = problem(rolling(0.002, 0.0, 0.0));
-        schlupf::rolling::steady::solve(&rolls, &cells(n), &unwatched).unwrap().normalised.x
+        steady::solve(&rolls, &cells(n), &unwatched).unwrap().normalised.x
     };
     let finest = force(160);
     let (coarse, fine) = ((force(20) - finest).abs(), (force(80) - finest).abs());
     assert!(fine < coarse * 0.25_f64.powf(1.5), "{coarse} → {fine}");
+}
+
+/// Springs per cell are the layer with c = Δc/(ΔxΔy) and g = Δc_k Δx/Δy, Δc_k Δy/Δx, of the cells
+/// of the grid (Neuhaus and Sextro 2014), also in what is taken for the exact displacement.
+#[test]
+fn springs_are_those_of_the_cells() {
+    let rolls = problem(rolling(1e-3, 5e-4, 0.0));
+    let normal = rolls.normal.normal_contact(None).unwrap();
+    let springs = Springs { bedding: 8.75e5, coupling: 1.13e7 };
+    let springs = ElasticLayer::from_springs(springs, springs, None).unwrap();
+    let [x, y] = springs.per_area(&Grid::across(&normal.extent(), 24, 24));
+    let layers = [springs, ElasticLayer::new(x, y, None).unwrap()];
+    for law in [ContactLaw::Coulomb, rolls.contact_law] {
+        let [springs, per_area] = layers.map(|layer| {
+            let elasticity = Arc::new(layer);
+            let rolls = Problem { elasticity, contact_law: law, ..rolls.clone() };
+            steady::solve(&rolls, &cells(24), &unwatched).unwrap()
+        });
+        assert_eq!(springs.status, Status::Converged, "{:?}", springs.warnings);
+        assert!(springs.work.operator_products < 40.0, "{:?}", springs.work);
+        let [one, other] = [springs, per_area].map(|of| of.normalised);
+        assert_relative_eq!(one.x, other.x, max_relative = 1e-4);
+        assert_relative_eq!(one.y, other.y, max_relative = 1e-4);
+    }
+}
+
+/// A layer that ends near the patch, with a coupling that reaches beyond it: on all grids the same
+/// but for where the layer ends, which is a whole number of cells away.
+#[test]
+fn a_layer_may_end_near_the_patch() {
+    let force = |n, law| {
+        let stiffness =
+            LayerStiffness { bedding: 3.5e12, coupling_along_x: 1.13e8, coupling_along_y: 1.13e8 };
+        let elasticity = Arc::new(ElasticLayer::new(stiffness, stiffness, Some(5e-3)).unwrap());
+        let rolls = problem(rolling(5e-4, 0.0, 0.0));
+        let rolls = Problem { elasticity, contact_law: law, ..rolls };
+        let solution = steady::solve(&rolls, &cells(n), &unwatched).unwrap();
+        assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
+        solution.normalised.x
+    };
+    for law in [ContactLaw::Coulomb, Incremental::new(5e6).unwrap().into()] {
+        let [coarse, fine, finest] = [20, 31, 64].map(|n| force(n, law));
+        assert_relative_eq!(coarse, finest, max_relative = 0.05);
+        assert_relative_eq!(fine, finest, max_relative = 0.05);
+    }
+}
+
+/// A single row of cells, as of a line contact, on a layer.
+#[test]
+fn a_layer_has_a_single_row() {
+    let one_row = Options { cells_y: 1, ..cells(24) };
+    let rolls = problem(rolling(1e-3, 0.0, 0.0));
+    let solution = steady::solve(&rolls, &one_row, &unwatched).unwrap();
+    assert_eq!(solution.status, Status::Converged);
+    let whole = steady::solve(&rolls, &cells(24), &unwatched).unwrap();
+    assert_relative_eq!(solution.normalised.x, whole.normalised.x, max_relative = 0.2);
 }
 
 /// ∫ q dA = −v0 (ξFx + ηFy + φMz) in the steady state: 0.5 % at 20 cells, 0.1 % at 40.

@@ -292,7 +292,8 @@ fn high_slip_converges() {
 /// exactly: no Newton step is left. Forces are extrapolated from two grids there, too.
 #[test]
 fn beddings_of_unequal_stiffness_are_solved_cell_by_cell() {
-    for law in [ContactLaw::Coulomb, Incremental::new(1e8).unwrap().into()] {
+    let bristles = Incremental::new(1e8).unwrap().into();
+    for law in [ContactLaw::Coulomb, bristles, TotalDisplacement::new(1e8).unwrap().into()] {
         for (along, across) in [(1e15, 1e12), (4e13, 1e13)] {
             let mut bedded = problem(rolling(1e-4, 1e-4, 0.3));
             bedded.elasticity = Arc::new(Winkler::new(along, across).unwrap());

@@ -73,7 +73,7 @@ fn earlier_solutions_are_used_where_they_help() {
 #[test]
 fn branches_are_a_continuation() {
     let law = Linear(SlipTerms::new(0.4, 0.05, 0.004, None).unwrap());
-    let mut several = problem(rolling(1e-3, 0.0, 0.0));
+    let mut several = problem(rolling(9.875e-4, 0.0, 0.0));
     several.kinematics.speed = 15.0;
     several.contact_law = Incremental::new(1e9).unwrap().into();
     several.friction.law = Arc::new(law);

@@ -120,10 +120,15 @@ impl CalibratedLayer {
 
 impl Elasticity for CalibratedLayer {
     fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error> {
+        self.compliance_on_finer(grid, grid)
+    }
+
+    fn compliance_on_finer(&self, grid: &Grid, finer: &Grid) -> Result<Box<dyn Compliance>, Error> {
         let half = |cells: usize, spacing: f64| 0.5 * cells as f64 * spacing;
         let semi_axes =
             [half(grid.columns - 2 * BORDER, grid.spacing_x), half(grid.rows, grid.spacing_y)];
-        self.layer(semi_axes)?.growing(grid, SIZE_EXPONENT)
+        let layer = self.layer(semi_axes)?.on_finer(grid, finer)?;
+        Ok(Box::new(layer.growing(SIZE_EXPONENT)))
     }
 
     fn caveat(&self) -> Option<Warning> {

@@ -21,6 +21,17 @@ pub trait Elasticity: Debug + Send + Sync {
     /// The compliance on the cells of a grid.
     fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error>;
 
+    /// The compliance of the same bodies as on `grid`, on cells of which a whole number make up one
+    /// of its cells along and across rolling. A model with properties that follow from its grid
+    /// takes them from `grid`.
+    fn compliance_on_finer(
+        &self,
+        _grid: &Grid,
+        finer: &Grid,
+    ) -> Result<Box<dyn Compliance>, Error> {
+        self.compliance(finer)
+    }
+
     /// The exact displacement under a semi-ellipsoidal traction on an ellipse with the given
     /// semi-axes (in m), if the model knows it.
     fn under_ellipsoid(&self, _semi_axes: [f64; 2]) -> Option<EllipsoidalTraction> {

@@ -417,9 +417,8 @@ messages! {
         count: usize,
     } Quantity::CellsY, |name, words| format!(
         "{name} must be at least {fewest} for {columns} cells along rolling on this patch, but is \
-         {count}: with Coulomb's law ({}), cells must not be much wider than long where the edge of \
-         the patch runs through many of them; take more across or fewer along",
-        words.word(Quantity::ContactLaw)
+         {count}: cells must not be much wider than long where the edge of the patch runs through \
+         many of them; take more across or fewer along"
     );
 
     /// A look-up table for bodies with a layer between them.

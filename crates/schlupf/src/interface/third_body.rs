@@ -20,8 +20,8 @@ pub struct ThirdBodyLayer {
     yielding: Option<YieldLimit>,
 }
 
-/// The traction at which a layer flows, τ_c = τ_c0 + k_τ w with the length w of the way that its
-/// surfaces have moved against each other in flowing; at least zero.
+/// The traction at which a layer flows, τ_c = τ_c0 + k_τ w with the accumulated plastic
+/// displacement w of its surfaces against each other; at least zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct YieldLimit {
     /// τ_c0, in Pa.
@@ -41,8 +41,8 @@ const STEEPEST: f64 = 1e20;
 
 impl YieldLimit {
     /// τ_c (in Pa) after a plastic displacement w, in m.
-    pub fn at(&self, way: f64) -> f64 {
-        (self.stress + self.hardening * way).max(0.0)
+    pub fn at(&self, accumulated: f64) -> f64 {
+        (self.stress + self.hardening * accumulated).max(0.0)
     }
 }
 
@@ -103,7 +103,7 @@ impl ThirdBodyLayer {
         self.yielding.is_some_and(|limit| limit.hardening != 0.0)
     }
 
-    /// What bounds the traction of material that has flowed by a way (in m) before, where friction
+    /// What bounds the traction of material that has flowed by a length (in m) before, where friction
     /// would by μ pₙ (in Pa) and the surfaces slip by `slips` (in m) until they are at a place, and
     /// until they leave it.
     pub(crate) fn pass(&self, friction: f64, flowed: f64, slips: [f64; 2]) -> Flow {
@@ -146,15 +146,15 @@ pub(crate) struct Flow {
 /// let mut point = ShearedPoint::default();
 /// assert!((point.shear(&layer, [1e-5, 0.0])[0] - 80e6).abs() < 1.0);
 /// assert!((point.shear(&layer, [1e-4, 0.0])[0] - 200e6).abs() < 1.0);
-/// assert!((point.way - 7.5e-5).abs() < 1e-12);
+/// assert!((point.accumulated - 7.5e-5).abs() < 1e-12);
 /// # Ok::<(), schlupf::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ShearedPoint {
     /// Plastic part of the displacement of the surfaces against each other, in m.
     pub plastic: [f64; 2],
-    /// Length of the way of that, in m.
-    pub way: f64,
+    /// Its accumulated length, in m.
+    pub accumulated: f64,
 }
 
 impl ShearedPoint {
@@ -166,14 +166,14 @@ impl ShearedPoint {
         let elastic = [0, 1].map(|c| stiffness * (displacement[c] - self.plastic[c]));
         let size = elastic[0].hypot(elastic[1]);
         let Some(limit) = layer.yield_limit() else { return elastic };
-        if size <= limit.at(self.way) {
+        if size <= limit.at(self.accumulated) {
             return elastic;
         }
         let direction = elastic.map(|t| t / size);
         // Until nothing is left of a limit that falls.
-        let flow =
-            ((size - limit.at(self.way)) / (stiffness + limit.hardening)).min(size / stiffness);
-        self.way += flow;
+        let flow = ((size - limit.at(self.accumulated)) / (stiffness + limit.hardening))
+            .min(size / stiffness);
+        self.accumulated += flow;
         for (plastic, along) in self.plastic.iter_mut().zip(direction) {
             *plastic += flow * along;
         }
@@ -197,7 +197,7 @@ mod tests {
     }
 
     /// Hou, Kalousek and Magel 1997: loading along both slopes, unloading with the first, reversing
-    /// until the limit of the way so far.
+    /// until the limit of the displacement so far.
     #[test]
     fn hou_1997_loading_unloading_reversing() {
         let (layer, mut point) = (clay(), ShearedPoint::default());
@@ -217,7 +217,7 @@ mod tests {
             along(&mut often, 1e-6 * f64::from(n));
         }
         along(&mut once, 140e-6);
-        assert_relative_eq!(often.way, once.way, max_relative = 1e-12);
+        assert_relative_eq!(often.accumulated, once.accumulated, max_relative = 1e-12);
     }
 
     /// Sand softens from 400 MPa by 200 MPa/mm, and never below nothing.

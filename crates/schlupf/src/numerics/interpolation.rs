@@ -28,7 +28,8 @@ pub(crate) fn bilinear([x, y]: [f64; 2]) -> [f64; 4] {
 }
 
 /// First of the four nodes of a regular line around a position given in spacings, and their weights
-/// in Lagrange's cubic; near the ends the cubic through the four outermost nodes.
+/// in Lagrange's cubic; near the ends the cubic through the four outermost nodes. There must be at
+/// least four.
 pub(crate) fn cubic(position: f64, nodes: usize) -> (usize, [f64; 4]) {
     let first = (position.floor() - 1.0).clamp(0.0, (nodes - 4) as f64);
     let s = position - first;

@@ -136,7 +136,7 @@ impl LayerCompliance {
     }
 
     /// The same for displacements that scale with a power of the grid size.
-    pub(super) fn growing(self, power: f64) -> Self {
+    pub(in crate::elasticity) fn growing(self, power: f64) -> Self {
         Self { size_exponent: Some(power), ..self }
     }
 

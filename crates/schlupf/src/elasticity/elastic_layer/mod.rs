@@ -16,7 +16,7 @@ use compliance::LayerCompliance;
 use super::{Compliance, Elasticity};
 use crate::error::{Error, require, require_positive};
 use crate::fourier::smooth_from;
-use crate::grid::Grid;
+use crate::grid::{BORDER, Grid};
 use crate::quantity::Quantity;
 use crate::requirement::Requirement;
 
@@ -157,25 +157,39 @@ pub struct Surroundings {
     pub rows_beyond: usize,
 }
 
-impl Elasticity for ElasticLayer {
-    fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error> {
-        match self.stiffness {
-            Stiffness::PerArea(_) => Ok(Box::new(self.on(grid)?)),
-            // All stiffnesses per area are proportional to the inverse square of the size.
-            Stiffness::Discrete(_) => self.growing(grid, 2.0),
+impl Surroundings {
+    /// The same area around a finer grid.
+    fn refined(self, grid: &Grid, finer: &Grid) -> Self {
+        let along = finer.columns_within() / grid.columns_within();
+        Self {
+            columns: along * self.columns,
+            first_column: along * (self.first_column + BORDER) - BORDER,
+            rows_beyond: finer.rows / grid.rows * self.rows_beyond,
         }
     }
 }
 
-impl ElasticLayer {
-    fn on(&self, grid: &Grid) -> Result<LayerCompliance, Error> {
-        let surroundings = self.surroundings(grid)?;
-        Ok(LayerCompliance::new(&self.per_area(grid), surroundings, *grid))
+impl Elasticity for ElasticLayer {
+    fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error> {
+        self.compliance_on_finer(grid, grid)
     }
 
-    /// The layer on a grid, with displacements that scale with a power of the grid size.
-    pub(super) fn growing(&self, grid: &Grid, power: f64) -> Result<Box<dyn Compliance>, Error> {
-        Ok(Box::new(self.on(grid)?.growing(power)))
+    /// Springs are those of the cells of `grid`, and the layer ends where it does there.
+    fn compliance_on_finer(&self, grid: &Grid, finer: &Grid) -> Result<Box<dyn Compliance>, Error> {
+        let layer = self.on_finer(grid, finer)?;
+        Ok(match self.stiffness {
+            Stiffness::PerArea(_) => Box::new(layer),
+            // All stiffnesses per area are proportional to the inverse square of the size.
+            Stiffness::Discrete(_) => Box::new(layer.growing(2.0)),
+        })
+    }
+}
+
+impl ElasticLayer {
+    /// The layer of a grid on a finer one.
+    pub(super) fn on_finer(&self, grid: &Grid, finer: &Grid) -> Result<LayerCompliance, Error> {
+        let surroundings = self.surroundings(grid)?.refined(grid, finer);
+        Ok(LayerCompliance::new(&self.per_area(grid), surroundings, *finer))
     }
 }
 

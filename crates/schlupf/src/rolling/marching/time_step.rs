@@ -17,8 +17,7 @@ use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::passage::pair;
 use crate::rolling::shared::strip::{
-    BristleState, Calibrated, ExactDisplacement, Matrix, Resolvent, StripContact, order, reduced,
-    saturation, through,
+    BristleState, Matrix, Resolvent, StripContact, order, reduced, saturation, through,
 };
 use crate::state::{Places, TrackPoint};
 
@@ -43,9 +42,8 @@ impl TimeStepLaw {
         normal: &NormalContact,
         contact: &mut DiscreteContact,
     ) -> Result<Self, Error> {
-        let exact = ExactDisplacement::of(problem, normal, contact, Calibrated::Displacement)?;
         Ok(Self {
-            contact: StripContact::new(problem, exact.as_ref(), contact)?,
+            contact: StripContact::new(problem, normal, contact)?,
             interface: problem.contact_law,
             directions: Directions::default(),
             of: Default::default(),

@@ -6,7 +6,6 @@ use crate::normal::NormalContact;
 use crate::problem::{Options, Problem};
 use crate::progress::{Progress, Stage, Watch, tell};
 use crate::rolling::shared::contact::DiscreteContact;
-use crate::rolling::shared::strip::{Calibrated, ExactDisplacement};
 use crate::settings;
 
 use super::steady_friction::SteadyFriction;
@@ -64,11 +63,10 @@ pub(super) fn nested(
 ) -> Result<Vec<Level>, Error> {
     let mut cells = [options.cells_x, options.cells_y];
     let mut levels: Vec<Level> = Vec::new();
-    let mut exact = None;
     loop {
         let grid = Grid::across(&normal.extent(), cells[0], cells[1]);
         tell(watch, Progress::count(Stage::Steady, 0))?;
-        let level = Level::new((problem, normal), grid, &mut exact)?;
+        let level = Level::new(problem, normal, grid)?;
         levels.first().unwrap_or(&level).contact.require_rows()?;
         if let Some(finer) = levels.last_mut() {
             let transfer = Transfer::new(&finer.contact.patch, &level.contact.patch);
@@ -92,20 +90,11 @@ pub(super) fn nested(
 }
 
 impl Level {
-    /// Of a contact on a grid; coarser ones are calibrated with the displacement that is exact for
-    /// the finest.
-    fn new(
-        (problem, normal): (&Problem, &NormalContact),
-        grid: Grid,
-        exact: &mut Option<ExactDisplacement>,
-    ) -> Result<Self, Error> {
+    fn new(problem: &Problem, normal: &NormalContact, grid: Grid) -> Result<Self, Error> {
         let mut contact = DiscreteContact::new(problem, normal, grid)?;
-        if exact.is_none() {
-            *exact = ExactDisplacement::of(problem, normal, &contact, Calibrated::Displacement)?;
-        }
         let unknowns = 2 * contact.patch.len();
         let zeros = || vec![0.0; unknowns];
-        let strips = StripLaw::new(problem, exact.as_ref(), &mut contact)?;
+        let strips = StripLaw::new(problem, normal, &mut contact)?;
         Ok(Self {
             strips,
             friction: SteadyFriction::new(problem, &contact.patch),

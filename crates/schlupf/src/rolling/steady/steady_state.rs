@@ -200,7 +200,7 @@ impl SteadyState<'_> {
     }
 }
 
-/// One pass down the strips of the first level, with its long waves replaced by those of the
+/// Solves the strips of the first level one by one, with the long waves replaced by those of the
 /// coarser levels.
 fn precondition(levels: &mut [Level], v: &mut [f64]) {
     let Some((level, coarser)) = levels.split_first_mut() else { return };

@@ -19,8 +19,8 @@ use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::passage::pair;
 use crate::rolling::shared::strip::{
-    BristleState, Calibrated, Calibration, ExactDisplacement, Matrix, Resolvent, SlipStencil,
-    StripContact, UpstreamValues, slide,
+    BristleState, Calibrated, Calibration, Matrix, Resolvent, SlipStencil, StripContact,
+    UpstreamValues, slide,
 };
 
 use super::steady_friction::SteadyFriction;
@@ -83,10 +83,10 @@ impl StripLaw {
     /// Those of [`StripContact::new`].
     pub fn new(
         problem: &Problem,
-        exact: Option<&ExactDisplacement>,
+        normal: &NormalContact,
         discrete: &mut DiscreteContact,
     ) -> Result<Self, Error> {
-        let contact = StripContact::new(problem, exact, discrete)?;
+        let contact = StripContact::new(problem, normal, discrete)?;
         let patch = &discrete.patch;
         let (stencils, factors) = discretised(problem.contact_law, patch, &contact);
         let cells = patch.len();
@@ -126,6 +126,8 @@ impl StripLaw {
             patch.cells.iter().flat_map(|cell| cell.rigid_slip_since_entry(&problem.kinematics));
         self.rigid_since_entry = since_entry.collect();
         self.rigid.copy_from_slice(&self.rigid_since_entry);
+        // What was solved before leaves no trace, not even in the last digit.
+        self.resolvents.fill(Resolvent::default());
         slide(&self.stencils, &mut self.rigid);
     }
 
@@ -193,18 +195,18 @@ impl StripLaw {
         [0, 1].map(|c| self.rigid[2 * k + c] - b[2 * k + c])
     }
 
-    /// The resolvent of a cell at a trial traction with a γ, and to p/(μ pₙ) of the cells upstream.
+    /// The resolvent of a cell at a trial traction with a γ, and to p/(μ pₙ) of the cells upstream;
+    /// with a guess of m, in Pa.
     fn resolvent(
         &self,
         (trial, gamma): ([f64; 2], f64),
         saturation: &UpstreamValues,
-        k: usize,
+        (k, guess): (usize, f64),
     ) -> Resolvent {
         let compliance = gamma / self.law.stiffness();
         let bristles = if compliance > 0.0 {
             let bristles = self.stencils[k].bristles(compliance, saturation);
-            let (is_exact, guess) = (self.is_exact, self.resolvents[k].sliding);
-            BristleState { is_exact, guess, ..bristles }
+            BristleState { is_exact: self.is_exact, guess, ..bristles }
         } else {
             BristleState::default()
         };
@@ -219,7 +221,8 @@ impl StripLaw {
             for k in self.contact.slaved.kept[strip].clone() {
                 let (traction, sliding) = (pair(p, k), self.sliding(b, k));
                 let trial = [0, 1].map(|c| traction[c] + self.gamma * sliding[c]);
-                let resolvent = self.resolvent((trial, self.gamma), &upstream, k);
+                let guess = self.resolvents[k].sliding;
+                let resolvent = self.resolvent((trial, self.gamma), &upstream, (k, guess));
                 for c in 0..2 {
                     residual[2 * k + c] = traction[c] - resolvent.traction[c];
                 }

@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use crate::elasticity::ellipsoidal_traction::EllipsoidalTraction;
 use crate::error::Error;
-use crate::grid::{BORDER, Grid, VectorField};
+use crate::grid::{Grid, VectorField};
 use crate::normal::{NormalContact, Pressure};
 use crate::numerics::interpolation::cubic;
 use crate::patch::{Interpolation, Patch};
@@ -53,17 +53,22 @@ impl Missing {
         Self { at_cells: nothing.clone(), at_entries: nothing }
     }
 
-    /// Of a contact, against what is taken for the exact displacement. Nothing is missing if cells
-    /// are not coupled. `None` if the elasticity does not know the derivative.
+    /// Of the contact of a problem: against the exact displacement if it is known, and otherwise
+    /// that on a finer grid. Nothing is missing if cells are not coupled. `None` if the
+    /// elasticity does not know the derivative.
     pub fn new(
-        exact: &ExactDisplacement,
+        problem: &Problem,
+        normal: &NormalContact,
         contact: &mut DiscreteContact,
         of: Calibrated,
-    ) -> Option<Self> {
+    ) -> Result<Option<Self>, Error> {
         if !contact.compliance.couples_cells() {
-            return Some(Self::nothing(contact.patch.len()));
+            return Ok(Some(Self::nothing(contact.patch.len())));
         }
-        let [mut at_cells, mut at_entries] = discrete(contact, of)?;
+        let Some(exact) = Exact::of(problem, normal, &contact.patch.grid, of)? else {
+            return Ok(None);
+        };
+        let Some([mut at_cells, mut at_entries]) = discrete(contact, of) else { return Ok(None) };
         // The layer is sheared by the traction of the point above it, whatever the patch size.
         let layer = if of == Calibrated::BySize { 0.0 } else { contact.layer_compliance };
         for (k, cell) in contact.patch.cells.iter().enumerate() {
@@ -75,7 +80,7 @@ impl Missing {
             at_cells[k][0] += sheared;
             at_cells[k][1] += sheared;
         }
-        Some(Self { at_cells, at_entries })
+        Ok(Some(Self { at_cells, at_entries }))
     }
 }
 
@@ -159,25 +164,20 @@ fn discrete(contact: &mut DiscreteContact, of: Calibrated) -> Option<[Vec<Symmet
 }
 
 /// What is taken for the exact displacement under p = pₙ.
-pub(in crate::rolling) enum ExactDisplacement {
+enum Exact {
     Nothing,
     Ellipsoid(EllipsoidalTraction, f64),
     Finer { grid: Grid, under: [VectorField; 2] },
 }
 
-impl ExactDisplacement {
-    /// Of the contact of a problem: the exact one if it is known, and otherwise that on a grid
-    /// finer than that of the contact. `None` if the elasticity does not know the derivative.
-    ///
-    /// # Errors
-    /// Those of the compliance on that grid.
-    pub fn of(
+impl Exact {
+    fn of(
         problem: &Problem,
         normal: &NormalContact,
-        contact: &DiscreteContact,
+        grid: &Grid,
         of: Calibrated,
     ) -> Result<Option<Self>, Error> {
-        if of == Calibrated::OfLayer || !contact.compliance.couples_cells() {
+        if of == Calibrated::OfLayer {
             return Ok(Some(Self::Nothing));
         }
         let summary = &normal.summary;
@@ -188,20 +188,19 @@ impl ExactDisplacement {
             // At the same pressure it is proportional to the size.
             return Ok(Some(Self::Ellipsoid(known, summary.peak_pressure)));
         }
-        let grid = &contact.patch.grid;
-        let finer = (2..=settings::refinement())
+        // Less where so many cells would take too much memory.
+        let parts = (1..=settings::refinement())
             .rev()
-            .find(|finer| finer * finer * grid.len() <= 4 * MAX_CELLS_TOGETHER);
-        let finer = finer.unwrap_or(1);
-        let across = [grid.columns - 2 * BORDER, grid.rows].map(|cells| finer * cells);
-        // Of the same surface: a layer ends at a distance from its grid, which the patch of a small
-        // load in a history does not fill.
-        let grid = Grid::across(&grid.extent(), across[0], across[1]);
-        let patch = Patch::new(normal, grid);
-        let mut compliance = problem.elasticity.compliance(&grid)?;
+            .find(|parts| parts * parts * grid.len() <= 4 * MAX_CELLS_TOGETHER);
+        let parts = parts.unwrap_or(1);
+        // Cubics need four rows.
+        let rows = grid.rows * parts.max(4_usize.div_ceil(grid.rows));
+        let finer = Grid::across(&grid.extent(), parts * grid.columns_within(), rows);
+        let patch = Patch::new(normal, finer);
+        let mut compliance = problem.elasticity.compliance_on_finer(grid, &finer)?;
         let spread = Interpolation::new(&patch);
-        let mut traction = VectorField::zeros(grid.len());
-        let mut under = [0, 1].map(|_| VectorField::zeros(grid.len()));
+        let mut traction = VectorField::zeros(finer.len());
+        let mut under = [0, 1].map(|_| VectorField::zeros(finer.len()));
         for (direction, displacement) in under.iter_mut().enumerate() {
             let along = |pressure: f64| [0, 1].map(|c| if c == direction { pressure } else { 0.0 });
             let p: Vec<f64> = patch.cells.iter().flat_map(|cell| along(cell.pressure)).collect();
@@ -212,7 +211,7 @@ impl ExactDisplacement {
                 return Ok(None);
             }
         }
-        Ok(Some(Self::Finer { grid, under }))
+        Ok(Some(Self::Finer { grid: finer, under }))
     }
 
     /// At a point (in m).

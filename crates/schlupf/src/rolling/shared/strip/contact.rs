@@ -6,7 +6,7 @@ use crate::problem::Problem;
 use crate::rolling::shared::contact::{DiscreteContact, Row, at_distance};
 use crate::settings;
 
-use super::calibration::{Calibrated, Calibration, ExactDisplacement, Missing, Symmetric};
+use super::calibration::{Calibrated, Calibration, Missing, Symmetric};
 use super::resolvent::Matrix;
 use super::slaved_cells::{Determinacy, SlavedCells};
 
@@ -24,13 +24,13 @@ pub(in crate::rolling) struct StripContact {
 }
 
 impl StripContact {
-    /// Of a problem, on its discretised contact, calibrated with a displacement.
+    /// Of a problem, on its discretised contact.
     ///
     /// # Errors
     /// Rigid bodies, for which nothing determines the traction where they stick.
     pub fn new(
         problem: &Problem,
-        exact: Option<&ExactDisplacement>,
+        normal: &NormalContact,
         contact: &mut DiscreteContact,
     ) -> Result<Self, Error> {
         let row = contact.row_compliances();
@@ -39,8 +39,7 @@ impl StripContact {
         if is_rigid && problem.contact_law.is_coulomb() {
             return Err(Error::CoulombOfRigidBodies {});
         }
-        let missing =
-            exact.and_then(|exact| Missing::new(exact, contact, Calibrated::Displacement));
+        let missing = Missing::new(problem, normal, contact, Calibrated::Displacement)?;
         let missing = missing.unwrap_or_else(|| Missing::nothing(contact.patch.len()));
         let slaved = slaved(contact, &missing, &row);
         let calibration = Calibration::new(&missing, &contact.patch, &slaved.kept);
@@ -52,7 +51,8 @@ impl StripContact {
         Ok(Self { local: local.collect(), slaved, calibration, missing, deflection, row })
     }
 
-    /// Follows a change of the laws of the contact; returns whether other cells are slaved now.
+    /// Follows a change of the laws of the contact, of which only bristles bear on which cells are
+    /// slaved; returns whether these are others now.
     pub fn settle(&mut self, contact: &DiscreteContact) -> bool {
         let before = std::mem::replace(&mut self.deflection, contact.bristle_deflection());
         if before == self.deflection {
@@ -77,8 +77,7 @@ impl StripContact {
         (problem, normal): (&Problem, &NormalContact),
         contact: &mut DiscreteContact,
     ) -> Result<Option<Calibration>, Error> {
-        let exact = ExactDisplacement::of(problem, normal, contact, what)?;
-        let missing = exact.and_then(|exact| Missing::new(&exact, contact, what));
+        let missing = Missing::new(problem, normal, contact, what)?;
         Ok(missing.map(|missing| Calibration::new(&missing, &contact.patch, &self.slaved.kept)))
     }
 

@@ -13,7 +13,7 @@ mod slip_stencil;
 mod resolvent;
 mod contact;
 
-pub(in crate::rolling) use calibration::{Calibrated, Calibration, ExactDisplacement};
+pub(in crate::rolling) use calibration::{Calibrated, Calibration};
 pub(in crate::rolling) use contact::StripContact;
 pub(in crate::rolling) use resolvent::{BristleState, Matrix, Resolvent, reduced, saturation};
 pub(in crate::rolling) use slip_stencil::{SlipStencil, UpstreamValues, order, slide, through};

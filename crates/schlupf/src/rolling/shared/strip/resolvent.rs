@@ -237,7 +237,8 @@ fn sliding(trial: [f64; 2], bound: f64, bristles: &BristleState) -> (f64, [f64; 
             return (next, memory);
         }
         // What a step leaves is of second order in the step.
-        if last <= f64::EPSILON.sqrt() * compliance.min(bound) && is_within {
+        let is_small = last <= f64::EPSILON.sqrt() * compliance.min(bound);
+        if is_small && is_within && !bristles.is_exact {
             return (next, [left + fading * (next - before), fading]);
         }
     }

@@ -16,7 +16,9 @@ impl StripLaw {
             let mut saturation = UpstreamValues::default();
             for k in cells.clone() {
                 self.solve_uncoupled((k, pair(compliance, k)), &saturation, &mut displacement, p);
-                saturation.advance(self.saturated(p, k));
+                if self.remembers() {
+                    saturation.advance(self.saturated(p, k));
+                }
             }
         }
         self.contact.slaved.complete(p);
@@ -49,7 +51,7 @@ impl StripLaw {
             }
             let moved = self.stencils[k].apply(displacement, k);
             let trial = [0, 1].map(|c| before[c] + gamma * (self.rigid[2 * k + c] - moved[c]));
-            let resolvent = self.resolvent((trial, gamma), saturation, k);
+            let resolvent = self.resolvent((trial, gamma), saturation, (k, 0.0));
             let left = [0, 1].map(|c| before[c] - resolvent.traction[c]);
             let step = times(&inverse_2x2(resolvent.jacobian(&stiffening)), left);
             for c in 0..2 {
