@@ -1,6 +1,6 @@
 //! The numbers that steer the numerics of rolling contact: what each one is, and why it has its
-//! value. None is part of a model: those of discretisation change results by what is said there, on 20
-//! cells; all others change the work, and which of several states is found, and apart from that
+//! value. None is part of a model: those of discretisation change results by what is said there, on
+//! 20 cells; all others change the work, and which of several states is found, and apart from that
 //! results by less than the tolerance. Factors of a formula stand with the formula, and limits of
 //! input with its checks.
 //!

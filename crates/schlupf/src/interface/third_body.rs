@@ -103,8 +103,8 @@ impl ThirdBodyLayer {
         self.yielding.is_some_and(|limit| limit.hardening != 0.0)
     }
 
-    /// What bounds the traction of material that has flowed by a length (in m) before, where friction
-    /// would by μ pₙ (in Pa) and the surfaces slip by `slips` (in m) until they are at a place, and
+    /// What bounds the traction of material that has flowed by a length (in m) before, where
+    /// friction would by μ pₙ (in Pa) and the surfaces slip by `slips` (in m) until they are at a place, and
     /// until they leave it.
     pub(crate) fn pass(&self, friction: f64, flowed: f64, slips: [f64; 2]) -> Flow {
         let by_friction = Flow { bound: friction, here: flowed, left: flowed, yields: [false; 2] };

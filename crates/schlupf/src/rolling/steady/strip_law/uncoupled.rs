@@ -23,7 +23,9 @@ impl StripLaw {
         }
         self.contact.slaved.complete(p);
     }
-    /// The traction of cell `k` (in Pa) and its displacement (in m) in place, from what is upstream.
+
+    /// The traction of cell `k` (in Pa) and its displacement (in m) in place, from what is
+    /// upstream.
     fn solve_uncoupled(
         &self,
         (k, compliance): (usize, [f64; 2]),
