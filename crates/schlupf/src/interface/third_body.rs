@@ -104,8 +104,8 @@ impl ThirdBodyLayer {
     }
 
     /// What bounds the traction of material that has flowed by a length (in m) before, where
-    /// friction would by μ pₙ (in Pa) and the surfaces slip by `slips` (in m) until they are at a place, and
-    /// until they leave it.
+    /// friction would by μ pₙ (in Pa) and the surfaces slip by `slips` (in m) until they are at a
+    /// place, and until they leave it.
     pub(crate) fn pass(&self, friction: f64, flowed: f64, slips: [f64; 2]) -> Flow {
         let by_friction = Flow { bound: friction, here: flowed, left: flowed, yields: [false; 2] };
         let Some(limit) = self.yielding else { return by_friction };
