@@ -150,9 +150,8 @@ fn neuhaus_sextro_2014_total_displacement_against_increments() {
         let incremental = problem(rolling(xi, eta, 0.0));
         let mut total = incremental.clone();
         total.contact_law = TotalDisplacement::new(5e6).unwrap().into();
-        let at_once = |problem: &Problem| {
-            schlupf::rolling::steady::solve(problem, &cells(across), &unwatched).unwrap()
-        };
+        let at_once =
+            |problem: &Problem| steady::solve(problem, &cells(across), &unwatched).unwrap();
         let (one, two) = (at_once(&incremental), at_once(&total));
         let differs =
             (one.normalised.x - two.normalised.x).hypot(one.normalised.y - two.normalised.y);
