@@ -31,7 +31,7 @@ settings! {
     // Newton's method, the Krylov method and the measure of residuals.
 
     /// Largest forcing term: linear residual that the Krylov method may leave, relative to that of
-    /// the Newton step (Eisenstat and Walker 1996). [1.04, 0.95]
+    /// the Newton step (Eisenstat and Walker 1996). [1.05, 0.96]
     largest_forcing: f64 = 0.3;
 
     /// Part of the tolerance that the linear residual of the last step may use up. [1.03, 0.99]
@@ -49,7 +49,7 @@ settings! {
     residuals_remembered: usize = 5;
 
     /// Halvings of a Newton step before it is given up; after a third of them the norm need only
-    /// fall below the largest remembered. [0.94, 1.10]
+    /// fall below the largest remembered. [0.93, 1.08]
     most_halvings: usize = 10;
 
     /// Newton steps without a residual less than nine tenths of the least one, after which Newton's
@@ -57,7 +57,7 @@ settings! {
     patience: usize = 40;
 
     /// Directions of earlier linear systems that a system starts with: their responses are known,
-    /// but each costs two passes over all unknowns. [1.10, 0.89]
+    /// but each costs two passes over all unknowns. [1.12, 0.86]
     directions_kept: usize = 48;
 
     /// New directions of one linear system.
@@ -88,7 +88,7 @@ settings! {
     coarse_tolerance: f64 = 1e-2;
 
     /// Fewest cells across the patch of a grid that is coarsened further. On five cells the long
-    /// waves of a half-space are so wrong that they spoil the preconditioner. [1.03, 0.96]
+    /// waves of a half-space are so wrong that they spoil the preconditioner. [1.05, 0.99]
     fewest_cells_coarsened: usize = 16;
 
     /// Extrapolation of two earlier solutions at most, over their distance.
@@ -98,6 +98,7 @@ settings! {
     /// above which there may be several states. Of random contacts whose friction falls at once or
     /// with memory 378 between 1 and 2 were followed from low and from high slip, and none had
     /// two states; the least with two had 4.8.
+    /// [1.00, 0.77]
     several_states: f64 = 2.0;
 
     /// Largest slip speed at which the fall of friction is sampled, over the largest of the state.
@@ -106,7 +107,7 @@ settings! {
     /// Speeds at which it is sampled in a cell; neighbouring cells complement each other.
     samples_of_cell: usize = 4;
 
-    /// Steps of the motion along a branch. With fewer, more branches are lost. [0.86, 1.18]
+    /// Steps of the motion along a branch. With fewer, more branches are lost. [0.92, 1.08]
     steps_of_branch: usize = 16;
 
     /// Multiple of the motion from which a branch of high slip starts.
@@ -139,7 +140,7 @@ settings! {
 
     /// Pressure relative to that of the neighbour towards the middle of the strip below which an
     /// edge cell is slaved to it. The pressure that displaces a cell as much as bristles deflect is
-    /// added to both. [1.04, 0.88; forces 2·10⁻³ of the load]
+    /// added to both. [1.02, 0.90; forces 3·10⁻³ of the load]
     least_edge_pressure: f64 = 0.35;
 
     /// Displacement that is missing under p = pₙ, over that of a partly covered cell under its own
@@ -149,7 +150,8 @@ settings! {
 
     /// Sliding of the first cell since entry under its own traction, over its displacement, below
     /// which it is slaved, too: its neighbours would determine its traction. Under an elliptic
-    /// pressure it is hardly ever less than a third. [forces 3·10⁻³ of the load]
+    /// pressure it is hardly ever less than a third. [forces 10⁻³ and 4·10⁻³ of
+    /// the load]
     least_sliding: f64 = 0.25;
 
     /// A node of a stencil nearer to the one before than this part of the path into the cell is
@@ -351,31 +353,50 @@ mod tests {
         solutions.iter().map(of).sum()
     }
 
+    /// Distance of the tangential forces of two solutions over the load.
+    fn apart(one: &Solution, other: &Solution) -> f64 {
+        let [x, y] = [one.force.x - other.force.x, one.force.y - other.force.y];
+        x.hypot(y) / one.normal.load
+    }
+
+    /// By how much the forces of a solution may change: by three parts in a thousand of the load,
+    /// or, where 20 cells are off by more, as slowly as layers converge under Coulomb's law, by
+    /// twice the distance to 80 cells.
+    fn allowed(reference: &[Solution]) -> Vec<f64> {
+        let options = Options { cells_x: 80, cells_y: 80, ..Options::default() };
+        let mut solver = ForceSolver::new(Method::Full.solver(&options));
+        let problems = problems();
+        let finer = problems.iter().map(|problem| solver.solve(problem, &unwatched).unwrap());
+        let off = finer.zip(reference).map(|(finer, found)| 2.0 * apart(&finer, found));
+        let off = off.chain(std::iter::repeat(0.0)).take(reference.len());
+        off.map(|off| off.max(3e-3)).collect()
+    }
+
     /// Stencils with large weights lead to a wrong state.
     const WRONG: (&str, f64) = ("nearest_node", 0.5);
 
     /// Prints how work and forces change at half and at twice each setting. All problems are
-    /// solved; forces change by less than what 20 cells are off by, and work by less than a half.
+    /// solved; forces change by what is [`allowed`] at most, and work by less than a half.
     #[test]
     #[ignore = "minutes: cargo xtask long"]
     fn half_and_twice() {
         let reference = solutions();
         let whole = products(&reference);
+        let allowed = allowed(&reference);
         println!("{whole:.0} products");
         let mut missed = Vec::new();
         for name in NAMES {
             for factor in [0.5, 2.0] {
                 let found = with(name, factor, solutions);
-                let apart = found.iter().zip(&reference).map(|(one, other)| {
-                    let [x, y] = [one.force.x - other.force.x, one.force.y - other.force.y];
-                    x.hypot(y) / one.normal.load
-                });
-                let apart = apart.fold(0.0, f64::max);
+                let pairs = found.iter().zip(&reference);
+                let apart: Vec<f64> = pairs.map(|(one, other)| apart(one, other)).collect();
+                let is_near = apart.iter().zip(&allowed).all(|(apart, allowed)| apart <= allowed);
+                let apart = apart.into_iter().fold(0.0, f64::max);
                 let work = products(&found) / whole;
                 println!("{name} × {factor}: products × {work:.2}, forces {apart:.0e} of the load");
                 let is_solved = found.iter().all(|one| one.status == Status::Converged);
                 let is_wrong = (*name, factor) == WRONG;
-                if !is_wrong && (!is_solved || apart > 3e-3 || work > 1.5) {
+                if !is_wrong && (!is_solved || !is_near || work > 1.5) {
                     missed.push((name, factor, apart, work));
                 }
             }
