@@ -130,21 +130,6 @@ pub(super) fn lagging(
     law + (arrived - law) * memory.kept(slip_speed, path / now.over_step.speed).part
 }
 
-/// What material brings along with which it leaves a cell.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Brought {
-    /// Coefficient of friction (dimensionless), with friction memory.
-    friction: Option<f64>,
-    /// Plastic displacement of the layer between the surfaces, in m.
-    plastic_displacement: f64,
-}
-
-impl Brought {
-    pub fn by(arrival: &Arrival) -> Self {
-        Self { friction: arrival.friction, plastic_displacement: arrival.plastic_displacement }
-    }
-}
-
 /// The coefficients of friction and the plastic displacements with which the elements leave their
 /// cells.
 pub(super) fn remember(
@@ -152,7 +137,7 @@ pub(super) fn remember(
     now: &Snapshot,
     patch: &Patch,
     elements: &mut [Element],
-    brought: &[Brought],
+    arrivals: &[Arrival],
 ) {
     let yields = problem.layer.filter(|layer| layer.yield_limit().is_some());
     if problem.friction_memory().is_none() && yields.is_none() {
@@ -160,7 +145,7 @@ pub(super) fn remember(
     }
     for strip in &patch.strips {
         for k in strip.cells.clone() {
-            let (element, cell, before) = (&mut elements[k], &patch.cells[k], &brought[k]);
+            let (element, cell, before) = (&mut elements[k], &patch.cells[k], &arrivals[k]);
             let paths = paths_through(patch, strip, k);
             let after = |path: f64| FrictionInput {
                 y: cell.y,

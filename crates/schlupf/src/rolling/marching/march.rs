@@ -26,7 +26,7 @@ use crate::transient::Transient;
 use super::arrival::{Arrival, carry_over, positions};
 use super::change::{largest_change, relative_change};
 use super::force_control::ForceControl;
-use super::friction_heat::{Brought, FrictionPoint, remember, set_temperatures};
+use super::friction_heat::{FrictionPoint, remember, set_temperatures};
 use super::initial_state::{check_length, fitting, grid_over_history, on_patch};
 use super::moved::Moved;
 use super::past::Past;
@@ -70,7 +70,7 @@ pub fn march(transient: &Transient, options: &Options, watch: Watch) -> Result<S
         let mut start = Start::of(&march.displacement, &march.contact.patch, &march.now);
         let arrivals = march.move_on(&mut start, watch)?;
         march.find_equilibrium(&arrivals, watch)?;
-        march.heat_up(arrivals, &start);
+        march.heat_up(&arrivals, &start);
         march.note();
         tell(watch, march.progress())?;
     }
@@ -364,13 +364,11 @@ impl<'a> March<'a> {
     }
 
     /// Friction power and temperatures, Eqs. (17)–(22).
-    fn heat_up(&mut self, arrivals: Vec<Arrival>, start: &Start) {
+    fn heat_up(&mut self, arrivals: &[Arrival], start: &Start) {
         let (contact, displacement) = (&self.contact, &self.displacement);
         start.set_friction_power(&mut self.now, contact, displacement);
         self.powers = Some(start.powers_until(&self.now, contact, displacement));
-        let brought: Vec<Brought> = arrivals.iter().map(Brought::by).collect();
-        let mut records: Vec<_> =
-            arrivals.into_iter().map(|arrival| arrival.heat.to_vec()).collect();
+        let mut records: Vec<_> = arrivals.iter().map(|arrival| arrival.heat.to_vec()).collect();
         let patch = &self.contact.patch;
         let old_scaled_rise = self.now.scaled_rise.clone();
         set_temperatures(&mut self.now, patch, &self.problem.heat, &mut records);
@@ -381,7 +379,7 @@ impl<'a> March<'a> {
         }
         self.change = self.change.max(largest_change(&old_scaled_rise, &self.now.scaled_rise));
         let patch = &self.contact.patch;
-        remember(self.problem, &self.now, patch, &mut self.elements, &brought);
+        remember(self.problem, &self.now, patch, &mut self.elements, arrivals);
         self.law.contact.slaved.copy(&mut self.now.friction);
         self.law.take_slip(&self.moved, self.now.kinematics.speed, &mut self.now.slip);
     }

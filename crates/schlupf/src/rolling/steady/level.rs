@@ -6,6 +6,7 @@ use crate::normal::NormalContact;
 use crate::problem::{Options, Problem};
 use crate::progress::{Progress, Stage, Watch, tell};
 use crate::rolling::shared::contact::DiscreteContact;
+use crate::rolling::shared::strip::reduced;
 use crate::settings;
 
 use super::steady_friction::SteadyFriction;
@@ -179,11 +180,7 @@ impl Level {
     pub fn clip(&mut self) {
         self.strips.complete(&mut self.traction);
         for (p, bound) in self.traction.chunks_exact_mut(2).zip(self.strips.bound()) {
-            let length = p[0].hypot(p[1]);
-            if length > *bound {
-                p[0] *= bound / length;
-                p[1] *= bound / length;
-            }
+            p.copy_from_slice(&reduced([p[0], p[1]], *bound));
         }
     }
 }

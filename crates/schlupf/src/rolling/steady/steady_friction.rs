@@ -32,6 +32,8 @@ use crate::rolling::shared::passage::{
 use super::lag::{FrictionInput, Lag};
 use super::yielding::{FlowCause, Yielding};
 
+pub(super) use changes::{Change, FrictionCause};
+
 /// Slip, heat, temperature and friction of every cell, and their tangent.
 pub(super) struct SteadyFriction {
     /// Whether friction depends on temperature or slip speed at all.
@@ -365,48 +367,5 @@ impl Scaling {
         let creepage_x = motion.creepage_x + rolling * (1.0 - (-change).exp());
         let conduction = problem.conduction(&Kinematics { creepage_x, ..motion });
         Conductors { conduction, ..conductors }
-    }
-}
-
-/// Small changes in the cells on which friction depends.
-#[derive(Clone, Copy)]
-pub(super) struct Change<'a> {
-    /// Of the traction, in Pa.
-    pub traction: &'a [f64],
-    /// Of A p along the passage of the cell, in m.
-    pub passing: &'a [f64],
-}
-
-/// Small changes of the arguments of friction, cell by cell.
-pub(super) struct FrictionCause {
-    /// Of the rigid slip velocity, in m/s.
-    pub slip: Vec<[f64; 2]>,
-    /// Of the rise times effusivity, in W √s/m².
-    pub scaled_rise: Vec<f64>,
-    /// Of the coefficient of the law at the same slip and rise, dimensionless.
-    pub law: Vec<f64>,
-    /// Of the coefficient of the entering material, for the first cell of each strip;
-    /// dimensionless.
-    pub entry: Vec<f64>,
-    /// Of the logarithm of all paths, dimensionless.
-    pub path: f64,
-    /// Of the limit of elasticity of the layer between the surfaces.
-    pub limit: YieldLimit,
-}
-
-/// No change of that limit.
-const UNCHANGED: YieldLimit = YieldLimit { stress: 0.0, hardening: 0.0 };
-
-impl FrictionCause {
-    /// No change in any of `cells` cells.
-    pub fn nothing(cells: usize) -> Self {
-        Self {
-            slip: vec![[0.0; 2]; cells],
-            scaled_rise: vec![0.0; cells],
-            law: vec![0.0; cells],
-            entry: vec![0.0; cells],
-            path: 0.0,
-            limit: UNCHANGED,
-        }
     }
 }

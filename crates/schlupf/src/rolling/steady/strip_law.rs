@@ -263,8 +263,8 @@ impl StripLaw {
                 }
                 if remembers {
                     let of_upstream = self.stencils[k].of_upstream(&upstream);
-                    let brought = times(&resolvent.by_upstream, of_upstream);
-                    left = [left[0] - brought[0], left[1] - brought[1]];
+                    let inherited = times(&resolvent.by_upstream, of_upstream);
+                    left = [left[0] - inherited[0], left[1] - inherited[1]];
                     upstream.advance(relative.map(|change| self.over_bound[k] * change));
                 }
                 product[2 * k..2 * k + 2].copy_from_slice(&left);
@@ -325,7 +325,7 @@ impl StripLaw {
         };
         self.factors.factorise(&interface);
         if is_coupled {
-            for k in self.contact.slaved.kept.iter().flat_map(Clone::clone) {
+            for k in self.contact.kept() {
                 let weight = self.gamma * self.stencils[k].own();
                 let stiffening = self.contact.local[k].map(|row| row.map(|local| weight * local));
                 self.inverses[k] = inverse_2x2(self.resolvents[k].jacobian(&stiffening));

@@ -145,43 +145,38 @@ impl Resolvent {
     fn with_bristles(trial: [f64; 2], bound: f64, bristles: &BristleState) -> Self {
         let mut bristles = *bristles;
         let by_c = bristles.limit();
-        let (sliding, [left, fading]) = sliding(trial, bound, &bristles);
-        let BristleState { compliance, own, upstream, .. } = bristles;
-        let (kept, kept_slope) = (compliance * own * left, compliance * own * fading);
-        let from = upstream.map(|c| compliance * left * c);
-        let from_slope = upstream.map(|c| compliance * fading * c);
-        let free = kept + sliding;
-        let whole = bound + free;
-        let along = [0, 1].map(|c| free * trial[c] + bound * from[c]);
-        let size = length(along);
-        let n = along.map(|along| if size > 0.0 { along / size } else { 0.0 });
+        let (sliding, memory) = sliding(trial, bound, &bristles);
+        let balance = Balance::at(sliding, memory, (trial, bound), &bristles);
+        let Balance { kept, kept_slope, whole, along: n, .. } = balance;
+        let [from, from_slope] =
+            memory.map(|memory| bristles.upstream.map(|c| bristles.compliance * memory * c));
         let dot = |v: [f64; 2]| n[0] * v[0] + n[1] * v[1];
-        let looser = 1.0 + kept_slope;
+        let free_slope = 1.0 + kept_slope;
         // m follows from an excess of zero.
-        let by_sliding = whole + sliding * looser - looser * dot(trial) - bound * dot(from_slope);
-        let steepness = by_sliding.recip();
+        let steepness = balance.slope.recip();
         let share = bound / whole;
         let traction = [0, 1].map(|c| share * (trial[c] - from[c]));
-        let slides = [0, 1].map(|c| -share * from_slope[c] - traction[c] * looser / whole);
+        let slides = [0, 1].map(|c| -share * from_slope[c] - traction[c] * free_slope / whole);
         let block = |own: f64, moved: f64| {
             let [x, y] = [n[0] * moved * steepness, n[1] * moved * steepness];
             [[own + slides[0] * x, slides[0] * y], [slides[1] * x, own + slides[1] * y]]
         };
         let by_bound = (dot(from) - sliding) * steepness;
         // κ and G go with γ/k_c at the same k_c m.
-        let softer = sliding * kept_slope - kept;
-        let stiffer = [0, 1].map(|c| sliding * from_slope[c] - from[c]);
-        let by_stiffness = (softer * (dot(trial) - sliding) + bound * dot(stiffer)) * steepness;
-        let by_inherited = block(-compliance * left * share, compliance * left * bound);
+        let kept_by = sliding * kept_slope - kept;
+        let from_by = [0, 1].map(|c| sliding * from_slope[c] - from[c]);
+        let by_stiffness = (kept_by * (dot(trial) - sliding) + bound * dot(from_by)) * steepness;
+        let left = bristles.compliance * memory[0];
+        let by_inherited = block(-left * share, left * bound);
         Self {
             traction,
             sliding,
-            by_trial: block(share, free),
+            by_trial: block(share, kept + sliding),
             by_upstream: product_2x2(&by_inherited, &by_c),
             by_bound: [0, 1]
                 .map(|c| (1.0 - share) * (trial[c] - from[c]) / whole + slides[c] * by_bound),
             by_stiffness: [0, 1].map(|c| {
-                -share * stiffer[c] - traction[c] * softer / whole + slides[c] * by_stiffness
+                -share * from_by[c] - traction[c] * kept_by / whole + slides[c] * by_stiffness
             }),
         }
     }
@@ -200,34 +195,63 @@ impl Resolvent {
     }
 }
 
+/// The equation of m at a trial value.
+struct Balance {
+    /// κ, in Pa.
+    kept: f64,
+    /// Its derivative by m, dimensionless.
+    kept_slope: f64,
+    /// μpₙ + κ + m, in Pa.
+    whole: f64,
+    /// The direction of (κ + m) Y + μpₙ G.
+    along: [f64; 2],
+    /// m (μpₙ + κ + m) − |(κ + m) Y + μpₙ G|, in Pa².
+    excess: f64,
+    /// Its derivative by m, in Pa.
+    slope: f64,
+}
+
+impl Balance {
+    /// At m (in Pa), with φ and its derivative there.
+    fn at(
+        sliding: f64,
+        [left, fading]: [f64; 2],
+        (trial, bound): ([f64; 2], f64),
+        bristles: &BristleState,
+    ) -> Self {
+        let BristleState { compliance, own, upstream, .. } = *bristles;
+        let (kept, kept_slope) = (compliance * own * left, compliance * own * fading);
+        let (free, whole) = (kept + sliding, bound + kept + sliding);
+        let from = bound * compliance * left;
+        let along = [0, 1].map(|c| free * trial[c] + from * upstream[c]);
+        let size = length(along);
+        let along = along.map(|along| if size > 0.0 { along / size } else { 0.0 });
+        let dot = |v: [f64; 2]| along[0] * v[0] + along[1] * v[1];
+        let free_slope = 1.0 + kept_slope;
+        let slope = whole + sliding * free_slope
+            - free_slope * dot(trial)
+            - bound * compliance * fading * dot(upstream);
+        Self { kept, kept_slope, whole, along, excess: sliding * whole - size, slope }
+    }
+}
+
 /// m (in Pa), and φ with its derivative there.
 fn sliding(trial: [f64; 2], bound: f64, bristles: &BristleState) -> (f64, [f64; 2]) {
-    let BristleState { compliance, own, upstream, guess, .. } = *bristles;
+    let BristleState { compliance, guess, .. } = *bristles;
     let size = length(trial);
     // By the triangle inequality it is no larger.
-    let (mut low, mut high) = (0.0, size.max(compliance * length(upstream)));
+    let (mut low, mut high) = (0.0, size.max(compliance * length(bristles.upstream)));
     let mut at = if guess > 0.0 { guess.min(high) } else { (size - bound).max(0.0) };
     // Newton's method, and bisection where its steps do not become half as long each time.
     let mut last = high;
     for _ in 0..2 * f64::MANTISSA_DIGITS {
         let memory = bristles.memory(at);
-        let [left, fading] = memory;
-        let free = compliance * own * left + at;
-        let looser = 1.0 + compliance * own * fading;
-        let from = bound * compliance * left;
-        let along = [0, 1].map(|c| free * trial[c] + from * upstream[c]);
-        let size = length(along);
-        let excess = at * (bound + free) - size;
+        let Balance { excess, slope, .. } = Balance::at(at, memory, (trial, bound), bristles);
         if excess > 0.0 {
             high = at;
         } else {
             low = at;
         }
-        let n = along.map(|along| if size > 0.0 { along / size } else { 0.0 });
-        let dot = |v: [f64; 2]| n[0] * v[0] + n[1] * v[1];
-        let slope = bound + free + at * looser
-            - looser * dot(trial)
-            - bound * compliance * fading * dot(upstream);
         let next = at - excess / slope;
         let is_within = next >= low && next <= high && (next - at).abs() <= 0.5 * last;
         let next = if is_within { next } else { 0.5 * (low + high) };
@@ -239,6 +263,7 @@ fn sliding(trial: [f64; 2], bound: f64, bristles: &BristleState) -> (f64, [f64; 
         // What a step leaves is of second order in the step.
         let is_small = last <= f64::EPSILON.sqrt() * compliance.min(bound);
         if is_small && is_within && !bristles.is_exact {
+            let [left, fading] = memory;
             return (next, [left + fading * (next - before), fading]);
         }
     }
@@ -250,153 +275,4 @@ pub(in crate::rolling) fn product_2x2(a: &Matrix, b: &Matrix) -> Matrix {
 }
 
 #[cfg(test)]
-mod tests {
-    use approx::assert_relative_eq;
-
-    use super::*;
-
-    const H: f64 = 1e-6;
-
-    /// Changes of trial traction, bound, c and ln k_c.
-    type Changes = ([f64; 2], f64, [f64; 2], f64);
-
-    /// Derivatives against central differences.
-    fn assert_derivatives(resolvent: &Resolvent, at: impl Fn(Changes) -> Resolvent) {
-        let difference = |plus: Changes, minus: Changes| {
-            let [plus, minus] = [plus, minus].map(|change| at(change).traction);
-            [0, 1].map(|c| (plus[c] - minus[c]) / (2.0 * H))
-        };
-        let along = |c: usize, h: f64| [0, 1].map(|k| if k == c { h } else { 0.0 });
-        let none = [0.0; 2];
-        for c in 0..2 {
-            let tried = |h: f64| (along(c, h), 0.0, none, 0.0);
-            let upstream = |h: f64| (none, 0.0, along(c, h), 0.0);
-            let [by_trial, by_upstream] =
-                [difference(tried(H), tried(-H)), difference(upstream(H), upstream(-H))];
-            for r in 0..2 {
-                assert_relative_eq!(resolvent.by_trial[r][c], by_trial[r], epsilon = 1e-6);
-                assert_relative_eq!(resolvent.by_upstream[r][c], by_upstream[r], epsilon = 1e-6);
-            }
-        }
-        let by_bound = difference((none, H, none, 0.0), (none, -H, none, 0.0));
-        let by_stiffness = difference((none, 0.0, none, H), (none, 0.0, none, -H));
-        for r in 0..2 {
-            assert_relative_eq!(resolvent.by_bound[r], by_bound[r], epsilon = 1e-6);
-            assert_relative_eq!(resolvent.by_stiffness[r], by_stiffness[r], epsilon = 1e-6);
-        }
-    }
-
-    /// The law holds for the sliding that is found, from soft bristles to none.
-    #[test]
-    fn the_law_holds_in_a_cell() {
-        let bound = 0.5;
-        for (order, own, c) in [
-            (1, 1.0, [0.3, -0.4]),
-            (2, 1.5, [-0.9, 0.2]),
-            (3, 1.8, [1.5, -1.6]),
-            (3, 1.8, [0.0; 2]),
-        ] {
-            for compliance in [3.0, 0.1, 1e-3, 0.0] {
-                for trial in [[0.3, -0.2], [0.3, -0.8], [-2.0, 1.0], [1e-3, 0.0]] {
-                    let at = |(tried, raised, changed, stiffer): Changes| {
-                        let compliance = compliance * f64::exp(-stiffer);
-                        let upstream = [0, 1].map(|k| c[k] + changed[k]);
-                        let made = BristleState {
-                            compliance,
-                            own,
-                            upstream,
-                            order,
-                            is_exact: true,
-                            ..BristleState::default()
-                        };
-                        Resolvent::at([0, 1].map(|k| trial[k] + tried[k]), bound + raised, &made)
-                    };
-                    let resolvent = at(([0.0; 2], 0.0, [0.0; 2], 0.0));
-                    assert_derivatives(&resolvent, at);
-                    let p = resolvent.traction;
-                    assert!(length(p) <= bound * (1.0 + 1e-12));
-                    let slid = [0, 1].map(|k| trial[k] - p[k]);
-                    assert_relative_eq!(length(slid), resolvent.sliding, epsilon = 1e-12);
-                    let reduced = (own / length(c)).min(1.0);
-                    let relaxed = resolvent.sliding / compliance;
-                    let terms = [relaxed, relaxed.powi(2) / 2.0, relaxed.powi(3) / 6.0];
-                    let left = terms[..order].iter().sum::<f64>() / relaxed.exp_m1();
-                    let left = if relaxed < 100.0 { compliance * left } else { 0.0 };
-                    for k in 0..2 {
-                        let kept = left * (own * p[k] / bound + reduced * c[k]);
-                        let stretched = slid[k] - resolvent.sliding * p[k] / bound;
-                        assert_relative_eq!(kept, stretched, epsilon = 1e-10);
-                    }
-                }
-            }
-        }
-    }
-
-    /// A state of which Newton's method alone goes to and fro for ever between 1.1·10⁻⁵ and
-    /// 8.4·10⁻⁴, and many others: the law holds in all.
-    #[test]
-    fn the_sliding_is_found_from_anywhere() {
-        let bound = 1.0;
-        let check = |trial: [f64; 2], bristles: BristleState| {
-            let resolvent = Resolvent::at(trial, bound, &bristles);
-            let BristleState { compliance, own, upstream, .. } = bristles;
-            let [left, _] = bristles.memory(resolvent.sliding);
-            for k in 0..2 {
-                let q = resolvent.traction[k] / bound;
-                let kept = compliance * left * (own * q + upstream[k]);
-                let stretched = trial[k] - resolvent.traction[k] - resolvent.sliding * q;
-                assert_relative_eq!(kept, stretched, epsilon = 1e-11);
-            }
-        };
-        let own = 11.0 / 6.0;
-        let of = |compliance, upstream| BristleState {
-            guess: 0.0,
-            compliance,
-            own,
-            upstream,
-            order: 3,
-            is_exact: true,
-        };
-        check([0.785_664, -0.281_233], of(6.130_85e-5, [1.216_533, 0.205_007]));
-        let mut seed = 1_u64;
-        let mut random = || {
-            seed = seed * 48_271 % 2_147_483_647;
-            seed as f64 / 2_147_483_647.0
-        };
-        for _ in 0..20_000 {
-            let (angle, turn) = (6.3 * random(), 6.3 * random());
-            let (size, share) = (2.0 * random(), own * random());
-            let upstream = [share * turn.cos(), share * turn.sin()];
-            check(
-                [size * angle.cos(), size * angle.sin()],
-                of(10_f64.powf(-7.0 * random()), upstream),
-            );
-        }
-    }
-
-    /// From one node on a straight path p/(μ pₙ) relaxes to its direction exactly.
-    #[test]
-    fn straight_paths_are_exact() {
-        let (bound, along, sliding) = (0.5, [0.6, -0.8], 0.7);
-        for relaxed in [1e-4, 0.3, 1.0, 3.0, 30.0] {
-            let at = |slid: f64| along.map(|n| -(-slid).exp_m1() * n);
-            let before = at(2.0 * relaxed);
-            let exact = at(3.0 * relaxed).map(|q| bound * q);
-            let trial = [0, 1].map(|c| exact[c] + sliding * along[c]);
-            let (compliance, upstream) = (sliding / relaxed, before.map(|q| -q));
-            let bristles = BristleState {
-                compliance,
-                own: 1.0,
-                upstream,
-                order: 1,
-                is_exact: true,
-                ..BristleState::default()
-            };
-            let resolvent = Resolvent::at(trial, bound, &bristles);
-            assert_relative_eq!(resolvent.sliding, sliding, max_relative = 1e-10);
-            for (found, exact) in resolvent.traction.into_iter().zip(exact) {
-                assert_relative_eq!(found, exact, max_relative = 1e-9);
-            }
-        }
-    }
-}
+mod tests;

@@ -1,11 +1,55 @@
 //! Changes of friction and of what bounds the traction, for tangents.
 
+use crate::interface::third_body::YieldLimit;
 use crate::rolling::shared::passage;
 use crate::rolling::shared::passage::{pair, slip, speed_of};
 use crate::rolling::steady::lag::LagCause;
 use crate::rolling::steady::yielding::FlowCause;
 
-use super::{Change, FrictionCause, SteadyFriction, UNCHANGED};
+use super::SteadyFriction;
+
+/// Small changes in the cells on which friction depends.
+#[derive(Clone, Copy)]
+pub(in crate::rolling::steady) struct Change<'a> {
+    /// Of the traction, in Pa.
+    pub traction: &'a [f64],
+    /// Of A p along the passage of the cell, in m.
+    pub passing: &'a [f64],
+}
+
+/// Small changes of the arguments of friction, cell by cell.
+pub(in crate::rolling::steady) struct FrictionCause {
+    /// Of the rigid slip velocity, in m/s.
+    pub slip: Vec<[f64; 2]>,
+    /// Of the rise times effusivity, in W √s/m².
+    pub scaled_rise: Vec<f64>,
+    /// Of the coefficient of the law at the same slip and rise, dimensionless.
+    pub law: Vec<f64>,
+    /// Of the coefficient of the entering material, for the first cell of each strip;
+    /// dimensionless.
+    pub entry: Vec<f64>,
+    /// Of the logarithm of all paths, dimensionless.
+    pub path: f64,
+    /// Of the limit of elasticity of the layer between the surfaces.
+    pub limit: YieldLimit,
+}
+
+/// No change of that limit.
+const UNCHANGED: YieldLimit = YieldLimit { stress: 0.0, hardening: 0.0 };
+
+impl FrictionCause {
+    /// No change in any of `cells` cells.
+    pub fn nothing(cells: usize) -> Self {
+        Self {
+            slip: vec![[0.0; 2]; cells],
+            scaled_rise: vec![0.0; cells],
+            law: vec![0.0; cells],
+            entry: vec![0.0; cells],
+            path: 0.0,
+            limit: UNCHANGED,
+        }
+    }
+}
 
 impl SteadyFriction {
     /// Change of the heat flux due to a change of the traction of a cell, in W/m².
