@@ -4,7 +4,7 @@
 //! what it is by default. Reading, the check for unknown fields, the JSON schema and the commented
 //! case file of `schlupf init` all follow from it.
 
-#![forbid(unsafe_code)]
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod case;
 mod case_file;

@@ -1,6 +1,6 @@
 //! The command `schlupf`, for the binary of that name and for the Python package, which has it too.
 
-#![forbid(unsafe_code)]
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod arguments;
 mod bulk;

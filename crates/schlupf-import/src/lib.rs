@@ -1,6 +1,6 @@
 //! Inputs of other programs as case files: those of CONTACT ([`contact`]).
 
-#![forbid(unsafe_code)]
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod contact;
 mod document;

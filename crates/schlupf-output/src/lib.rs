@@ -7,7 +7,7 @@
 //! wheel in all tables; the figures show the traction on the rail, −t, as in Neuhaus and Sextro
 //! (2014), and say so on their axes.
 
-#![forbid(unsafe_code)]
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod bulk_temperature;
 pub mod calibration;

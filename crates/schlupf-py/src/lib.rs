@@ -3,6 +3,7 @@
 //! It reads and solves cases, and hands out numbers; what a user of Python sees (attributes, data
 //! sets, plots, documentation) is made of that in the package, see `python/schlupf`.
 
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 #![allow(clippy::needless_pass_by_value, reason = "arguments from Python are extracted by value")]
 
 mod case_file;

@@ -6,7 +6,7 @@
 //! the same, byte for byte, however the work was divided. [`damage`] makes wear and fatigue of the
 //! table of a run.
 
-#![forbid(unsafe_code)]
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod batch;
 mod chunks;

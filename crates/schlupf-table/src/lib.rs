@@ -4,7 +4,7 @@
 //! [`TableNodes`](schlupf::look_up_table::TableNodes) under their names, and `metadata.json`, with
 //! the version of the format, what the table holds for, its error, and a checksum of the numbers.
 
-#![forbid(unsafe_code)]
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod archive;
 mod metadata;

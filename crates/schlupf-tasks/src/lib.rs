@@ -5,7 +5,7 @@
 //! has options or arguments for them. It checks whatever can be checked before the work (`plan`),
 //! and does the work (`find`). It reads no arguments and writes no files.
 
-#![forbid(unsafe_code)]
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod bulk;
 pub mod calibrate;

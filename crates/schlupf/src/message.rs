@@ -133,7 +133,12 @@ macro_rules! messages {
             $($(#[doc = $doc])* $kind { $($(#[$field_doc])* $field: $type),* }),*
         }
 
-        #[allow(unused_variables, unreachable_code, clippy::use_self)]
+        #[allow(
+            unused_variables,
+            unreachable_code,
+            clippy::use_self,
+            reason = "what a message says need not use every field"
+        )]
         impl $name {
             /// The codes of all kinds, in the order of their declaration.
             pub const CODES: &[&str] = &[$($code),*];

@@ -1,5 +1,7 @@
 //! Work that is repeated within a solution allocates nothing.
 
+#![allow(unsafe_code, reason = "the interface of allocators is unsafe")]
+
 mod common;
 
 use std::alloc::{GlobalAlloc, Layout, System};

@@ -1,19 +1,14 @@
-//! Rules for the sources that no compiler checks. Each is a file here, with a test that applies it
+//! Rules for the sources that neither compiler nor clippy checks. Each is a file here, with a test that applies it
 //! to the tree, so that `cargo test --workspace` fails where `cargo xtask sources` reports a
 //! violation.
 
-mod allowances;
 mod circles;
 mod comment_width;
-mod loose_ends;
 mod module_order;
-mod panics;
 mod paths;
-mod sizes;
 mod syntax;
 mod tree;
 mod units;
-mod unsafe_code;
 
 use std::fmt;
 use std::path::Path;
@@ -47,17 +42,7 @@ impl fmt::Display for Finding {
     }
 }
 
-const RULES: [Rule; 9] = [
-    module_order::RULE,
-    circles::RULE,
-    units::RULE,
-    sizes::RULE,
-    panics::RULE,
-    unsafe_code::RULE,
-    loose_ends::RULE,
-    allowances::RULE,
-    comment_width::RULE,
-];
+const RULES: [Rule; 4] = [module_order::RULE, circles::RULE, units::RULE, comment_width::RULE];
 
 /// Prints the violations of the rules; an error gives their number.
 pub fn report(workspace: &Path) -> Result<(), String> {
@@ -73,7 +58,6 @@ pub fn report(workspace: &Path) -> Result<(), String> {
         }
         count += findings.len();
     }
-    println!("{}", sizes::medians(&sources));
     if count == 0 { Ok(()) } else { Err(format!("{count} places violate the rules")) }
 }
 

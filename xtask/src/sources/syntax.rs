@@ -46,7 +46,7 @@ pub fn is_test_impl_item(item: &ImplItem) -> bool {
 }
 
 /// Whether a word occurs among the tokens, in groups as well.
-pub fn has_ident(tokens: TokenStream, word: &str) -> bool {
+fn has_ident(tokens: TokenStream, word: &str) -> bool {
     flatten(tokens).iter().any(|token| matches!(token, TokenTree::Ident(ident) if ident == word))
 }
 
@@ -67,9 +67,4 @@ pub fn flatten(tokens: TokenStream) -> Vec<TokenTree> {
 /// Whether a token is this character of punctuation.
 pub fn is_punct(token: Option<&TokenTree>, character: char) -> bool {
     matches!(token, Some(TokenTree::Punct(punct)) if punct.as_char() == character)
-}
-
-/// The line of a token, starting from 1.
-pub fn line(token: &TokenTree) -> usize {
-    token.span().start().line
 }
