@@ -92,6 +92,12 @@ fn calibrations_over_all_axes_ratios() {
     assert!(missed.is_empty(), "{missed:#?}");
 }
 
+/// All deviations together, dimensionless.
+fn sum(deviation: &Deviation) -> f64 {
+    let Deviation { force, force_with_spin, field, field_with_spin } = deviation;
+    force + force_with_spin + field + field_with_spin
+}
+
 /// Forces without and with spin (% of μN), tractions without and with spin (%).
 fn percent(deviation: Deviation) -> String {
     let Deviation { force, force_with_spin, field, field_with_spin } = deviation;
@@ -100,8 +106,9 @@ fn percent(deviation: Deviation) -> String {
 }
 
 /// Writes the table anew with `SCHLUPF_PIN=1`, else compares it with a computation at three of its
-/// entries. Those were computed with errors of other signs on 20 cells; reaches, to which forces
-/// are hardly sensitive, differ by up to 3.3 %.
+/// entries, by how near forces and tractions are to those of the half-space. Single stiffnesses
+/// matter little to them: for a/b = 0.25 and ν = 0 the fitted bedding is 20.9, 21.8 and 21.3·10¹²
+/// N/m³ on 20, 30 and 40 cells, with forces 0.89, 0.94 and 0.95 % of μN from those of the half-space.
 #[test]
 #[ignore = "minutes: cargo xtask long"]
 fn the_table_is_that_of_the_computation() {
@@ -110,12 +117,11 @@ fn the_table_is_that_of_the_computation() {
     if std::env::var_os("SCHLUPF_PIN").is_none() {
         for (n, poisson_ratio) in [(2, 0.0), (5, 1.0 / 3.0), (8, 0.5)] {
             let found = calibrate(ratio(n), poisson_ratio, &options, &unwatched).unwrap();
-            let table = tabulated_stiffness(ratio(n), poisson_ratio).unwrap();
-            for (found, table) in found.stiffness.iter().zip(table) {
-                assert_relative_eq!(found.bedding, table.bedding, max_relative = 1e-2);
-                assert_relative_eq!(found.reach_along_x, table.reach_along_x, max_relative = 5e-2);
-                assert_relative_eq!(found.reach_along_y, table.reach_along_y, max_relative = 5e-2);
-            }
+            let table = deviation_of_table(ratio(n), poisson_ratio, &options, &unwatched).unwrap();
+            println!("{} | {}", percent(found.layer), percent(table));
+            assert!(sum(&table) < 1.05 * sum(&found.layer), "{table:?} {found:?}");
+            assert!(table.force < found.layer.force + 5e-3, "{table:?} {found:?}");
+            assert!(table.force_with_spin < found.layer.force_with_spin + 5e-3);
         }
         return;
     }

@@ -1,6 +1,6 @@
-//! Rules for the sources that neither compiler nor clippy checks. Each is a file here, with a test that applies it
-//! to the tree, so that `cargo test --workspace` fails where `cargo xtask sources` reports a
-//! violation.
+//! Rules for the sources that neither compiler nor clippy checks. Each is a file here, with a test
+//! that applies it to the tree, so that `cargo test --workspace` fails where `cargo xtask sources`
+//! reports a violation.
 
 mod circles;
 mod comment_width;

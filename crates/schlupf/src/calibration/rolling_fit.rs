@@ -11,7 +11,7 @@ use crate::parallel;
 use crate::problem::{Options, Problem};
 use crate::progress::{Progress, Stage, Watch, within};
 use crate::rolling::steady::SteadySolver;
-use crate::solution::Solution;
+use crate::solution::{Solution, Status};
 use crate::solver::Solver;
 
 use super::Deviation;
@@ -143,7 +143,7 @@ impl<'a> Motions<'a> {
         Ok(start)
     }
 
-    /// Solutions of all motions; `None` if one is not found directly.
+    /// Solutions of all motions; `None` if one is not found.
     fn answers(&self, elasticity: &Arc<dyn Elasticity>) -> Result<Option<Vec<Solution>>, Error> {
         let base = Problem { elasticity: Arc::clone(elasticity), ..self.contact.problem.clone() };
         let chains = self.ways.chunks(CHAIN).collect();
@@ -161,7 +161,7 @@ impl<'a> Motions<'a> {
             let watch = within(self.watch, Progress::count(Stage::Calibration, solved));
             let solution = match solver.solve(&problem, &watch) {
                 Err(Error::Stopped {}) => return Err(Error::Stopped {}),
-                Ok(solution) if solution.work.steps == 0 => solution,
+                Ok(solution) if solution.status == Status::Converged => solution,
                 _ => return Ok(None),
             };
             solutions.push(solution);
