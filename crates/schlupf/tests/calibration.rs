@@ -108,7 +108,8 @@ fn percent(deviation: Deviation) -> String {
 /// Writes the table anew with `SCHLUPF_PIN=1`, else compares it with a computation at three of its
 /// entries, by how near forces and tractions are to those of the half-space. Single stiffnesses
 /// matter little to them: for a/b = 0.25 and ν = 0 the fitted bedding is 20.9, 21.8 and 21.3·10¹²
-/// N/m³ on 20, 30 and 40 cells, with forces 0.89, 0.94 and 0.95 % of μN from those of the half-space.
+/// N/m³ on 20, 30 and 40 cells, with forces 0.89, 0.94 and 0.95 % of μN from those of the
+/// half-space.
 #[test]
 #[ignore = "minutes: cargo xtask long"]
 fn the_table_is_that_of_the_computation() {
