@@ -81,9 +81,8 @@ fn differences(path: &str, got: &Value, expected: &Value) -> Vec<String> {
                 // Where two places are equally hot, rounding chooses; and sizes of different kind
                 // stand side by side, so each number also counts for itself.
                 let is_tie = path == "/temperature/y" && (a.abs() - b.abs()).abs() < 1e-9;
-                // What is zero by symmetry is rounding, a hundredth of the tolerance of solutions
-                // at most; what the bristles return is a small difference of large numbers.
-                let negligible = a.abs().max(b.abs()) < 1e-8 * scale || key == "returned";
+                // What the bristles return is a small difference of large numbers.
+                let negligible = a.abs().max(b.abs()) < 1e-9 * scale || key == "returned";
                 if (a - b).abs() > TOLERANCE * b.abs() && !is_tie && !negligible {
                     found.push(format!("{path}: {a} ≠ {b}"));
                 }

@@ -9,6 +9,7 @@
 //! moves with the patch: x along rolling, the leading edge at larger x, y to the left, z up into
 //! the wheel. Tractions, forces and moments act on the wheel.
 
+#![forbid(unsafe_code)]
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod quantity;

@@ -112,7 +112,7 @@ fn percent(deviation: Deviation) -> String {
 /// half-space.
 #[test]
 #[ignore = "minutes: cargo xtask long"]
-fn the_table_is_that_of_the_computation() {
+fn the_table_is_as_near_as_a_new_calibration() {
     let options = CalibrationOptions::default();
     let ratio = |n: usize| 10.0_f64.powf(0.2 * n as f64 - 1.0);
     if std::env::var_os("SCHLUPF_PIN").is_none() {
