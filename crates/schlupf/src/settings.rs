@@ -136,6 +136,67 @@ settings! {
     /// Multiple of that residual above which a derivative counts as not found.
     inaccurate_derivatives: f64 = 100.0;
 
+    // The path of forces that grow to the prescribed ones, in dimensionless creepages.
+
+    /// Force over μ0 N up to which Kalker's theory with a saturation gives the first guess.
+    largest_guess: f64 = 0.97;
+
+    /// Step of central differences where a method has no derivatives, over the creepage or one.
+    difference: f64 = 1e-5;
+
+    /// Difference of two motions above which they are distinct, over their size.
+    distinct_motions: f64 = 1e-3;
+
+    /// Cells across the patch of the grid on which the path is followed first. [0.94, 1.33]
+    cells_of_scout: usize = 10;
+
+    /// Tolerance of the solutions on that grid.
+    tolerance_of_scout: f64 = 1e-4;
+
+    /// Force at rest over that prescribed below which there is none.
+    no_force: f64 = 1e-9;
+
+    /// Length of the first step. The step is halved where it fails, and doubled after few
+    /// corrections.
+    first_step: f64 = 0.3;
+
+    /// Length of the least step.
+    least_step: f64 = 1e-4;
+
+    /// Steps of the path.
+    steps_of_path: usize = 60;
+
+    /// Corrections of a point by Newton's method.
+    most_corrections: usize = 8;
+
+    /// Corrections of a point up to which the next step is twice as long.
+    few_corrections: usize = 3;
+
+    /// Distance of a point from the path, over the change of the forces along it.
+    off_path: f64 = 1e-3;
+
+    /// Distance from the creepages of a locked wheel at which the path ends, over them.
+    next_to_locked: f64 = 0.1;
+
+    /// Growth of the forces below which the contact slides, over that of the creepages.
+    stagnant_force: f64 = 1e-7;
+
+    /// Successive steps with less growth after which the path ends.
+    stagnant_steps: usize = 3;
+
+    /// Share of the way to the prescribed forces over the largest one reached below which the
+    /// latter is the peak.
+    fallen_force: f64 = 0.5;
+
+    /// Halvings of a step by which a peak is found, or a state with the prescribed forces.
+    halvings_of_step: usize = 12;
+
+    /// Distance by which Newton's method may leave a step with such a state, over its length.
+    beside_step: f64 = 0.1;
+
+    /// Error of prescribed forces, over the tolerance of the solution.
+    accuracy_of_forces: f64 = 3.0;
+
     // Discretisation.
 
     /// Pressure relative to that of the neighbour towards the middle of the strip below which an
@@ -269,7 +330,8 @@ mod tests {
     ];
 
     /// The same contacts in all motions, one contact after the other; at last some whose friction
-    /// falls so steeply that there may be several states, and some with a prescribed force.
+    /// falls so steeply that there may be several states, and some with a prescribed force, which
+    /// is followed along its path where friction falls.
     fn problems() -> Vec<Problem> {
         let steel = Material::STEEL;
         let half_space = HalfSpace::new(&steel, &steel).unwrap();
@@ -282,7 +344,7 @@ mod tests {
             |law| Problem::builder().elasticity(half_space).contact_law(law).build().unwrap();
         let on_layer = |law| Problem::builder().elasticity(layer).contact_law(law).build().unwrap();
         let coulomb = on_half_space(ContactLaw::Coulomb);
-        let prescribed = PrescribedForces { y: Some(2e4), ..PrescribedForces::default() };
+        let lateral = |force| PrescribedForces { y: Some(force), ..PrescribedForces::default() };
         let contacts = [
             coulomb.clone(),
             Problem { friction: falling(0.5, 1.0), ..coulomb.clone() },
@@ -290,7 +352,8 @@ mod tests {
             on_layer(bristles(5e6)),
             Problem { friction: hot, ..on_layer(ContactLaw::Coulomb) },
             Problem { friction: falling(0.3, 30.0), ..coulomb.clone() },
-            Problem { prescribed, ..coulomb },
+            Problem { prescribed: lateral(2e4), ..coulomb.clone() },
+            Problem { prescribed: lateral(1e4), friction: falling(0.5, 1.0), ..coulomb },
         ];
         let moving = |contact: &Problem| {
             let contact = contact.clone();

@@ -15,6 +15,7 @@ use crate::prescribed_forces::PrescribedForces;
 use crate::problem::{Branch, Options, Problem};
 use crate::progress::Watch;
 use crate::rolling::steady::SteadySolver;
+use crate::settings;
 use crate::solution::{Solution, Status, Strategy};
 use crate::solver::Solver;
 use crate::warning::Warning;
@@ -47,10 +48,6 @@ pub struct ForceSolver {
     /// Searches on fewer cells, once needed.
     scout: Option<Box<dyn Solver>>,
 }
-
-/// Cells across the patch of the scout in one direction, and its tolerance.
-const SCOUT_CELLS: usize = 10;
-const SCOUT_TOLERANCE: f64 = 1e-4;
 
 impl Solver for ForceSolver {
     fn method(&self) -> Method {
@@ -95,13 +92,6 @@ impl Solver for ForceSolver {
     }
 }
 
-/// Most corrections of the creepages that another solver found.
-const MOST_REFINEMENTS: usize = 6;
-
-/// Tangential force over μ0 N from which the largest possible one is looked for on the way to one
-/// of this size.
-const LARGEST_TARGET: f64 = 1.0;
-
 /// Cells across the patch.
 fn cells(options: &Options) -> f64 {
     (options.cells_x * options.cells_y) as f64
@@ -136,9 +126,9 @@ impl ForceSolver {
     fn scouted(&mut self, scaled: &Scaled, watch: Watch) -> Result<Solution, Error> {
         let options = self.inner.options();
         let coarse = Options {
-            cells_x: options.cells_x.min(SCOUT_CELLS),
-            cells_y: options.cells_y.min(SCOUT_CELLS),
-            tolerance: options.tolerance.max(SCOUT_TOLERANCE),
+            cells_x: options.cells_x.min(settings::cells_of_scout()),
+            cells_y: options.cells_y.min(settings::cells_of_scout()),
+            tolerance: options.tolerance.max(settings::tolerance_of_scout()),
             sensitivity: false,
             extrapolate: false,
             keeps_state: false,
@@ -206,9 +196,9 @@ impl ForceSolver {
         let of_path =
             path.states.iter().find(|state| state.solution.kinematics == found.kinematics);
         let inverse = of_path.and_then(|state| state.jacobian.clone().try_inverse());
-        let tolerance = path::ACCURACY * self.inner.options().tolerance;
+        let tolerance = settings::accuracy_of_forces() * self.inner.options().tolerance;
         let mut products = 0.0;
-        for _ in 0..MOST_REFINEMENTS {
+        for _ in 0..settings::most_corrections() {
             let Some((inverse, off)) = inverse.as_ref().zip(scaled.missing(&solution)) else {
                 break;
             };
@@ -234,7 +224,7 @@ impl ForceSolver {
             return Ok(ForceError::NotPossible { quantity: first }.into());
         }
         // Along the way to forces far beyond friction the peak is lost between two steps.
-        let nearer = scaled.reduced(LARGEST_TARGET);
+        let nearer = scaled.reduced(1.0);
         let nearer = nearer.map(|near| path::follow(&near, self.inner.as_mut(), (true, watch)));
         let nearer = nearer.transpose()?.filter(|nearer| nearer.states.is_empty());
         let path = nearer.as_ref().unwrap_or(path);

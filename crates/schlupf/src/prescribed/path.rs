@@ -6,6 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::error::Error;
 use crate::progress::{Progress, Stage, Watch, tell};
+use crate::settings;
 use crate::solution::Solution;
 use crate::solver::Solver;
 
@@ -23,47 +24,6 @@ pub(super) struct Path {
     /// longer grow, or they have fallen far below their peak.
     pub is_complete: bool,
 }
-
-/// Force at rest relative to that prescribed which is none.
-const BESIDE_NOTHING: f64 = 1e-9;
-
-/// First length of a step, and least and largest; and how it grows where steps succeed at once.
-const FIRST: f64 = 0.3;
-const LEAST: f64 = 1e-4;
-const GROWTH: f64 = 2.0;
-
-/// Distance from the creepages of a locked wheel up to which a path is followed, relative to them.
-const NEXT_TO_LOCKED: f64 = 0.1;
-
-/// Most steps of a path.
-const MOST_STEPS: usize = 60;
-
-/// Most corrections of a step, and those up to which the next one is longer.
-const MOST_CORRECTIONS: usize = 8;
-const FEW_CORRECTIONS: usize = 3;
-
-/// Distance from the path that a step may leave.
-const ON_PATH: f64 = 1e-3;
-
-/// Growth of s from step to step, relative to that of the creepages, below which the contact
-/// slides and forces no longer grow; and number of such steps.
-const STAGNANT: f64 = 1e-7;
-const STAGNANT_STEPS: usize = 3;
-
-/// Share of the way relative to the largest one at which the forces have fallen far below their
-/// peak, so that the largest is known.
-const FALLEN: f64 = 0.5;
-
-/// Halvings of the step by which the turning point of the path is found.
-const TURN_HALVINGS: usize = 12;
-
-/// Halvings of the distance of two points after which a state between them is not found, and the
-/// part of it by which Newton's method may leave them.
-const LANDING_HALVINGS: usize = 10;
-const BESIDE: f64 = 0.1;
-
-/// Error of the forces over the tolerance of the solver within which they are the prescribed ones.
-pub(super) const ACCURACY: f64 = 3.0;
 
 struct Point {
     response: Response,
@@ -102,7 +62,7 @@ pub(super) fn follow(
     }
     let mut follower = Follower { scaled, solver, watch, start, way, done: 0, products: 0.0 };
     let mut path = follower.run(at_rest.clone(), Course::Forwards { is_single })?;
-    let has_force_at_rest = follower.start.norm() > BESIDE_NOTHING * scaled.target.norm();
+    let has_force_at_rest = follower.start.norm() > settings::no_force() * scaled.target.norm();
     let is_missed = match &path.states[..] {
         [] => at_rest.falls(),
         [only] => !is_single || only.falls(),
@@ -156,16 +116,16 @@ impl Follower<'_> {
             products: 0.0,
             is_complete: false,
         };
-        let (mut step, mut largest, mut stagnant) = (FIRST, 0.0, 0);
-        for _ in 0..MOST_STEPS {
+        let (mut step, mut largest, mut stagnant) = (settings::first_step(), 0.0, 0);
+        for _ in 0..settings::steps_of_path() {
             let Some((next, corrections)) = self.step(&here, step)? else {
                 step *= 0.5;
                 let size = here.response.creepages.norm();
-                if step < NEXT_TO_LOCKED * size && self.locks(&here, step) {
+                if step < settings::next_to_locked() * size && self.locks(&here, step) {
                     path.is_complete = true;
                     break;
                 }
-                if step < LEAST * (1.0 + size) {
+                if step < settings::least_step() * (1.0 + size) {
                     break;
                 }
                 continue;
@@ -175,7 +135,7 @@ impl Follower<'_> {
             let top = if turns { self.turn(&here, step)? } else { None };
             let Some(found) = self.crossings(&here, top.as_ref(), (step, &next))? else {
                 step *= 0.5;
-                if step < LEAST {
+                if step < settings::least_step() {
                     break;
                 }
                 continue;
@@ -197,19 +157,22 @@ impl Follower<'_> {
                     path.largest = point.response.forces.clone();
                 }
             }
-            if !is_backwards && path.states.is_empty() && next.share < FALLEN * largest {
+            if !is_backwards
+                && path.states.is_empty()
+                && next.share < settings::fallen_force() * largest
+            {
                 path.is_complete = true;
                 break;
             }
             let gained = (next.share - here.share).abs();
-            stagnant = if gained < STAGNANT * step { stagnant + 1 } else { 0 };
+            stagnant = if gained < settings::stagnant_force() * step { stagnant + 1 } else { 0 };
             here = next;
-            if stagnant == STAGNANT_STEPS {
+            if stagnant == settings::stagnant_steps() {
                 path.is_complete = true;
                 break;
             }
-            if corrections <= FEW_CORRECTIONS {
-                step *= GROWTH;
+            if corrections <= settings::few_corrections() {
+                step *= 2.0;
             }
         }
         Ok(path)
@@ -250,10 +213,10 @@ impl Follower<'_> {
         let count = self.scaled.count();
         let mut creepages = &here.response.creepages + here.tangent.rows(0, count) * step;
         let mut share = here.share + here.tangent[count] * step;
-        for corrections in 0..=MOST_CORRECTIONS {
+        for corrections in 0..=settings::most_corrections() {
             let Some(response) = self.respond(creepages)? else { return Ok(None) };
             let off = &response.forces - &self.start - &self.way * share;
-            if off.norm() <= ON_PATH * self.way.norm().min(1.0) {
+            if off.norm() <= settings::off_path() * self.way.norm().min(1.0) {
                 let tangent = self.tangent(&response, &here.tangent);
                 return Ok(Some((Point { response, share, tangent }, corrections)));
             }
@@ -307,7 +270,7 @@ impl Follower<'_> {
         let end =
             |(place, point): (f64, &Point)| (place, point.share, point.response.creepages.clone());
         let (mut low, mut high) = (end(low), end(high));
-        for _ in 0..=LANDING_HALVINGS {
+        for _ in 0..=settings::halvings_of_step() {
             let part = (1.0 - low.1) / (high.1 - low.1);
             let span = &high.2 - &low.2;
             if let Some(found) = self.polish(&low.2, &span, part)? {
@@ -334,9 +297,11 @@ impl Follower<'_> {
         part: f64,
     ) -> Result<Option<Response>, Error> {
         let mut creepages = start + span * part;
-        let tolerance = ACCURACY * self.solver.options().tolerance * self.way.norm().min(1.0);
+        let tolerance = settings::accuracy_of_forces()
+            * self.solver.options().tolerance
+            * self.way.norm().min(1.0);
         let mut last = f64::INFINITY;
-        for _ in 0..=MOST_CORRECTIONS {
+        for _ in 0..=settings::most_corrections() {
             let Some(response) = self.respond(creepages)? else { return Ok(None) };
             let off = &self.scaled.target - &response.forces;
             // At the accuracy of the solver corrections no longer help.
@@ -348,7 +313,7 @@ impl Follower<'_> {
             let Some(change) = response.jacobian.clone().lu().solve(&off) else { return Ok(None) };
             creepages = response.creepages + change;
             let along = (&creepages - start).dot(span) / span.norm_squared();
-            if !(-BESIDE..=1.0 + BESIDE).contains(&along) {
+            if !(-settings::beside_step()..=1.0 + settings::beside_step()).contains(&along) {
                 return Ok(None);
             }
         }
@@ -360,7 +325,7 @@ impl Follower<'_> {
     fn turn(&mut self, here: &Point, step: f64) -> Result<Option<(f64, Point)>, Error> {
         let mut best: Option<(f64, Point)> = None;
         let [mut low, mut high] = [0.0, step];
-        for _ in 0..TURN_HALVINGS {
+        for _ in 0..settings::halvings_of_step() {
             let middle = 0.5 * (low + high);
             let Some((point, _)) = self.step(here, middle)? else { break };
             *(if self.rises(&point) { &mut low } else { &mut high }) = middle;

@@ -8,6 +8,7 @@ use crate::prescribed_forces::{Direction, PrescribedForces};
 use crate::problem::Problem;
 use crate::progress::Watch;
 use crate::reference_point;
+use crate::settings;
 use crate::simplified::EllipticContact;
 use crate::solution::{Resultant, Solution, Status};
 use crate::solver::Solver;
@@ -55,17 +56,6 @@ impl Response {
         self.jacobian.determinant() < 0.0
     }
 }
-
-/// Step of a central difference, relative to the creepage, where a method has no derivatives; and
-/// the least one.
-const DIFFERENCE: f64 = 1e-5;
-const LEAST_DIFFERENCE: f64 = 1e-5;
-
-/// Largest force over the friction limit from which a first guess is made.
-const LARGEST_GUESS: f64 = 0.97;
-
-/// Distance of two motions from which they are distinct, relative to their size.
-const DISTINCT: f64 = 1e-3;
 
 impl Scaled {
     /// # Errors
@@ -150,7 +140,7 @@ impl Scaled {
         let count = self.count();
         let nothing = self.linear(&self.motion(&DVector::zeros(count)));
         let ratio = self.target.norm();
-        let linear = 3.0 * (1.0 - (1.0 - ratio.min(LARGEST_GUESS)).cbrt());
+        let linear = 3.0 * (1.0 - (1.0 - ratio.min(settings::largest_guess())).cbrt());
         let grown = if ratio > 0.0 { linear / ratio } else { 1.0 };
         let mut matrix = DMatrix::zeros(count, count);
         for j in 0..count {
@@ -248,7 +238,7 @@ impl Scaled {
     ) -> Result<Option<DMatrix<f64>>, Error> {
         let mut jacobian = DMatrix::zeros(self.count(), self.count());
         for j in 0..self.count() {
-            let step = (DIFFERENCE * creepages[j].abs()).max(LEAST_DIFFERENCE);
+            let step = settings::difference() * creepages[j].abs().max(1.0);
             let mut ends = [DVector::zeros(self.count()), DVector::zeros(self.count())];
             for (end, step) in ends.iter_mut().zip([step, -step]) {
                 let mut there = creepages.clone();
@@ -284,7 +274,7 @@ impl Scaled {
     /// Whether two states have different motions.
     pub fn are_distinct(&self, one: &Solution, other: &Solution) -> bool {
         let [x, y] = [one, other].map(|state| self.creepages(&state.kinematics));
-        (&x - &y).norm() > DISTINCT * x.norm().max(y.norm())
+        (&x - &y).norm() > settings::distinct_motions() * x.norm().max(y.norm())
     }
 
     /// Whether a method has all forces that are prescribed.

@@ -34,15 +34,15 @@ pub(super) struct NestedGrids {
     pub levels: Vec<Level>,
     /// Motions of the solutions stored in the levels, the latest first.
     pub earlier: Vec<Kinematics>,
-    /// What Newton's method did not reach last.
-    pub unsolved: Option<Unsolved>,
+    /// What Newton's method has not reached.
+    pub unsolved: Vec<Unsolved>,
 }
 
 impl NestedGrids {
     pub fn new(problem: &Problem, options: &Options, watch: Watch) -> Result<Self, Error> {
         let normal = problem.normal.normal_contact(None)?;
         let levels = level::nested(problem, &normal, options, watch)?;
-        Ok(Self { problem: problem.clone(), levels, earlier: Vec::new(), unsolved: None })
+        Ok(Self { problem: problem.clone(), levels, earlier: Vec::new(), unsolved: Vec::new() })
     }
 
     /// Whether a problem is one of these grids.

@@ -6,9 +6,9 @@
 //! 4. [`Strategy::March`], if all creepages are given; a march has no derivatives.
 //!
 //! All but the last are Newton's method on nested grids from different initial guesses. Where
-//! forces are prescribed, the creepages that they cause are unknown, too; the path of forces along
-//! which these are found where friction depends on slip or heat ([`crate::prescribed`]) counts as a
-//! continuation.
+//! forces are prescribed, the creepages that they cause are unknown, too, and the continuation is
+//! that from the state of the guessed motion, or the path of forces ([`crate::prescribed`]): where
+//! friction depends on slip or heat, and where all else fails.
 
 use crate::equilibrium::Outcome;
 use crate::error::Error;
@@ -29,7 +29,7 @@ impl NestedGrids {
     /// The state by Newton's method. What was not found before with the same laws and the same
     /// motion or forces is not tried again.
     pub fn find(&mut self, goal: Goal, search: &mut Search) -> Result<Found, Error> {
-        if let Some(unsolved) = self.unsolved.as_ref().filter(|one| one.is(&goal)) {
+        if let Some(unsolved) = self.unsolved.iter().find(|one| one.is(&goal)) {
             return Ok(unsolved.found.clone());
         }
         self.drop_useless_start(goal, search);
@@ -59,7 +59,7 @@ impl NestedGrids {
             }
         }
         if !found.outcome.converged {
-            self.unsolved = Some(Unsolved::new(goal, &found));
+            self.unsolved.push(Unsolved::new(goal, &found));
         }
         Ok(found)
     }
