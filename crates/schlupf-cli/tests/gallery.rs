@@ -243,23 +243,12 @@ fn the_comparison_can_fail() {
 /// Ten times the tolerance of the gallery's cases.
 const TEN_TOLERANCES: f64 = 1e-5;
 
-/// k_c (in 1/m) between which the steady driver takes a mean of both treatments of bristles on the
-/// grids of the gallery, and what may then differ of a force over μ0 N, because a march takes one
-/// of them: less than the error of the grid.
-const BLENDED: std::ops::Range<f64> = 1.5e7..5e7;
-const OF_BLEND: f64 = 5e-4;
-
-/// Ratio of length to width of a patch beyond which the steady slip under Coulomb's law and with
-/// stiff bristles is interpolated with a cell downstream, whose traction a march does not know yet.
-const LONG: f64 = 1.25;
-
 /// Results that are compared by these bounds and not by that of the pins: a prescribed force of
 /// zero is met to the tolerance of the solver.
 const FORCES: [&str; 2] = ["/force/", "/normalised/"];
 
 /// The steady driver and marching give the same results: they solve the same discrete equations.
-/// The forces over μ0 N agree to ten times the solver's tolerance, except where bristles are
-/// treated in two ways, or the slip of long patches is.
+/// The forces over μ0 N agree to ten times the solver's tolerance.
 #[test]
 fn marching_ends_where_the_steady_driver_does() {
     let mut found = Vec::new();
@@ -271,25 +260,16 @@ fn marching_ends_where_the_steady_driver_does() {
         }
         let expected = pinned(&steady);
         let marched = pinned(&solve(&case, &["--set", "solver.driver=marching"]));
-        let stiffness = steady["contact_law"]["stiffness"].as_f64();
-        let is_blended = stiffness.is_some_and(|k| BLENDED.contains(&k));
-        let size = |axis: &str| steady["normal"][axis].as_f64().unwrap();
-        let is_long = size("semi_axis_x") > LONG * size("semi_axis_y");
-        let sticks = stiffness.is_none_or(|k| k >= BLENDED.start);
-        let is_treated_twice = is_blended || (is_long && sticks);
-        let allowed = if is_treated_twice { OF_BLEND } else { TEN_TOLERANCES };
         for component in ["x", "y", "moment_z"] {
             let of = |result: &Value| result["normalised"][component].as_f64().unwrap();
             let gap = (of(&marched) - of(&expected)).abs();
-            if gap > allowed {
+            if gap > TEN_TOLERANCES {
                 found.push(format!("{name}: normalised {component} differs by {gap:e}"));
             }
         }
-        if !is_treated_twice {
-            let differences = differences("", &marched, &expected);
-            let others = differences.iter().filter(|d| !FORCES.iter().any(|f| d.starts_with(f)));
-            found.extend(others.map(|d| format!("{name}{d}")));
-        }
+        let differences = differences("", &marched, &expected);
+        let others = differences.iter().filter(|d| !FORCES.iter().any(|f| d.starts_with(f)));
+        found.extend(others.map(|d| format!("{name}{d}")));
     }
     assert!(found.is_empty(), "{}", found.join("\n"));
 }

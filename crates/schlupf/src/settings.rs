@@ -1,7 +1,7 @@
 //! The numbers that steer the numerics of rolling contact: what each one is, and why it has its
 //! value. None is part of a model: those of discretisation change results by what is said there, on
 //! 20 cells; all others change the work, and which of several states is found, and apart from that
-//! results by less than the tolerance. Factors of a formula stand with the formula, and limits of
+//! results by about the tolerance. Factors of a formula stand with the formula, and limits of
 //! input with its checks.
 //!
 //! In brackets: products with the compliance at half and at twice the value, over those at the
@@ -136,7 +136,9 @@ settings! {
     /// Multiple of that residual above which a derivative counts as not found.
     inaccurate_derivatives: f64 = 100.0;
 
-    // The path of forces that grow to the prescribed ones, in dimensionless creepages.
+    // The path of forces that grow to the prescribed ones, in dimensionless creepages. Half and
+    // twice of all but the cells change neither work nor forces of the reference problems: they
+    // bound the work where the path is hard to follow, or there is no such force.
 
     /// Force over μ0 N up to which Kalker's theory with a saturation gives the first guess.
     largest_guess: f64 = 0.97;
@@ -238,14 +240,14 @@ settings! {
     /// cells of a strip that products grow, and from twice as much on there are wrong solutions.
     widest_cells: f64 = 50.0;
 
+    /// Longest path into a cell, over its length: anything longer is noise of edges that move with
+    /// the material.
+    longest_path: f64 = 2.0;
+
     // Marching.
 
     /// Successive time steps without an equilibrium after which a march to a steady state ends.
     steps_lost: usize = 10;
-
-    /// Longest path into a cell, over its length: anything longer is noise of edges that move with
-    /// the material.
-    longest_path: f64 = 2.0;
 
     /// Change of the creepages of prescribed forces at most from trial to trial, over those at
     /// which Kalker's slopes give the force of friction, or over themselves.
@@ -421,8 +423,19 @@ mod tests {
     /// layer under Coulomb's law changes by four parts in a thousand of the load.
     const EXCEPTIONS: [(&str, f64); 2] = [("nearest_node", 0.5), ("least_sliding", 2.0)];
 
+    /// The settings that change the discretisation, and with it forces.
+    const OF_DISCRETISATION: [&str; 6] = [
+        "least_edge_pressure",
+        "most_missing",
+        "least_sliding",
+        "nearest_node",
+        "refinement",
+        "longest_path",
+    ];
+
     /// Prints how work and forces change at half and at twice each setting. All problems are
-    /// solved; forces change by less than what 20 cells are off by, and work by less than a half.
+    /// solved; work changes by less than a half, and forces by less than what 20 cells are off by,
+    /// or by some tolerances.
     #[test]
     #[ignore = "minutes: cargo xtask long"]
     fn half_and_twice() {
@@ -442,7 +455,8 @@ mod tests {
                 println!("{name} × {factor}: products × {work:.2}, forces {apart:.0e} of the load");
                 let is_solved = found.iter().all(|one| one.status == Status::Converged);
                 let is_exception = EXCEPTIONS.contains(&(*name, factor));
-                if !is_exception && (!is_solved || apart > 3e-3 || work > 1.5) {
+                let most = if OF_DISCRETISATION.contains(name) { 3e-3 } else { 1e-5 };
+                if !is_exception && (!is_solved || apart > most || work > 1.5) {
                     missed.push((name, factor, apart, work));
                 }
             }

@@ -5,7 +5,7 @@ mod common;
 use std::path::Path;
 use std::sync::Arc;
 
-use common::{cells, half_space, problem, rolling};
+use common::{cells, half_space, problem, quantiles, rolling};
 use schlupf::interface::contact_law::{ContactLaw, Incremental};
 use schlupf::interface::friction::constant::Constant;
 use schlupf::normal::ellipse::Ellipse;
@@ -71,13 +71,6 @@ fn coulomb([a, b]: [f64; 2], [xi, eta, spin]: [f64; 3]) -> Problem {
 
 fn solve(problem: &Problem, across: usize) -> Solution {
     schlupf::rolling::steady::solve(problem, &cells(across), &unwatched).unwrap()
-}
-
-/// Median, 90 % and largest.
-fn quantiles(mut values: Vec<f64>) -> [f64; 3] {
-    values.sort_by(f64::total_cmp);
-    let at = |part: f64| values[((values.len() - 1) as f64 * part).round() as usize];
-    [at(0.5), at(0.9), at(1.0)]
 }
 
 /// Errors of all forces (in % of μN and μN √(ab)) beyond what is uncertain of the reference, and

@@ -130,7 +130,8 @@ fn what_is_not_found_is_marched_to() {
     base.kinematics.spin = 0.5;
     let mut solver = SteadySolver::new(&options);
     let first = solve(&mut solver, &base);
-    solve(&mut solver, &Problem { kinematics: rolling(1.1e-3, 0.0, 0.5), ..base.clone() });
+    let other = Problem { kinematics: rolling(1.1e-3, 0.0, 0.5), ..base.clone() };
+    assert_ne!(solver.solve(&other, &unwatched).unwrap().work.strategy, Some(Strategy::Cold));
     let second = solve(&mut solver, &base);
     for found in [&first, &second] {
         assert_eq!(found.work.strategy, Some(Strategy::March));

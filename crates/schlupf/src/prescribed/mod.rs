@@ -92,7 +92,7 @@ impl Solver for ForceSolver {
     }
 }
 
-/// Cells across the patch.
+/// Cells of the rectangle around the patch.
 fn cells(options: &Options) -> f64 {
     (options.cells_x * options.cells_y) as f64
 }

@@ -1,4 +1,4 @@
-//! Selection of the solver of steady states by method and driver.
+//! Selection of the solver of steady states by method.
 
 use crate::error::Error;
 use crate::method::Method;

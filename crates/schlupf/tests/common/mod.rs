@@ -21,6 +21,27 @@ use schlupf::rolling::marching::march;
 use schlupf::state::State;
 use schlupf::{Options, Problem, Solution, Status, Transient, unwatched};
 
+/// Numbers between 0 and 1 (Park and Miller 1988).
+pub struct Random(pub u64);
+
+impl Random {
+    pub fn next(&mut self) -> f64 {
+        self.0 = self.0 * 48_271 % 2_147_483_647;
+        self.0 as f64 / 2_147_483_647.0
+    }
+
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.next()
+    }
+}
+
+/// Median, 90 % and largest of some values.
+pub fn quantiles(mut values: Vec<f64>) -> [f64; 3] {
+    values.sort_by(f64::total_cmp);
+    let at = |part: f64| values[((values.len() - 1) as f64 * part).round() as usize];
+    [at(0.5), at(0.9), at(1.0)]
+}
+
 /// Rolling at 30 m/s with the given creepages and spin (in 1/m).
 pub fn rolling(creepage_x: f64, creepage_y: f64, spin: f64) -> Kinematics {
     Kinematics { speed: 30.0, creepage_x, creepage_y, spin }

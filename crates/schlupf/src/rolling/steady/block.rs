@@ -30,6 +30,13 @@ impl Block {
         Self(each(|n| self.0[n] + factor * other.0[n]))
     }
 
+    /// With its columns times two factors.
+    #[inline]
+    pub fn scaled(self, [x, y]: [f32; 2]) -> Self {
+        let factors = [x, x, y, y];
+        Self(each(|n| factors[n] * self.0[n]))
+    }
+
     #[inline]
     pub fn times(self, Self([xx, yx, xy, yy]): Self) -> Self {
         let Self([a, b, c, d]) = self;

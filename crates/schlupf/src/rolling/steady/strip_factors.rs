@@ -1,14 +1,15 @@
 //! Jacobians of single strips, factorised.
 //!
-//! Along a strip a cell is displaced by its own traction and by those of two neighbours on either
-//! side, compared with the displacement at the entry and with that of cells farther away. With the
-//! slip taken of that, the Jacobian of a strip is banded, with blocks of both components.
+//! Along a strip a cell is displaced by all tractions, by those of an elastic layer hardly less over
+//! its decay length than by its own. With p = T w, where T is the inverse of an exponential decay
+//! (tridiagonal), a cell is displaced by w of itself and of two neighbours on either side alone.
+//! With the slip taken of that, the Jacobian of a strip is banded, with blocks of both components.
 
 use std::ops::Range;
 
 use crate::patch::Patch;
 use crate::rolling::shared::contact::{Row as Compliances, at_distance};
-use crate::rolling::shared::strip::{Matrix, Resolvent, SlipStencil, StripContact};
+use crate::rolling::shared::strip::{Resolvent, SlipStencil, StripContact};
 use crate::settings;
 
 use super::block::{Block, Twice, image, reduced_by};
@@ -30,8 +31,9 @@ type Row<B> = [B; WIDTH];
 /// The slip at every cell due to the tractions of its neighbourhood, and the factors of the
 /// Jacobian made of it.
 pub(super) struct StripFactors {
-    /// Relative to the compliance of a cell.
+    /// Relative to the compliance of a cell, by w.
     slips: Vec<Row<Block>>,
+    decay: Decay,
     /// Compliance of a cell, in m/Pa.
     own: f64,
     /// The lower factor without its diagonal.
@@ -47,10 +49,10 @@ pub(super) struct StripFactors {
 impl StripFactors {
     /// Of a patch.
     pub fn new(patch: &Patch, contact: &StripContact, stencils: &[SlipStencil]) -> Self {
-        let row = short_range(&contact.row);
+        let row = &contact.row;
         let mut slips = Vec::with_capacity(patch.len());
-        let has_neighbours = row[1] != [0.0; 2];
-        let local = Local { patch, contact, row: &row, has_neighbours };
+        let decay = Decay::of(row);
+        let local = Local { patch, contact, decay: &decay };
         let own = if row[0][0] > 0.0 { row[0][0] } else { 1.0 };
         for cells in &contact.slaved.kept {
             slips.resize(cells.start, Row::default());
@@ -59,16 +61,17 @@ impl StripFactors {
                 for (j, weight) in stencils[k].cells(k) {
                     local.add(cells, j, weight, (k, &mut blocks));
                 }
-                slips.push(blocks.map(|block| Block::of(&block.map(|row| row.map(|s| s / own)))));
+                slips.push(blocks.map(|block| block.scaled([own.recip() as f32; 2])));
             }
         }
         slips.resize(patch.len(), Row::default());
-        Self { own, ..Self::of(slips) }
+        Self { own, ..Self::of(slips, decay) }
     }
 
-    fn of(slips: Vec<Row<Block>>) -> Self {
+    fn of(slips: Vec<Row<Block>>, decay: Decay) -> Self {
         Self {
             own: 1.0,
+            decay,
             lower: vec![[Block::default(); LOWER]; slips.len()],
             upper: vec![[Block::default(); UPPER]; slips.len()],
             pivots: vec![Block::default(); slips.len()],
@@ -90,18 +93,18 @@ impl StripFactors {
                     for (block, slip) in row.iter_mut().zip(&self.slips[k]) {
                         *block = block.plus(stiffness, slope.times(*slip));
                     }
+                    self.decay.add(&mut row, LOWER, (k, cells), Block::ONE.plus(-1.0, slope));
                     if let Some(bristles) = &interface.bristles {
-                        bristles.add(&mut row, &interface.resolvents[k], k);
+                        bristles.add(&mut row, &interface.resolvents[k], (k, cells, &self.decay));
                     }
-                    self.factorise_row((k, n), row, slope);
+                    self.factorise_row((k, n), row);
                 }
             }
         }
     }
 
-    /// Of a cell with `upstream` cells before it, from the blocks of its slip.
-    fn factorise_row(&mut self, (k, upstream): (usize, usize), mut row: Row<Block>, slope: Block) {
-        row[LOWER] = row[LOWER].plus(-1.0, slope).plus(1.0, Block::ONE);
+    /// Of a cell with `upstream` cells before it.
+    fn factorise_row(&mut self, (k, upstream): (usize, usize), mut row: Row<Block>) {
         for at in LOWER - LOWER.min(upstream)..LOWER {
             let above = self.upper[k + at - LOWER];
             for (n, above) in above.into_iter().enumerate() {
@@ -118,7 +121,7 @@ impl StripFactors {
 
     /// Solves for all strips, in place.
     pub fn solve(&mut self, strips: &[Range<usize>], v: &mut [f64]) {
-        let Self { lower, upper, pivots, solved, .. } = self;
+        let Self { lower, upper, pivots, solved, decay, .. } = self;
         for cells in strips.chunks(AT_ONCE) {
             let longest = cells.iter().map(ExactSizeIterator::len).max().unwrap_or(0);
             for solved in solved.iter_mut() {
@@ -142,8 +145,14 @@ impl StripFactors {
                         let own = &mut before[LOWER + n];
                         let value = reduced_by(own.once(), &upper[k], after);
                         *own = Twice::of(value);
-                        [v[2 * k], v[2 * k + 1]] = value.map(f64::from);
                     }
+                }
+            }
+            for (cells, solved) in cells.iter().zip(solved.iter()) {
+                for (n, w) in solved[LOWER - 1..].windows(3).take(cells.len()).enumerate() {
+                    let k = cells.start + n;
+                    let traction = decay.traction([w[0], w[1], w[2]], (k, cells));
+                    [v[2 * k], v[2 * k + 1]] = traction.map(f64::from);
                 }
             }
         }
@@ -170,82 +179,135 @@ pub(super) struct Upstream<'a> {
 
 impl Upstream<'_> {
     /// Takes what the traction of cell `k` owes to those upstream off its row.
-    fn add(&self, row: &mut Row<Block>, resolvent: &Resolvent, k: usize) {
+    fn add(
+        &self,
+        row: &mut Row<Block>,
+        resolvent: &Resolvent,
+        (k, cells, decay): (usize, &Range<usize>, &Decay),
+    ) {
         for (cell, weight) in self.stencils[k].upstream(k) {
-            if let Some(at) = row.get_mut((LOWER + cell).wrapping_sub(k)) {
-                let per_bound = weight * self.over_bound[cell];
-                let by = resolvent.by_upstream.map(|row| row.map(|by| per_bound * by));
-                *at = at.plus(-1.0, Block::of(&by));
-            }
+            let per_bound = -weight * self.over_bound[cell];
+            let by = resolvent.by_upstream.map(|row| row.map(|by| per_bound * by));
+            decay.add(row, (LOWER + cell).wrapping_sub(k), (cell, cells), Block::of(&by));
         }
     }
 }
 
-/// What a cell displaces its neighbours more than those farther away: all of these are displaced
-/// nearly alike, which coarser grids know.
-fn short_range(row: &Compliances) -> Compliances {
-    let far = row[NEIGHBOURS + 1];
-    row.map(|at| [0, 1].map(|c| (at[c] - far[c]).max(0.0)))
+/// p = T w along a strip: the inverse of a decay r^|n| over n cells, times 1 − r² over 1 + r².
+struct Decay {
+    /// Compliances of a row, in m/Pa.
+    row: Compliances,
+    /// r/(1 + r²) of both components: minus the entries beside the diagonal.
+    beside: [f64; 2],
+    /// 1/(1 + r²): the first and the last entry of the diagonal. All others are one.
+    end: [f64; 2],
+}
+
+impl Decay {
+    fn has_neighbours(&self) -> bool {
+        self.row[1] != [0.0; 2]
+    }
+
+    /// With the r for which a cell is not displaced by w of the one beside it.
+    fn of(row: &Compliances) -> Self {
+        let beside = [0, 1].map(|c| {
+            let around = row[0][c] + row[2][c];
+            if around > 0.0 { (row[1][c] / around).clamp(0.0, 0.5) } else { 0.0 }
+        });
+        let end = beside.map(|beside| 0.5 * (1.0 + (1.0 - 4.0 * beside * beside).sqrt()));
+        Self { row: *row, beside, end }
+    }
+
+    fn diagonal(&self, (k, cells): (usize, &Range<usize>)) -> [f64; 2] {
+        if k == cells.start || k + 1 == cells.end { self.end } else { [1.0; 2] }
+    }
+
+    /// Adds a block times p of a cell, which is at some place of the row.
+    fn add(&self, row: &mut Row<Block>, at: usize, of: (usize, &Range<usize>), block: Block) {
+        let (k, cells) = of;
+        let beside = block.scaled(self.beside.map(|beside| -beside as f32));
+        let own = block.scaled(self.diagonal(of).map(|own| own as f32));
+        let before = (k > cells.start).then_some((at.wrapping_sub(1), beside));
+        let after = (k + 1 < cells.end).then_some((at.wrapping_add(1), beside));
+        for (at, block) in before.into_iter().chain([(at, own)]).chain(after) {
+            if let Some(sum) = row.get_mut(at) {
+                *sum = sum.plus(1.0, block);
+            }
+        }
+    }
+
+    /// p of a cell, from w before, of, and after it.
+    fn traction(&self, [before, own, after]: [Twice; 3], of: (usize, &Range<usize>)) -> [f32; 2] {
+        let [before, own, after] = [before, own, after].map(Twice::once);
+        let diagonal = self.diagonal(of);
+        [0, 1].map(|c| diagonal[c] as f32 * own[c] - self.beside[c] as f32 * (before[c] + after[c]))
+    }
+
+    /// Displacement at a distance of some columns from a cell under its w, in m/Pa.
+    fn displacement(&self, columns: f64, of: (usize, &Range<usize>)) -> [f64; 2] {
+        let (k, cells) = of;
+        let diagonal = self.diagonal(of);
+        let at = |away: f64| at_distance(&self.row, away.abs());
+        let own = at(columns);
+        let before = if k > cells.start { at(columns + 1.0) } else { [0.0; 2] };
+        let after = if k + 1 < cells.end { at(columns - 1.0) } else { [0.0; 2] };
+        [0, 1].map(|c| diagonal[c] * own[c] - self.beside[c] * (before[c] + after[c]))
+    }
 }
 
 fn single(v: &[f64], k: usize) -> [f32; 2] {
     [v[2 * k] as f32, v[2 * k + 1] as f32]
 }
 
-/// Adds a symmetric block times a weight at a place of a row, if it is one.
-fn add_block(row: &mut Row<Matrix>, at: usize, weight: f64, [xx, yy, xy]: [f64; 3]) {
-    if let Some(block) = row.get_mut(at) {
-        for (r, c, value) in [(0, 0, xx), (1, 1, yy), (0, 1, xy), (1, 0, xy)] {
-            block[r][c] += weight * value;
-        }
-    }
+fn symmetric([xx, yy, xy]: [f64; 3]) -> Block {
+    Block::of(&[[xx, xy], [xy, yy]])
 }
 
 /// Displacements of the cells of a strip relative to the entry.
 struct Local<'a> {
     patch: &'a Patch,
     contact: &'a StripContact,
-    row: &'a [[f64; 2]],
-    has_neighbours: bool,
+    decay: &'a Decay,
 }
 
 impl Local<'_> {
     /// Adds the displacement of cell `j` times a weight to the row of cell `k`.
-    fn add(
-        &self,
-        cells: &Range<usize>,
-        j: usize,
-        weight: f64,
-        (k, row): (usize, &mut Row<Matrix>),
-    ) {
-        if !self.has_neighbours {
+    fn add(&self, cells: &Range<usize>, j: usize, weight: f64, (k, row): (usize, &mut Row<Block>)) {
+        let mut put = |to: usize, by: [f64; 3]| {
+            if let Some(block) = row.get_mut((LOWER + to).wrapping_sub(k)) {
+                *block = block.plus(weight as f32, symmetric(by));
+            }
+        };
+        if !self.decay.has_neighbours() {
             let [[xx, xy], [_, yy]] = self.contact.local[j];
-            add_block(row, (LOWER + j).wrapping_sub(k), weight, [xx, yy, xy]);
+            put(j, [xx, yy, xy]);
             return;
         }
-        let mut put = |to: usize, symmetric: [f64; 3]| {
-            add_block(row, (LOWER + to).wrapping_sub(k), weight, symmetric);
-        };
         for to in j.saturating_sub(NEIGHBOURS).max(cells.start)..cells.end.min(j + NEIGHBOURS + 1) {
-            let [xx, yy] = self.row[to.abs_diff(j)];
+            let [xx, yy] = self.decay.displacement(j as f64 - to as f64, (to, cells));
             put(to, [xx, yy, 0.0]);
         }
-        let [xx, yy, xy] = self.contact.calibration.at_cells[j];
-        let least = self.row[0].map(|own| -settings::most_reduced() * own);
-        put(j, [xx.max(least[0]), yy.max(least[1]), xy]);
-        put(cells.start, self.contact.calibration.at_entries[j].map(|u| -u));
         let entry = self.patch.cells[j].entry_x();
         for to in cells.start..cells.end.min(cells.start + NEIGHBOURS + 1) {
-            let [xx, yy] = self.at(entry, to);
+            let [xx, yy] = self.decay.displacement(-self.columns(entry, to), (to, cells));
             put(to, [-xx, -yy, 0.0]);
+        }
+        let calibration = &self.contact.calibration;
+        let [xx, yy, xy] = calibration.at_cells[j];
+        let least = self.decay.row[0].map(|own| -settings::most_reduced() * own);
+        for (of, by) in [
+            (j, [xx.max(least[0]), yy.max(least[1]), xy]),
+            (cells.start, calibration.at_entries[j].map(|u| -u)),
+        ] {
+            let block = symmetric(by.map(|by| weight * by));
+            self.decay.add(row, (LOWER + of).wrapping_sub(k), (of, cells), block);
         }
     }
 
-    /// Displacement at a place along the strip (in m) due to a cell.
-    fn at(&self, x: f64, k: usize) -> [f64; 2] {
+    /// Distance of a place (x in m) from a cell, in columns.
+    fn columns(&self, x: f64, k: usize) -> f64 {
         let grid = &self.patch.grid;
-        let away = x - grid.x(self.patch.cells[k].index % grid.columns);
-        at_distance(self.row, (away / grid.spacing_x).abs())
+        ((x - grid.x(self.patch.cells[k].index % grid.columns)) / grid.spacing_x).abs()
     }
 }
 
@@ -256,7 +318,7 @@ mod tests {
     use super::*;
     use crate::rolling::shared::cell::times;
     use crate::rolling::shared::passage::pair;
-    use crate::rolling::shared::strip::BristleState;
+    use crate::rolling::shared::strip::{BristleState, Matrix};
 
     /// The factors solve the banded system, strip by strip, in stick and in slip.
     #[test]
@@ -274,7 +336,7 @@ mod tests {
         let resolvents: Vec<Resolvent> =
             (0..14).map(|k| Resolvent::at([0.3 * f64::from(k), 1.0], 2.0, &bristles)).collect();
         let single = slips.iter().map(|row| row.map(|block| Block::of(&block)));
-        let mut factors = StripFactors::of(single.collect());
+        let mut factors = StripFactors::of(single.collect(), Decay::of(&Compliances::default()));
         factors.factorise(&Interface {
             kept: std::slice::from_ref(&cells),
             resolvents: &resolvents,

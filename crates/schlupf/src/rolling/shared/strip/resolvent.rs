@@ -75,8 +75,8 @@ impl BristleState {
         }
     }
 
-    /// φ and its derivative by m (in 1/Pa), where m is given in Pa; linear and zero where it is so
-    /// to rounding.
+    /// φ and its derivative by m (in 1/Pa), where m is given in Pa; zero beyond K = −ln ε, where φ
+    /// is less than 10⁻¹¹.
     fn memory(&self, sliding: f64) -> [f64; 2] {
         let relaxed = sliding / self.compliance;
         if relaxed > -f64::EPSILON.ln() {
