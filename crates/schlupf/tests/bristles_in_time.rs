@@ -6,7 +6,9 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::transients::{self, LIMIT, LOAD, constant, swinging};
-use common::{cells, follow, from_state, half_space, layer, problem, rolling, solve, solve_over};
+use common::{
+    at_once, cells, follow, from_state, half_space, layer, problem, rolling, solve, solve_over,
+};
 use schlupf::elasticity::Elasticity;
 use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
 use schlupf::history::History;
@@ -21,12 +23,6 @@ fn bristly(elasticity: Arc<dyn Elasticity>, stiffness: f64, motion: [f64; 3]) ->
     let [xi, eta, spin] = motion;
     let contact_law = Incremental::new(stiffness).unwrap().into();
     Problem { elasticity, contact_law, ..problem(rolling(xi, eta, spin)) }
-}
-
-fn at_once(problem: &Problem, options: &Options) -> Solution {
-    let solution = schlupf::rolling::steady::solve(problem, options, &unwatched).unwrap();
-    assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
-    solution
 }
 
 fn hot(mut problem: Problem) -> Problem {

@@ -8,7 +8,9 @@ use approx::assert_relative_eq;
 use common::transients::{
     self, LIMIT, LOAD, constant, contact, force_at, largest_difference, swinging,
 };
-use common::{cells, follow, from_state, half_space, layer, problem, rolling, solve, solve_over};
+use common::{
+    at_once, cells, follow, from_state, half_space, layer, problem, rolling, solve, solve_over,
+};
 use schlupf::elasticity::Elasticity;
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::elasticity::rigid::Rigid;
@@ -34,12 +36,6 @@ fn run(history: History, across: usize) -> Solution {
 
 fn coulomb(elasticity: Arc<dyn Elasticity>, [xi, eta, spin]: [f64; 3]) -> Problem {
     Problem { elasticity, contact_law: ContactLaw::Coulomb, ..problem(rolling(xi, eta, spin)) }
-}
-
-fn at_once(problem: &Problem, options: &Options) -> Solution {
-    let solution = schlupf::rolling::steady::solve(problem, options, &unwatched).unwrap();
-    assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
-    solution
 }
 
 fn hot(mut problem: Problem) -> Problem {

@@ -6,7 +6,7 @@ mod common;
 use std::sync::Arc;
 
 use approx::assert_relative_eq;
-use common::{cells, half_space, problem, rolling, solve};
+use common::{at_once, cells, half_space, problem, rolling, solve};
 use schlupf::elasticity::rigid::Rigid;
 use schlupf::heat::Heat;
 use schlupf::heat::duhamel::Duhamel;
@@ -22,16 +22,9 @@ use schlupf::interface::friction::slip_terms::{SecondTerm, SlipTerms};
 use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
 use schlupf::material::{Material, contact_modulus};
 use schlupf::normal::hertz::{Hertz, Radii};
-use schlupf::{Options, Problem, Solution, Status, rolling, unwatched};
+use schlupf::{Options, Problem};
 
 type Law = Arc<dyn FrictionLaw>;
-
-fn at_once(problem: &Problem, options: &Options) -> Solution {
-    let solution = rolling::steady::solve(problem, options, &unwatched).unwrap();
-    assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
-    assert_eq!(solution.work.steps, 0, "marched");
-    solution
-}
 
 /// Falls with the temperature and the slip speed, and from the right to the left.
 fn all_at_once(coefficient: f64) -> Law {

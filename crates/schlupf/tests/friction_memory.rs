@@ -3,7 +3,7 @@
 mod common;
 
 use approx::assert_relative_eq;
-use common::{cells, from_state, half_space, problem, rolling, solve};
+use common::{at_once, cells, from_state, half_space, problem, rolling, solve};
 use schlupf::elasticity::rigid::Rigid;
 use schlupf::heat::Heat;
 use schlupf::heat::duhamel::Duhamel;
@@ -17,15 +17,8 @@ use schlupf::interface::friction::slip_terms::SlipTerms;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::rolling::marching::march;
 use schlupf::state::Element;
-use schlupf::{Options, Problem, Solution, Status, rolling, unwatched};
+use schlupf::{Options, Problem, unwatched};
 use std::sync::Arc;
-
-fn at_once(problem: &Problem, options: &Options) -> Solution {
-    let solution = rolling::steady::solve(problem, options, &unwatched).unwrap();
-    assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
-    assert_eq!(solution.work.steps, 0, "marched");
-    solution
-}
 
 fn remembering(problem: Problem, distance: f64, least_speed: f64) -> Problem {
     let mut remembering = problem;

@@ -6,7 +6,7 @@ mod common;
 use std::sync::Arc;
 
 use approx::assert_relative_eq;
-use common::{cells, half_space, layer, problem, rolling, solve};
+use common::{at_once, cells, half_space, layer, problem, rolling, solve};
 use schlupf::elasticity::Elasticity;
 use schlupf::elasticity::rigid::Rigid;
 use schlupf::elasticity::winkler::Winkler;
@@ -17,7 +17,7 @@ use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::kinematics::Kinematics;
 use schlupf::method::{AreaReduction, Brush, FastMethod, SlopeReduction};
-use schlupf::rolling::{self, marching::shift};
+use schlupf::rolling::marching::shift;
 use schlupf::simplified::FastSolver;
 use schlupf::solution::Resultant;
 use schlupf::{Options, Problem, Solution, Solver, Status, unwatched};
@@ -35,13 +35,6 @@ fn hot(problem: Problem) -> Problem {
     hot.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
     hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     hot
-}
-
-fn at_once(problem: &Problem, options: &Options) -> Solution {
-    let solution = rolling::steady::solve(problem, options, &unwatched).unwrap();
-    assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
-    assert_eq!(solution.work.steps, 0, "marched");
-    solution
 }
 
 /// Fx, Fy and Mz over √(ab), over the size of the motion, in N.

@@ -2,6 +2,7 @@
 
 mod common;
 
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use common::{Random, cells, half_space, layer, problem, quantiles, rolling};
@@ -35,7 +36,7 @@ impl Random {
 fn moving(random: &mut Random) -> Problem {
     let (mean, ratio) = (random.magnitude(2e-3, 8e-3), random.magnitude(0.1, 10.0));
     let [a, b] = [mean * ratio.sqrt(), mean / ratio.sqrt()];
-    let (size, direction) = (random.magnitude(1e-4, 2e-2), random.between(0.0, 6.28));
+    let (size, direction) = (random.magnitude(1e-4, 2e-2), random.between(0.0, TAU));
     let spin = random.between(-1.0, 1.0) * size / mean;
     Problem {
         normal: Arc::new(Ellipse::from_peak_pressure(a, b, 1e9).unwrap()),

@@ -3,7 +3,7 @@
 mod common;
 
 use approx::assert_relative_eq;
-use common::{cells, from_state, half_space, problem, rolling, solve};
+use common::{at_once, cells, from_state, half_space, problem, rolling, solve};
 use schlupf::elasticity::Elasticity;
 use schlupf::elasticity::rigid::Rigid;
 use schlupf::elasticity::winkler::Winkler;
@@ -16,14 +16,8 @@ use schlupf::normal::tabulated::{PressureTable, Tabulated};
 use schlupf::rolling::marching::march;
 use schlupf::rolling::steady::SteadySolver;
 use schlupf::solution::Resultant;
-use schlupf::{Options, Problem, Solution, Solver, Status, rolling, unwatched};
+use schlupf::{Options, Problem, Solver, Status, unwatched};
 use std::sync::Arc;
-
-fn at_once(problem: &Problem, options: &Options) -> Solution {
-    let solution = rolling::steady::solve(problem, options, &unwatched).unwrap();
-    assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
-    solution
-}
 
 /// Steady and marched solve the same discrete equations: they agree to ten times the tolerance, for
 /// every elasticity and both contact laws, with spin.

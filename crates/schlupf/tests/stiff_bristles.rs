@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{cells, half_space, layer, problem, rolling};
+use common::{at_once, cells, half_space, layer, problem, rolling};
 use schlupf::elasticity::Elasticity;
 use schlupf::heat::Heat;
 use schlupf::heat::duhamel::Duhamel;
@@ -18,15 +18,8 @@ use schlupf::kinematics::Kinematics;
 use schlupf::normal::ellipse::Ellipse;
 use schlupf::rolling::steady::SteadySolver;
 use schlupf::solution::Work;
-use schlupf::{Options, Problem, Solution, Solver, Status, unwatched};
+use schlupf::{Options, Problem, Solver, unwatched};
 use std::sync::Arc;
-
-fn at_once(problem: &Problem, options: &Options) -> Solution {
-    let solution = schlupf::rolling::steady::solve(problem, options, &unwatched).unwrap();
-    assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
-    assert_eq!(solution.work.steps, 0, "marched: {:?}", solution.warnings);
-    solution
-}
 
 fn heated(mut problem: Problem, coefficient: f64) -> Problem {
     problem.friction.law = Arc::new(TemperatureLinear::new(coefficient, 700.0, 0.0).unwrap());

@@ -86,6 +86,14 @@ pub fn cells(cells: usize) -> Options {
     Options { cells_x: cells, cells_y: cells, ..Options::default() }
 }
 
+/// Solves for the steady state, and accepts neither a march nor less than convergence.
+pub fn at_once(problem: &Problem, options: &Options) -> Solution {
+    let solution = schlupf::rolling::steady::solve(problem, options, &unwatched).unwrap();
+    assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
+    assert_eq!(solution.work.steps, 0, "marched: {:?}", solution.warnings);
+    solution
+}
+
 /// Marches to the steady state, and does not accept less than convergence.
 pub fn solve(problem: &Problem, options: &Options) -> Solution {
     follow(&Transient::to_steady_state(problem), options)
