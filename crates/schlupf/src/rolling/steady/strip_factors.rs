@@ -1,7 +1,7 @@
 //! Jacobians of single strips, factorised.
 //!
-//! Along a strip a cell is displaced by all tractions, on elastic layers by those within their decay
-//! length hardly less than by its own. With p = T w, where T is the inverse of an exponential decay
+//! Along a strip a cell is displaced by all tractions, on elastic layers within their decay length
+//! hardly less than by its own. With p = T w, where T is the inverse of an exponential decay
 //! (tridiagonal), a cell is displaced by w of itself and of two neighbours on either side alone.
 //! With the slip taken of that, the Jacobian of a strip is banded, with blocks of both components.
 
