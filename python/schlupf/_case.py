@@ -15,20 +15,8 @@ from . import _core
 from ._errors import CaseError, SchlupfWarning, UnknownName, quoted
 from ._fields import FIELDS, SECTIONS, Field, no_field
 from ._laws import LARGEST, Law, checked, sampled
-from ._report import (
-    BulkTemperature,
-    Calibration,
-    Comparison,
-    Curve,
-    Fit,
-    RoughContact,
-    Subsurface,
-    Temperatures,
-    Wear,
-    Wheelset,
-)
 from ._result import Result
-from ._tables import csv
+from ._tasks import Tasks
 from ._units import is_quantity, magnitude, plain, refused
 
 if TYPE_CHECKING:
@@ -37,9 +25,6 @@ if TYPE_CHECKING:
 
     from ._forces import Solver
 
-
-#: Numbers that are taken where none is given.
-DEFAULTS = _core.defaults()
 
 #: A family as the library reads it, its field, and the values as the case has them.
 _Family = tuple[str, str, list[Any]]
@@ -121,40 +106,6 @@ def _may_be_text(path: str, value: Any) -> bool:
     return isinstance(value, str) and "." in path
 
 
-#: Fields that give the units of arguments and columns.
-_LIKE = {
-    "creepage_x": "kinematics.creepage_x",
-    "creepage_y": "kinematics.creepage_y",
-    "creepage": "kinematics.creepage_x",
-    "spin": "kinematics.spin",
-    "speed": "kinematics.speed",
-    "load": "normal.load",
-    # A length of any sign.
-    "depth": "history.shift_x",
-    "wake": "history.shift_x",
-    "x": "history.shift_x",
-    "y": "history.shift_x",
-    "lateral_position": "history.shift_x",
-}
-
-
-def _data_fields() -> dict[str, Field]:
-    """The fields that columns of measured points are like."""
-    return {name: FIELDS[path] for name, path in _LIKE.items()}
-
-
-def _pair(name: str, ends: Any) -> tuple[float, float]:
-    """Start and end of a range, in SI units."""
-    field = FIELDS[_LIKE.get(name, f"kinematics.{name}")]
-    try:
-        start, end = plain(ends, field, name)
-        return _number(name, field, start), _number(name, field, end)
-    except (TypeError, ValueError) as error:
-        if isinstance(error, CaseError):
-            raise
-        raise refused(name, f"{name} must be (start, end), but is {quoted(ends)}") from None
-
-
 def _number(name: str, field: Field, value: Any) -> float:
     if not isinstance(value, str):
         return float(plain(value, field, name))
@@ -174,18 +125,8 @@ def length(name: str, value: Any) -> float:
     CaseError
         If it is none.
     """
-    found = _length(name, value)
-    if found is None:
-        raise refused(name, f"{name} must be a length, but is missing")
-    return found
-
-
-def _length(name: str, value: Any) -> float | None:
-    """A length in m, where there is one."""
-    if value is None:
-        return None
     try:
-        return _number(name, FIELDS[_LIKE[name]], value)
+        return _number(name, FIELDS["history.shift_x"], value)
     except (TypeError, ValueError) as error:
         if isinstance(error, CaseError):
             raise
@@ -289,7 +230,7 @@ class SolverSection(Section):
         return Solver(self._case)
 
 
-class Case:
+class Case(Tasks):
     """What to solve, as in a case file: one keyword for each section, with its fields.
 
     Parameters
@@ -533,7 +474,7 @@ class Case:
         return self.__copy__()
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _rebuilt, (self._toml(), os.fspath(self._folder), self._laws)
+        return rebuilt, (self._toml(), os.fspath(self._folder), self._laws)
 
     def solve(
         self,
@@ -572,112 +513,6 @@ class Case:
         solution = self._file.solve(initial_state, _count("fields_every", fields_every))
         return Result._new(solution, strict=strict, warn=warn)
 
-    def curve(
-        self,
-        *,
-        creepage_x: tuple[float, float] | None = None,
-        creepage_y: tuple[float, float] | None = None,
-        spin: tuple[float | str, float | str] | None = None,
-        creepage: tuple[float, float] | None = None,
-        direction: float | str | None = None,
-        force_x: tuple[float | str, float | str] | None = None,
-        traction_coefficient: tuple[float, float] | None = None,
-        force_y: tuple[float | str, float | str] | None = None,
-        moment_z: tuple[float | str, float | str] | None = None,
-        over: Mapping[str, Sequence[Any]] | None = None,
-        points: int = DEFAULTS["curve_points"],
-        spacing: str | None = None,
-        warn: bool = True,
-    ) -> Curve:
-        """A creep curve: forces along a path of creepages, or creepages along a prescribed force.
-
-        Or one for each value of a field, or for each pair of values of two fields.
-
-        Parameters
-        ----------
-        creepage_x, creepage_y : (float, float), optional
-            Start and end, dimensionless; that of the case where left out.
-        spin : (float, float), optional
-            Start and end, in 1/m, or text with a unit.
-        creepage : (float, float), optional
-            Start and end of the total creepage in a `direction`, in place of both.
-        direction : float or str, optional
-            From longitudinal (0) to lateral (90 deg): in rad, or text with a unit.
-        force_x, force_y, moment_z : (float, float), optional
-            Start and end of a force on the wheel in N, of the moment in N m, or text with a unit:
-            one of them in place of all creepages above. Its own creepage is found.
-        traction_coefficient : (float, float), optional
-            Start and end of -Fx/N, in place of `force_x`; positive in braking.
-        over : mapping, optional
-            A field by its dotted path and the values that it has for the curves, such as
-            ``{"kinematics.speed": ["10 m/s", "20 m/s"]}``; with three numbers or more there is a
-            `map` over the creepage and the field. Two fields make a map of the largest forces.
-        points : int, optional
-            Points of each curve.
-        spacing : {"refined", "even"}, optional
-            Finer near zero, or equal steps; refined over a creepage and even over a force where
-            left out.
-        warn : bool, default True
-            Whether to issue the warnings of the curves.
-
-        Returns
-        -------
-        Curve
-            With ``points`` along ``point``, and along ``over`` (and ``over_2``) where there are
-            several curves; with a ``map``.
-
-        Raises
-        ------
-        CaseError
-            If a case cannot be solved as it is, a wheel cannot have these creepages, or no creepage
-            causes one of the forces.
-        """
-        forces = {"force_x": force_x, "traction_coefficient": traction_coefficient}
-        forces |= {"force_y": force_y, "moment_z": moment_z}
-        forces = {name: ends for name, ends in forces.items() if ends is not None}
-        ranges = {"creepage_x": creepage_x, "creepage_y": creepage_y, "spin": spin}
-        ranges["creepage"] = creepage
-        ranges = {name: ends for name, ends in ranges.items() if ends is not None}
-        if not ranges and not forces:
-            raise TypeError(
-                "a curve needs creepage_x, creepage_y, spin or creepage, or one of force_x, "
-                "traction_coefficient, force_y and moment_z: (start, end)"
-            )
-        if len(forces) > 1 or (forces and ranges):
-            raise TypeError(f"a force varies alone, but given are {', '.join([*ranges, *forces])}")
-        if (creepage is None) != (direction is None):
-            raise TypeError("creepage and direction belong together")
-        if creepage is not None and not (creepage_x is None and creepage_y is None):
-            raise TypeError("creepage is in place of creepage_x and creepage_y")
-        pairs = {name: _pair(name, ends) for name, ends in (ranges | forces).items()}
-        if all(start == end for start, end in pairs.values()):
-            raise ValueError(f"the ends must differ, but are alike: {', '.join(pairs)}")
-        if spacing is None:
-            spacing = "even" if forces else "refined"
-        if spacing not in ("refined", "even"):
-            raise ValueError(f"spacing must be 'refined' or 'even', but is {quoted(spacing)}")
-        angle = direction if isinstance(direction, str) else f"{direction} rad"
-        total = None if creepage is None else (pairs["creepage"], angle)
-        given = tuple(pairs.get(name) for name in ("creepage_x", "creepage_y", "spin"))
-        force = next(((name, pairs[name]) for name in forces), None)
-        families = self._families(over)
-        curve = _core.creep_curve(
-            self._file,
-            (given, total, force),
-            [text for text, _, _ in families],
-            (_count("points", points), spacing == "even"),
-        )
-        result = Curve._new(curve, warn=warn)
-        result._over = [(path, values) for _, path, values in families]
-        return result
-
-    def _families(self, over: Mapping[str, Sequence[Any]] | None) -> list[_Family]:
-        if over is None:
-            return []
-        if len(over) not in (1, 2):
-            raise TypeError(f"over must name one or two fields with values, but names {len(over)}")
-        return [self._family(path, values) for path, values in over.items()]
-
     def _family(self, path: str, values: Sequence[Any]) -> _Family:
         if path not in FIELDS:
             raise UnknownName(no_field(path))
@@ -687,314 +522,6 @@ class Case:
         text = f"{path}={','.join(texts)}"
         members = [self._file.with_fields([f"{path}={entry}"]) for entry in texts]
         return text, path, [member.value(path) for member in members]
-
-    def temperature(
-        self,
-        *,
-        x: float | str | None = None,
-        y: float | str | None = None,
-        depth: tuple[float | str, float | str] | None = None,
-        wake: float | str | None = None,
-        points: int = DEFAULTS["line_points"],
-        strict: bool = True,
-        warn: bool = True,
-    ) -> Temperatures:
-        """Temperatures of wheel and rail below a point, and along its row with the wake.
-
-        Parameters
-        ----------
-        x, y : float, optional
-            The point, in m or as text with a unit; by default the hottest one.
-        depth : (float, float), optional
-            Depths of the profile below it, in m; by default as far as heat has penetrated.
-        wake : float, optional
-            Length of the wake, in m; by default twice the length of the contact.
-        points : int, optional
-            Points of each line.
-        strict : bool, default True
-            Whether to raise `NotConverged`; else look at ``converged``.
-
-        Returns
-        -------
-        Temperatures
-            With ``profile`` over the depth and ``rows`` over depth and x, in °C.
-
-        Raises
-        ------
-        CaseError
-            If the point does not lie in the contact or its wake, or the case has a history.
-        NotConverged
-            If the solution has not converged; it has the result.
-
-        References
-        ----------
-        Conduction perpendicular to the surface: Carslaw and Jaeger (1959).
-        """
-        place = (_length("x", x), _length("y", y))
-        range_ = None if depth is None else _pair("depth", depth)
-        lines = (range_, _length("wake", wake), _count("points", points))
-        found = _core.temperatures(self._file, place, lines)
-        return Temperatures._new(found, warn=warn, strict=strict)
-
-    def subsurface(
-        self,
-        *,
-        x: float | str | None = None,
-        y: float | str | None = None,
-        strict: bool = True,
-        warn: bool = True,
-    ) -> Subsurface:
-        """Stresses below the contact, in the body and down to the depth of ``subsurface``.
-
-        Parameters
-        ----------
-        x, y : float, optional
-            Place of the profile, in m or as text with a unit; by default that of the largest
-            stress of von Mises.
-        strict : bool, default True
-            Whether to raise `NotConverged`; else look at ``converged``.
-        warn : bool, default True
-            Whether to issue the warnings of the result.
-
-        Returns
-        -------
-        Subsurface
-            With ``largest``, ``profile`` and ``volume`` in Pa, and `Subsurface.at` for any point.
-
-        Raises
-        ------
-        CaseError
-            If the method has no fields, or there are too many points.
-        NotConverged
-            If the solution has not converged; it has the result.
-
-        References
-        ----------
-        Love (1929); Ahmadi, Keer and Mura (1983).
-        """
-        found = _core.subsurface_stresses(self._file, (_length("x", x), _length("y", y)))
-        return Subsurface._new(found, warn=warn, strict=strict)
-
-    def wear(self, *, strict: bool = True, warn: bool = True) -> Wear:
-        """Wear, fatigue and melting of one passage of the wheel, by the laws of ``damage``.
-
-        Parameters
-        ----------
-        strict : bool, default True
-            Whether to raise `NotConverged`; else look at ``converged``.
-        warn : bool, default True
-            Whether to issue the warnings of the result.
-
-        Returns
-        -------
-        Wear
-            ``wear``, ``melting``, ``fatigue_index``, ``crack_damage``, ``shakedown`` and
-            ``t_gamma``; ``profile`` over y and ``cells``. ``wear`` and ``melting`` are None where
-            the method has no fields.
-
-        Raises
-        ------
-        CaseError
-            If something is wrong with the case, or it has a history.
-        NotConverged
-            If the solution has not converged; it has the result.
-
-        References
-        ----------
-        Wear: Archard (1953) with coefficients of Jendel (2002); Braghin, Lewis, Dwyer-Joyce and
-        Bruni (2006). Fatigue: Ekberg, Kabo and Andersson (2002), Burstow (2004). Shakedown:
-        Johnson and Jefferis (1963).
-        """
-        return Wear._new(_core.passage_damage(self._file), warn=warn, strict=strict)
-
-    def bulk_temperature(self, *, strict: bool = True, warn: bool = True) -> BulkTemperature:
-        """The bulk temperature of the wheel in the long run, cooled as ``cooling`` says.
-
-        Parameters
-        ----------
-        strict : bool, default True
-            Whether to raise `NotConverged`; else look at ``converged``.
-        warn : bool, default True
-            Whether to issue the warnings of the result.
-
-        Returns
-        -------
-        BulkTemperature
-            ``temperature.wheel`` (°C), and the balance of heat in ``heat`` (W).
-
-        Raises
-        ------
-        CaseError
-            If ``cooling`` is missing, or the case has a history.
-        NotConverged
-            If the balance has not converged; it has the result.
-        """
-        found = _core.bulk_temperature(self._file)
-        return BulkTemperature._new(found, warn=warn, strict=strict)
-
-    def wheelset(
-        self,
-        *,
-        lateral_position: tuple[float | str, float | str] = DEFAULTS["lateral_position"],
-        points: int = DEFAULTS["wheelset_points"],
-        strict: bool = True,
-        warn: bool = True,
-    ) -> Wheelset:
-        """The contacts of the wheelset over its lateral position, both wheels on their rails.
-
-        Parameters
-        ----------
-        lateral_position : (float, float), optional
-            First and last position, in m, or text with a unit.
-        points : int, optional
-            Number of positions.
-        strict : bool, default True
-            Whether to raise `NotConverged`; else look at ``converged``.
-        warn : bool, default True
-            Whether to issue the warnings of the result.
-
-        Returns
-        -------
-        Wheelset
-            ``contacts`` of both wheels, and their equivalent ``conicity``.
-
-        Raises
-        ------
-        CaseError
-            If the case has no profiles, or a height in place of the vertical force.
-        NotConverged
-            If a contact has not converged; it has the result.
-        """
-        ends = _pair("lateral_position", lateral_position)
-        found = _core.wheelset_contacts(self._file, ends, _count("points", points))
-        return Wheelset._new(found, warn=warn, strict=strict)
-
-    def compare(self, *, warn: bool = True) -> Comparison:
-        """The case by all methods: the full one with each elasticity, and the fast ones.
-
-        Returns
-        -------
-        Comparison
-            With ``methods`` along ``model``: forces, power, temperature rise, times in s.
-        """
-        return Comparison._new(_core.comparison(self._file), warn=warn)
-
-    def calibrate(
-        self,
-        *,
-        direct: bool = False,
-        displacements: str | PathLike[str] | Sequence[str | PathLike[str]] = (),
-        cells: int = DEFAULTS["calibration_cells"],
-        strict: bool = True,
-        warn: bool = True,
-    ) -> Calibration:
-        """Stiffnesses of the elastic layer for the patch of the case.
-
-        Parameters
-        ----------
-        direct : bool, default False
-            Whether to calibrate for this very patch instead of interpolating the table.
-        displacements : sequence of paths
-            CSV files with displacements of a finite-element model, to fit to.
-        cells : int, optional
-            Cells across the patch on which layer and half-space are compared.
-        strict : bool, default True
-            Whether to raise `NotConverged`; else look at ``converged``.
-
-        Returns
-        -------
-        Calibration
-            Stiffnesses, how far the layer is from the half-space, and the ``case`` with them.
-
-        Raises
-        ------
-        CaseError
-            If the table has no such patch, or no layer has such displacements.
-        NotConverged
-            If the stiffnesses have not converged; it has the result.
-        """
-        if isinstance(displacements, (str, os.PathLike)):
-            displacements = [displacements]
-        paths = [Path(path) for path in displacements]
-        found = _core.calibration(self._file, direct, paths, _count("cells", cells))
-        result = Calibration._new(found, warn=warn, strict=strict)
-        layer = Case.from_toml(found.case() or "").elasticity.given()
-        result._case = self.with_(elasticity=None).with_(elasticity=layer)
-        return result
-
-    def fit(
-        self,
-        parameters: str | Sequence[str],
-        data: str | PathLike[str] | Mapping[str, Any],
-        *,
-        gamma: float = DEFAULTS["gamma"],
-        max_steps: int = DEFAULTS["fit_steps"],
-        strict: bool = True,
-        warn: bool = True,
-    ) -> Fit:
-        """Finds parameters that fit measured creep curves, from the values of the case.
-
-        Parameters
-        ----------
-        parameters : str or sequence of str
-            Dotted paths, such as ``"friction.coefficient"``.
-        data : path, mapping or data frame
-            A CSV file, or columns of it by name: ``creepage_x``, ``creepage_y``, ``spin`` (1/m),
-            ``force_ratio`` or ``force_ratio_x``, ``force_ratio_y`` (-F/N), ``speed`` (m/s),
-            ``load`` (N), ``standard_deviation``.
-        gamma : float, optional
-            γ, where ``contact_law.roughness`` is fitted: the surfaces approach by γ h_rms when the
-            pressure grows e-fold (Persson 2007).
-        max_steps : int, optional
-            Largest number of steps.
-        strict : bool, default True
-            Whether to raise `NotConverged`; else look at ``converged``.
-
-        Returns
-        -------
-        Fit
-            Estimates with intervals of 95 %, ``points``, and the ``case`` with the fitted values.
-
-        Raises
-        ------
-        CaseError
-            If the data do not determine the parameters, or no case can have them.
-        NotConverged
-            If the fit has not converged; it has the result.
-        """
-        names = parameters if isinstance(parameters, str) else ",".join(parameters)
-        if isinstance(data, (str, os.PathLike)):
-            source: tuple[Path, bytes | None] = (Path(data), None)
-        else:
-            source = (Path("arrays"), csv(data, _data_fields()))
-        found = _core.fitted(
-            self._file, names, source, (self._folder, gamma, _count("max_steps", max_steps))
-        )
-        result = Fit._new(found, warn=warn, strict=strict)
-        text = found.case()
-        folder = os.fspath(self._folder)
-        result._case = None if text is None else _rebuilt(text, folder, self._laws)
-        return result
-
-    def roughness(self, *, spots: bool = True, warn: bool = True) -> RoughContact:
-        """Presses and moves the rough surface of the case (``contact_law.roughness``).
-
-        Parameters
-        ----------
-        spots : bool, default True
-            Whether pressures and gaps at the largest mean pressure are wanted, too.
-
-        Returns
-        -------
-        RoughContact
-            k_c, ``fields`` over x and y, ``spectrum``, ``loads`` and ``curves``.
-
-        Raises
-        ------
-        CaseError
-            If the case has no surface, or the surface cannot be read.
-        """
-        return RoughContact._new(_core.rough_contact(self._file, spots), warn=warn)
 
     @property
     def solver(self) -> SolverSection:
@@ -1006,7 +533,8 @@ class Case:
         return SolverSection(self, "solver")
 
 
-def _rebuilt(text: str, folder: str, laws: dict[str, Any]) -> Case:
+def rebuilt(text: str, folder: str, laws: dict[str, Any]) -> Case:
+    """A case from its text, in a folder, with laws."""
     case = Case.from_toml(text, folder)
     return case.with_laws(**laws) if laws else case
 

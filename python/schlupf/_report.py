@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
@@ -40,14 +41,27 @@ class Report(Record):
     _OWN = ("_case", "_over")
 
     @classmethod
-    def _new(cls: type[R], report: _core.Report, *, warn: bool, strict: bool = False) -> R:
+    def _new(cls: type[R], report: _core.Report, *, warn: bool, strict: bool, depth: int) -> R:
         result = cls(json.loads(report.json()))
         result._report = report
         if strict and not result.converged:
             raise NotConverged(result)
         if warn:
-            emit(result.messages, stacklevel=3)
+            emit(result.messages, stacklevel=depth)
         return result
+
+    @classmethod
+    def _prepared(cls, case: Case, request: dict[str, Any]) -> tuple[dict[str, Any], Any]:
+        """A request as the library takes it, and what of it the result keeps."""
+        return request, None
+
+    @classmethod
+    def _files(cls, case: Case) -> list[tuple[str, Path]]:
+        """Files of its own that are wanted: formats, and where they are going to lie."""
+        return []
+
+    def _finish(self, case: Case, own: Any) -> None:
+        """Keeps what only the case or the request knows."""
 
     @property
     def converged(self) -> bool:
@@ -94,6 +108,15 @@ class Curve(Report):
     VARIED = ("creepage_x", "creepage_y", "spin")
 
     _over: Sequence[tuple[str, list[Any]]] = ()
+
+    @classmethod
+    def _prepared(cls, case: Case, request: dict[str, Any]) -> tuple[dict[str, Any], Any]:
+        families = [case._family(*entry) for entry in (request["over"] or {}).items()]
+        texts = [text for text, _, _ in families]
+        return request | {"over": texts}, [(path, values) for _, path, values in families]
+
+    def _finish(self, case: Case, own: Any) -> None:
+        self._over = own
 
     @cached_property
     def points(self) -> xr.Dataset:
@@ -280,6 +303,10 @@ class Calibration(Report):
 
     _case: Case
 
+    def _finish(self, case: Case, own: Any) -> None:
+        section = case.from_toml(_core.own_file(self._report, "section") or "").elasticity.given()
+        self._case = case.with_(elasticity=None).with_(elasticity=section)
+
     @property
     def case(self) -> Case:
         """The case with the calibrated layer as its elasticity."""
@@ -351,6 +378,17 @@ class Fit(Report):
 
     _case: Case | None
 
+    @classmethod
+    def _files(cls, case: Case) -> list[tuple[str, Path]]:
+        return [("case", case._folder / "fitted case")]
+
+    def _finish(self, case: Case, own: Any) -> None:
+        text = _core.own_file(self._report, "case")
+        from ._case import rebuilt
+
+        folder = str(case._folder)
+        self._case = None if text is None else rebuilt(text, folder, case._laws)
+
     @cached_property
     def points(self) -> xr.Dataset:
         """Measured and fitted forces along ``point``, and their conditions."""
@@ -378,6 +416,11 @@ class Fit(Report):
 
 class RoughContact(Report):
     """A rough surface, its contact and its k_c."""
+
+    @classmethod
+    def _files(cls, case: Case) -> list[tuple[str, Path]]:
+        # Neither is written: the fields have them.
+        return [("pressures", Path()), ("gaps", Path())]
 
     @cached_property
     def fields(self) -> xr.Dataset:

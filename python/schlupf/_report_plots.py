@@ -280,10 +280,7 @@ class RoughContactPlots:
     @styled
     def spots(self, ax: Axes | None = None, **style: Any) -> Axes:
         """Pressures in the contact spots at the largest mean pressure."""
-        fields = self._contact.fields
-        if "pressure" not in fields:
-            raise ValueError("there are no spots: ask for them by roughness(spots=True)")
-        pressure = fields["pressure"]
+        pressure = self._contact.fields["pressure"]
         return colored_map(pressure.where(pressure > 0.0), "pressure", ax, **style)
 
     @styled

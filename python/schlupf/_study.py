@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import xarray as xr
 
 from . import _core
+from ._ask import run as ask
 from ._errors import SchlupfWarning, quoted
 from ._report import Damage
 from ._result import with_folder
@@ -190,8 +191,8 @@ def damage(
     Fatigue: Ekberg, Kabo and Andersson (2002). Wear: Archard (1953) with coefficients of Jendel
     (2002); Braghin, Lewis, Dwyer-Joyce and Bruni (2006).
     """
-    found = _core.damage(Path(run), None if case is None else case._file)
-    return Damage._new(found, warn=warn, strict=strict)
+    found = ask("damage", None if case is None else case._file, {"run": run})
+    return Damage._new(found, warn=warn, strict=strict, depth=3)
 
 
 def read_table(path: str | PathLike[str]) -> xr.Dataset:

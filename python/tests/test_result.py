@@ -156,7 +156,7 @@ def test_a_creep_curve(case):
     assert (points["force_x"][1:] < 0).all()
     assert curve.varied == "creepage_x"
     assert set(points["status"].values) == {"converged"}
-    with pytest.raises(TypeError, match="creepage_x"):
+    with pytest.raises(schlupf.CaseError, match="creepage_x"):
         case.curve()
     with pytest.raises(schlupf.CaseError):
         case.curve(creepage_x=(0.0, 2.0))

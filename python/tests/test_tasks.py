@@ -61,12 +61,12 @@ def test_the_total_creepage_varies_in_a_direction():
 @pytest.mark.parametrize(
     ("arguments", "error", "part"),
     [
-        ({}, TypeError, "a curve needs"),
-        ({"creepage": (0, 0.1)}, TypeError, "belong together"),
-        ({"creepage_x": (0, 0.1), "points": 1}, ValueError, "points must be between 2 and"),
-        ({"creepage_x": (0.1, 0.1)}, ValueError, "the ends must differ"),
+        ({}, ValueError, "a curve needs"),
+        ({"creepage": (0, 0.1)}, ValueError, "must be given together with direction"),
+        ({"creepage_x": (0, 0.1), "points": 1}, ValueError, "must be a whole number between 2 and"),
+        ({"creepage_x": (0.1, 0.1)}, ValueError, "must differ from its start"),
         ({"creepage_x": 0.1}, schlupf.CaseError, "creepage_x must be"),
-        ({"creepage_x": (0, 0.1), "points": -1}, ValueError, "points must not be negative"),
+        ({"creepage_x": (0, 0.1), "points": -1}, ValueError, "points must be a whole number"),
         ({"creepage_x": (0, 0.1), "over": {"kinematics.sped": [1]}}, KeyError, "sped"),
         (
             {"creepage_x": (0, 0.1), "over": {"kinematics.creepage_x": [0.1]}},
@@ -79,9 +79,17 @@ def test_the_total_creepage_varies_in_a_direction():
             "normal.load must be a force",
         ),
         ({"creepage_y": (0, 2.0)}, ValueError, "creepage_y"),
-        ({"force_x": (0, 1.0), "spin": (0, 1.0)}, TypeError, "given are spin, force_x"),
-        ({"force_x": (0, 1.0), "force_y": (0, 1.0)}, TypeError, "a force varies alone"),
-        ({"force_x": (0, "-20 m")}, schlupf.CaseError, "force_x must be a force"),
+        (
+            {"force_x": (0, 1.0), "spin": (0, 1.0)},
+            ValueError,
+            "force_x must not be given together with spin",
+        ),
+        (
+            {"force_x": (0, 1.0), "force_y": (0, 1.0)},
+            ValueError,
+            "force_y must not be given together with force_x",
+        ),
+        ({"force_x": (0, "-20 m")}, schlupf.CaseError, "force_x .* must be a force"),
         ({"force_y": (0, "-90 kN")}, schlupf.CaseError, "force_y cannot be"),
     ],
 )
@@ -105,7 +113,7 @@ def test_temperatures_below_the_surface_and_in_the_wake():
     wrong = [{"depth": (0, -1)}, {"wake": np.inf}, {"wake": -1.0}, {"depth": (0, 1e9)}, {"x": "a"}]
     for arguments in wrong:
         (name,) = arguments
-        with pytest.raises(schlupf.CaseError, match=f"{name} must be"):
+        with pytest.raises(schlupf.CaseError, match=f"{name} .* must be"):
             case.temperature(**arguments)
 
 
@@ -133,7 +141,7 @@ def test_a_calibration_of_the_layer():
     found = SMALL.calibrate(cells=10)
     assert found.converged
     assert "bedding_x" in found.summary()
-    with pytest.raises(ValueError, match="cells must be between 10 and 80"):
+    with pytest.raises(ValueError, match="cells must be a whole number between 10 and 80"):
         SMALL.calibrate(cells=5)
 
 

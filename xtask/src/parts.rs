@@ -107,8 +107,10 @@ impl Part {
                 });
                 let all = Step::cargo("clippy --workspace --all-targets -- -D warnings");
                 // Targets that are built only when asked for are not among all.
-                let benches = ["schlupf --bench table", "schlupf-study --bench sweep"]
-                    .map(|bench| Step::cargo(&format!("clippy --package {bench} -- -D warnings")));
+                let benches =
+                    ["schlupf --bench table", "schlupf-tasks --features study --bench sweep"].map(
+                        |bench| Step::cargo(&format!("clippy --package {bench} -- -D warnings")),
+                    );
                 std::iter::once(all).chain(benches).chain(alone).collect()
             }
             Self::Test => vec![Step::cargo("test --workspace")],
@@ -148,7 +150,7 @@ impl Part {
             ],
             Self::Bench => vec![
                 Step::cargo("bench --package schlupf --bench table"),
-                Step::cargo("bench --package schlupf-study --bench sweep"),
+                Step::cargo("bench --package schlupf-tasks --features study --bench sweep"),
             ],
         })
     }
@@ -164,19 +166,10 @@ impl Part {
 }
 
 /// The packages that need no operating system, and so are built for the browser.
-const PORTABLE: [&str; 5] =
-    ["schlupf", "schlupf-table", "schlupf-case", "schlupf-output", "schlupf-tasks"];
+const PORTABLE: [&str; 3] = LIBRARIES;
 
 /// The packages that others build on.
-const LIBRARIES: [&str; 7] = [
-    "schlupf",
-    "schlupf-table",
-    "schlupf-case",
-    "schlupf-output",
-    "schlupf-import",
-    "schlupf-tasks",
-    "schlupf-study",
-];
+const LIBRARIES: [&str; 3] = ["schlupf", "schlupf-case", "schlupf-tasks"];
 
 /// Builds the packages that would be published, in a new directory: cargo takes packages of the
 /// same version that it has built before for unchanged.

@@ -19,6 +19,7 @@ mod family;
 pub mod identification;
 mod law_stiffness;
 mod laws;
+pub mod look_up_table;
 mod names;
 mod notice;
 mod profiles;
@@ -33,6 +34,7 @@ pub mod surface;
 mod tables;
 mod template;
 pub mod units;
+pub mod import;
 
 pub use case::{Case, Effective, Rolling};
 pub use case_file::{CaseFile, LARGEST_CASE, Overrides};

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, ValueHint};
-use schlupf_case::{CaseError, Preset, position};
+use schlupf_case::Preset;
 
 /// Which case.
 #[derive(Debug, Clone, Args)]
@@ -78,18 +78,4 @@ pub struct InitArguments {
 fn conditions() -> PossibleValuesParser {
     let value = |preset: &'static Preset| PossibleValue::new(&*preset.name).help(&*preset.doc);
     PossibleValuesParser::new(schlupf_case::conditions().map(value))
-}
-
-/// The place on the contact that two options give, in m; `None` where one is not given.
-pub fn place(
-    options: [&'static str; 2],
-    texts: [&Option<String>; 2],
-) -> Result<[Option<f64>; 2], CaseError> {
-    let coordinate = |option, what, text: &Option<String>| {
-        text.as_deref().map(|text| position(option, what, text)).transpose()
-    };
-    Ok([
-        coordinate(options[0], "the place along rolling", texts[0])?,
-        coordinate(options[1], "the place across rolling", texts[1])?,
-    ])
 }

@@ -8,8 +8,8 @@ use schlupf_case::{
     Case, CaseErrors, Effective, FieldNames, Place, Preset, conditions, schema as case_schema,
     template, template_with,
 };
-use schlupf_output::significant;
 use schlupf_tasks::contact_law;
+use schlupf_tasks::output::significant;
 
 use crate::arguments::{CheckArguments, InitArguments, STANDARD_STREAM};
 use crate::failure::{Failure, SUCCESS};
@@ -120,7 +120,7 @@ pub fn init(arguments: &InitArguments) -> Result<u8, Failure> {
         stdout::write(&text)?;
         return Ok(SUCCESS);
     }
-    outputs::check(&[Output { option: "FILE", path: path.to_owned() }], None)?;
+    outputs::check(&[Output { option: "FILE".to_owned(), path: path.to_owned() }], None)?;
     if arguments.force {
         outputs::write(&[(path.clone(), text.into_bytes())], None)?;
     } else {

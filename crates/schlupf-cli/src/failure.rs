@@ -4,9 +4,9 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use schlupf_case::{CaseErrors, Cause};
-use schlupf_output::figures::FigureError;
-use schlupf_study::StudyError;
 use schlupf_tasks::TaskError;
+use schlupf_tasks::output::figures::FigureError;
+use schlupf_tasks::study::StudyError;
 
 /// Exit code of what was done.
 pub const SUCCESS: u8 = 0;
@@ -41,6 +41,7 @@ impl From<TaskError> for Failure {
         match error {
             TaskError::Case(errors) => Self::Case(errors),
             TaskError::Request(message) => Self::Arguments(message),
+            TaskError::Study(error) => error.into(),
         }
     }
 }

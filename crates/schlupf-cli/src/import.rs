@@ -6,8 +6,8 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum, ValueHint};
 use schlupf_case::CaseErrors;
-use schlupf_import::contact::{self, Grouped, Import, WheelBody, ranges};
-use schlupf_tasks::import::{self, Request};
+use schlupf_case::import::contact::{self, Grouped, Import, WheelBody, ranges};
+use schlupf_case::import::{self, Request};
 
 use crate::failure::{Failure, SUCCESS};
 use crate::outputs::{self, Directory, Input, Output};
@@ -58,7 +58,7 @@ pub fn import(arguments: &ImportArguments) -> Result<u8, Failure> {
         Body::Second => WheelBody::Second,
     };
     let request = Request { path: &arguments.file, folder: arguments.output.as_deref(), wheel };
-    let mut imported = import::contact(request)?;
+    let mut imported = import::contact_file(request)?;
     let folder = request.output();
     let cases = std::mem::take(&mut imported.cases);
     let written = if arguments.study {
@@ -82,7 +82,8 @@ pub fn import(arguments: &ImportArguments) -> Result<u8, Failure> {
     let what = "the input file".to_owned();
     let input = Input { what, path: arguments.file.clone(), except: None };
     let option = if given.is_some() { OUTPUT } else { FILE };
-    let overwritten = files.iter().map(|(path, _)| Output { option, path: path.clone() });
+    let overwritten =
+        files.iter().map(|(path, _)| Output { option: option.to_owned(), path: path.clone() });
     let overwritten: Vec<Output> = overwritten.filter(|output| output.path.exists()).collect();
     outputs::refuse_inputs(&overwritten, None, &[input])?;
     if let Some((path, _)) = files.iter().find(|(path, _)| path.exists() && !arguments.force) {

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use schlupf_study::lock::OutputLock;
+use schlupf_tasks::study::lock::OutputLock;
 use tempfile::TempDir;
 
 use crate::stdout;

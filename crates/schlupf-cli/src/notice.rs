@@ -7,18 +7,6 @@ messages! {
     /// A notice about a field of a case.
     Notice of &'static str:
 
-    /// A file has nothing in it, because the method gives no fields.
-    "empty-output" EmptyOutput {
-        /// The option that names it.
-        option: &'static str,
-        /// What is missing.
-        what: &'static str,
-        /// Name of the method.
-        method: &'static str,
-    } "solver.method", |subject, words| {
-        format!("{option} has {what}: solver.method = {method:?} gives no fields")
-    };
-
     /// States of a look-up table that could not be kept for a later run.
     "states-not-kept" StatesNotKept {
         /// Why.
@@ -59,7 +47,7 @@ mod tests {
         let codes = [
             schlupf::Warning::CODES,
             schlupf_case::Notice::CODES,
-            schlupf_import::Notice::CODES,
+            schlupf_case::import::Notice::CODES,
             TaskNotice::CODES,
             Notice::CODES,
         ];

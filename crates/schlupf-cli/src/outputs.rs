@@ -5,7 +5,7 @@ use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use schlupf_case::CaseFile;
-use schlupf_study::lock::OutputLock;
+use schlupf_tasks::study::lock::OutputLock;
 use tempfile::NamedTempFile;
 
 use crate::arguments::CaseArguments;
@@ -20,14 +20,14 @@ pub struct Input {
     /// Where it is.
     pub path: PathBuf,
     /// The option that may write it all the same.
-    pub except: Option<&'static str>,
+    pub except: Option<String>,
 }
 
 /// A file that is to be written.
 #[derive(Debug, Clone)]
 pub struct Output {
     /// The option that names it, or the directory that it stands in.
-    pub option: &'static str,
+    pub option: String,
     /// Where it goes.
     pub path: PathBuf,
 }
@@ -63,18 +63,18 @@ pub fn check(outputs: &[Output], directory: Option<&Directory>) -> Result<(), Fa
         }
         let location = location(path)?;
         if let Some(other) = taken.iter().find(|other| other.path == location) {
-            return Err(shared(option, path, other.option));
+            return Err(shared(option, path, &other.option));
         }
         // Several outputs may go to /dev/null.
         if !is_special(path) {
-            taken.push(Output { option, path: location });
+            taken.push(Output { option: option.clone(), path: location });
         }
     }
     let Some(Directory { option, path, .. }) = directory else { return Ok(()) };
     // A directory can be made neither in place of a file nor below one.
     let location = resolved(path);
     match taken.iter().find(|other| location.starts_with(&other.path)) {
-        Some(other) => Err(shared(option, path, other.option)),
+        Some(other) => Err(shared(option, path, &other.option)),
         None => Ok(()),
     }
 }
@@ -100,7 +100,8 @@ fn all_files(outputs: &[Output], directory: Option<&Directory>) -> Vec<Output> {
     if let Some(Directory { option, path, names }) = directory {
         // In a directory that is still to be made nothing is in the way.
         let names = names.iter().filter(|_| path.is_dir());
-        files.extend(names.map(|name| Output { option, path: path.join(name) }));
+        let output = |name: &String| Output { option: (*option).to_owned(), path: path.join(name) };
+        files.extend(names.map(output));
     }
     files
 }
@@ -139,7 +140,7 @@ impl Input {
     fn is_at(&self, output: &Path, option: &str) -> bool {
         let named = location(&self.path).is_ok_and(|path| path == output);
         let linked = fs::canonicalize(&self.path).is_ok_and(|path| path == output);
-        self.except != Some(option) && !is_special(&self.path) && (named || linked)
+        self.except.as_deref() != Some(option) && !is_special(&self.path) && (named || linked)
     }
 }
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use schlupf_case::{CaseErrors, CaseFile, ProfileReading};
-use schlupf_output::profiles;
+use schlupf_tasks::output::profiles;
 
 use crate::arguments::CheckArguments;
 use crate::failure::Failure;

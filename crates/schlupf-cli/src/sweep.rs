@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use schlupf_study::run::Report;
-use schlupf_study::{Study, merge, run};
+use schlupf_tasks::study::run::Report;
+use schlupf_tasks::study::{Study, merge, run};
 
 use crate::failure::{Failure, NOT_CONVERGED, SUCCESS};
 use crate::interrupt;
@@ -89,7 +89,7 @@ pub fn merge(arguments: &Merge) -> Result<u8, Failure> {
 }
 
 fn output(path: &Path) -> Output {
-    Output { option: OUTPUT, path: path.to_owned() }
+    Output { option: OUTPUT.to_owned(), path: path.to_owned() }
 }
 
 fn check(path: &Path) -> Result<(), Failure> {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use schlupf::table_building::{LONGER_SIDE_EXPONENT, TableOptions, build, build_from};
 use schlupf::{Error, Quantity};
-use schlupf_table::{StatedError, StoredTable, TableFileError};
+use schlupf_case::look_up_table::{StatedError, StoredTable, TableFileError};
 
 use crate::failure::{Failure, NOT_CONVERGED, SUCCESS};
 use crate::interrupt;
@@ -58,7 +58,7 @@ pub fn table(arguments: &Table) -> Result<u8, Failure> {
         let path = arguments.output.display();
         return Err(Failure::Arguments(format!("{OUTPUT} must end in .npz, but is {path}")));
     }
-    let output = Output { option: OUTPUT, path: arguments.output.clone() };
+    let output = Output { option: OUTPUT.to_owned(), path: arguments.output.clone() };
     outputs::check(std::slice::from_ref(&output), None)?;
     let options = TableOptions {
         poisson_ratio: arguments.poisson_ratio,
@@ -107,7 +107,7 @@ pub fn table(arguments: &Table) -> Result<u8, Failure> {
 
 /// A table made before, which must not be written over.
 fn read(path: &Path, arguments: &Table, cells: usize) -> Result<StoredTable, Failure> {
-    let outputs = [Output { option: OUTPUT, path: arguments.output.clone() }];
+    let outputs = [Output { option: OUTPUT.to_owned(), path: arguments.output.clone() }];
     let input = Input { what: "--from".to_owned(), path: path.to_owned(), except: None };
     outputs::refuse_inputs(&outputs, None, &[input])?;
     let bytes = std::fs::read(path).map_err(|cause| Failure::file(path, cause))?;

@@ -6,7 +6,7 @@ mod support;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use schlupf_study::lock::OutputLock;
+use schlupf_tasks::study::lock::OutputLock;
 use support::{Bench, Run};
 
 /// Starts a command that takes long, and waits until a file of it is there.

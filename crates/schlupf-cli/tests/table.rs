@@ -4,7 +4,7 @@ mod support;
 
 use std::fs;
 
-use schlupf_table::StoredTable;
+use schlupf_case::look_up_table::StoredTable;
 use support::Bench;
 
 /// Few nodes.

@@ -73,7 +73,7 @@ fn kind(kind: Kind) -> &'static str {
 #[pyfunction]
 pub fn warning_codes() -> Vec<(&'static str, &'static str)> {
     use schlupf_case::Notice as OfCase;
-    use schlupf_import::Notice as OfImport;
+    use schlupf_case::import::Notice as OfImport;
     use schlupf_tasks::Notice as OfTask;
     let codes = [schlupf::Warning::CODES, OfCase::CODES, OfImport::CODES, OfTask::CODES];
     let meanings =

@@ -5,9 +5,8 @@ use std::path::PathBuf;
 use pyo3::prelude::*;
 use schlupf::message::Message;
 use schlupf_case::CaseErrors;
-use schlupf_import::contact::WheelBody;
-use schlupf_tasks::TaskError;
-use schlupf_tasks::import::{self, Request};
+use schlupf_case::import::contact::WheelBody;
+use schlupf_case::import::{self, Request};
 
 use crate::case_file::CaseFile;
 use crate::errors;
@@ -28,10 +27,7 @@ pub fn import_contact(
     let wheel = if is_wheel_second { WheelBody::Second } else { WheelBody::First };
     let request = Request { path: &path, folder: None, wheel };
     let read = || -> Result<_, CaseErrors> {
-        let imported = import::contact(request).map_err(|error| match error {
-            TaskError::Case(errors) => errors,
-            TaskError::Request(message) => of_file(&path, message),
-        })?;
+        let imported = import::contact_file(request)?;
         let sentences: Vec<String> = if available_only {
             imported.errors.iter().map(ToString::to_string).collect()
         } else {
@@ -47,9 +43,4 @@ pub fn import_contact(
     let entry = |message: Message| (message.code, message.quantity, message.text);
     let cases = cases.into_iter().map(CaseFile::new_from).collect();
     Ok((cases, notices.into_iter().map(entry).collect(), sentences))
-}
-
-fn of_file(path: &std::path::Path, message: String) -> CaseErrors {
-    let place = schlupf_case::Place::File { name: path.display().to_string() };
-    schlupf_case::CaseError::new("", message, place).into()
 }

@@ -36,17 +36,14 @@ mod _core {
     #[pymodule_export]
     use super::look_up_table::LookUpTable;
     #[pymodule_export]
-    use super::report::{Report, stresses_at};
+    use super::report::{Report, own_file, stresses_at};
     #[pymodule_export]
     use super::solution::Solution;
     #[pymodule_export]
-    use super::tasks::{
-        bulk_temperature, calibration, comparison, creep_curve, defaults, fitted, passage_damage,
-        rough_contact, subsurface_stresses, temperatures, wheelset_contacts,
-    };
+    use super::tasks::{run, tasks};
 
     #[pymodule_export]
-    use super::study::{Study, StudyRun, damage, merge, read_table};
+    use super::study::{Study, StudyRun, merge, read_table};
 
     /// Version of the library.
     #[pymodule_export]

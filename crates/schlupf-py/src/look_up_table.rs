@@ -7,7 +7,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use schlupf::look_up_table::NormalisedForce;
 use schlupf::parallel;
-use schlupf_table::{StoredTable, TableFileError};
+use schlupf_case::look_up_table::{StoredTable, TableFileError};
 
 /// States that a thread computes in turn.
 const CHUNK: usize = 4096;
@@ -28,11 +28,15 @@ impl LookUpTable {
     #[pyo3(signature = (path=None))]
     fn new(path: Option<PathBuf>) -> PyResult<Self> {
         let Some(path) = path else {
-            return schlupf_table::standard().map(Self).map_err(|error| refused("", &error));
+            return schlupf_case::look_up_table::standard()
+                .map(Self)
+                .map_err(|error| refused("", &error));
         };
         let bytes = std::fs::read(&path)?;
         let named = format!("{} ", path.display());
-        schlupf_table::shared(&bytes).map(Self).map_err(|error| refused(&named, &error))
+        schlupf_case::look_up_table::shared(&bytes)
+            .map(Self)
+            .map_err(|error| refused(&named, &error))
     }
 
     /// What the file says, as JSON.

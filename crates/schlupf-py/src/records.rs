@@ -7,35 +7,25 @@ use pyo3::types::{PyDict, PyList};
 use schlupf::Quantity;
 use schlupf::columns::{Record, Value};
 use schlupf::solution::Fields;
-use schlupf_output::Summary;
-use schlupf_output::summary::Line;
+use schlupf_tasks::output::Summary;
+use schlupf_tasks::output::summary::Line;
+use schlupf_tasks::output::table::{ColumnValues, Values};
 
-/// All columns of a record, by name: each a dictionary with `values` (an array, or a list of
-/// names), and what [`described`] adds.
-pub fn columns<'py, R: Record + ?Sized>(
-    py: Python<'py>,
-    record: &R,
-) -> PyResult<Bound<'py, PyDict>> {
+/// Columns by name: each a dictionary with `values` (an array, or a list of names), and what
+/// [`described`] adds.
+pub fn arrays(py: Python<'_>, columns: Vec<ColumnValues>) -> PyResult<Bound<'_, PyDict>> {
     let table = PyDict::new(py);
-    for column in R::columns() {
-        let entries = || (0..record.rows()).map(|row| (column.value)(record, row));
-        let is_known = |entry: &Value| !matches!(entry, Value::Unknown);
-        let values = match entries().find(is_known) {
-            Some(Value::Name(_)) => names(entries()).into_bound_py_any(py)?,
-            Some(Value::Flag(_)) if entries().all(|entry| is_known(&entry)) => {
-                let flags: Vec<bool> = entries().map(|entry| entry == Value::Flag(true)).collect();
-                PyArray1::from_vec(py, flags).into_any()
+    for ColumnValues { name, quantity, values } in columns {
+        let values = match values {
+            Values::Numbers(numbers) => PyArray1::from_vec(py, numbers).into_any(),
+            Values::Counts(counts) => {
+                let counts = counts.into_iter().map(|count| count as i64).collect();
+                PyArray1::<i64>::from_vec(py, counts).into_any()
             }
-            Some(Value::Count(_)) if entries().all(|entry| is_known(&entry)) => {
-                let counts = entries().map(|entry| entry.number().unwrap_or_default() as i64);
-                PyArray1::from_vec(py, counts.collect()).into_any()
-            }
-            _ => {
-                let numbers = entries().map(|entry| entry.number().unwrap_or(f64::NAN));
-                PyArray1::from_vec(py, numbers.collect()).into_any()
-            }
+            Values::Flags(flags) => PyArray1::from_vec(py, flags).into_any(),
+            Values::Names(names) => names.into_bound_py_any(py)?,
         };
-        table.set_item(column.name, described(py, column.quantity, values)?)?;
+        table.set_item(name, described(py, quantity, values)?)?;
     }
     Ok(table)
 }
@@ -106,9 +96,4 @@ pub fn described<'py>(
     entry.set_item("source", quantity.source())?;
     entry.set_item("vector", quantity.vector())?;
     Ok(entry)
-}
-
-fn names(entries: impl Iterator<Item = Value>) -> Vec<&'static str> {
-    let name = |entry| if let Value::Name(name) = entry { name } else { "" };
-    entries.map(name).collect()
 }

@@ -3,8 +3,9 @@
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList};
-use schlupf_output::Report;
-use schlupf_output::solution::SolutionReport;
+use schlupf_tasks::output::Report;
+use schlupf_tasks::output::solution::SolutionReport;
+use schlupf_tasks::output::table::columns;
 
 use crate::records;
 
@@ -59,7 +60,7 @@ impl Solution {
 
     /// The time steps as columns.
     fn history<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        records::columns(py, self.report.solution.history.as_slice())
+        records::arrays(py, columns(self.report.solution.history.as_slice()))
     }
 
     /// Centres of the columns and of the rows of the grid, in m.

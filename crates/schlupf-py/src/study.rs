@@ -8,17 +8,15 @@ use pyo3::IntoPyObjectExt;
 use pyo3::exceptions::{PyKeyboardInterrupt, PyOSError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use schlupf_case::{Folder, Overrides};
-use schlupf_study::run::{self, Report, Run, Solved, Started};
-use schlupf_study::table::{Cells, Reader};
-use schlupf_study::{StudyError, run::run as run_study};
+use schlupf_tasks::study::run::{self, Report, Run, Solved, Started};
+use schlupf_tasks::study::table::{Cells, Reader};
+use schlupf_tasks::study::{StudyError, run::run as run_study};
 
-use crate::case_file::CaseFile;
 use crate::errors;
 use crate::interruptible::interruptible;
-use crate::report::Found;
 
-fn raised(py: Python<'_>, error: StudyError) -> PyErr {
+/// A failure of a study as an exception.
+pub fn raised(py: Python<'_>, error: StudyError) -> PyErr {
     match error {
         StudyError::Input(cause) => errors::of_case(py, &cause),
         StudyError::File { .. } => PyOSError::new_err(error.to_string()),
@@ -42,7 +40,7 @@ fn counts(report: Report) -> Counts {
 /// A study.
 #[pyclass(frozen, module = "schlupf._core")]
 pub struct Study {
-    study: schlupf_study::Study,
+    study: schlupf_tasks::study::Study,
 }
 
 #[pymethods]
@@ -50,7 +48,7 @@ impl Study {
     /// Of a file.
     #[new]
     fn new(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
-        let study = py.detach(|| schlupf_study::Study::from_path(&path));
+        let study = py.detach(|| schlupf_tasks::study::Study::from_path(&path));
         Ok(Self { study: study.map_err(|error| raised(py, error))? })
     }
 
@@ -133,33 +131,8 @@ impl StudyRun {
 /// Puts the tables of shards together.
 #[pyfunction]
 pub fn merge(py: Python<'_>, shards: Vec<PathBuf>, output: PathBuf) -> PyResult<Counts> {
-    let merged = py.detach(|| schlupf_study::merge::merge(&shards, &output));
+    let merged = py.detach(|| schlupf_tasks::study::merge::merge(&shards, &output));
     merged.map(counts).map_err(|error| raised(py, error))
-}
-
-/// The damage over a run: of a table, or of a study, which is solved; with the laws of a case, by
-/// default that of the study.
-#[pyfunction]
-pub fn damage(
-    py: Python<'_>,
-    run: PathBuf,
-    case: Option<PyRef<'_, CaseFile>>,
-) -> PyResult<crate::report::Report> {
-    let given = case.map(|case| case.file().clone());
-    let done = interruptible(py, &Arc::default(), |watch| {
-        let case_of = |own: Option<&schlupf_case::CaseFile>| match given.as_ref().or(own) {
-            Some(file) => Ok(file.clone()),
-            None => schlupf_case::CaseFile::from_str(
-                &schlupf_case::CaseFile::default_text(),
-                "default case",
-                Folder::new(""),
-                Overrides::NONE,
-            ),
-        };
-        schlupf_study::damage::plan(&run, case_of)?.find(watch)
-    })?;
-    let found = done.map_err(|error| raised(py, error))?;
-    Ok(crate::report::Report::new(Found::Damage(Box::new(found))))
 }
 
 /// The columns of a table: each a dictionary with `values`, `units` and `long_name`.

@@ -1,7 +1,6 @@
 //! Stiffnesses of the elastic layer for the patch of a case.
 
-use std::ops::RangeInclusive;
-
+use crate::output::calibration::{CalibrationReport, Direct, Fitted, FittedComponent, Layer};
 use schlupf::calibration::displacements::{DisplacementFit, Sample, fit};
 use schlupf::calibration::side_by_side::side_by_side;
 use schlupf::calibration::{
@@ -17,65 +16,55 @@ use schlupf::material::Material;
 use schlupf::message::Message;
 use schlupf::normal::{NormalContact, Pressure};
 use schlupf::{Error, Quantity, Status, Warning, Watch};
-use schlupf_case::{CaseErrors, CaseFile, Displacements};
-use schlupf_output::calibration::{CalibrationReport, Direct, Fitted, FittedComponent, Layer};
+use schlupf_case::{CaseErrors, CaseFile, Displacements, InputFile, read_displacements};
 
+use crate::request::{Form, request};
+use crate::task::{Found, Given, Task, Wanted};
 use crate::{Notice, TaskError, messages};
 
-/// Numbers of cells on which a calibration means something and ends.
-pub const CELLS: RangeInclusive<usize> = 10..=80;
-
-/// What to calibrate the layer to.
-#[derive(Debug, Clone)]
-pub struct Request {
-    /// Whether to calibrate for this very patch instead of interpolating the table.
-    pub direct: bool,
-    /// Displacements to fit to, such as those of a finite-element model.
-    pub displacements: Vec<Displacements>,
-    /// Cells across the patch on which layer and half-space are compared.
-    pub cells: usize,
-    /// Whether to find forces and tractions of all models, which the figure shows.
-    pub with_sides: bool,
-}
-
-/// A patch with what to calibrate to.
-#[derive(Debug)]
-pub struct Plan {
-    case: CaseFile,
-    patch: Patch,
-    request: Request,
-}
-
-/// Finds the patch of the case; of a history that with the largest load.
-///
-/// # Errors
-/// A case without normal contact, or a number of cells outside [`CELLS`].
-pub fn plan(case: CaseFile, request: Request, watch: Watch) -> Result<Plan, TaskError> {
-    if !CELLS.contains(&request.cells) {
-        let (least, largest) = (CELLS.start(), CELLS.end());
-        return Err(TaskError::Request(format!(
-            "cells must be between {least} and {largest}, but is {}",
-            request.cells
-        )));
+request! {
+    /// What to calibrate the layer to.
+    Request {
+        /// Calibrate for this very patch instead of interpolating the table, and compare both.
+        direct: bool = Form::Flag;
+        /// Displacements of a finite-element model to fit to (CSV with columns x, y, traction_x,
+        /// displacement_x, …); several files count together.
+        displacements: Vec<InputFile> = Form::File;
+        /// Cells across the patch on which layer and half-space are compared.
+        cells: usize = Form::Count([10, 80]), default(CalibrationOptions::default().cells);
     }
-    let patch = Patch::of(&case, watch)?;
-    Ok(Plan { case, patch, request })
 }
 
-impl Plan {
-    /// Calibrates.
-    ///
-    /// # Errors
-    /// A patch without tabulated stiffnesses, or displacements that no layer has.
-    pub fn find(self, watch: Watch) -> Result<CalibrationReport, TaskError> {
-        let Self { case, patch, request } = self;
-        let names: Vec<&str> =
-            request.displacements.iter().map(|file| file.name.as_str()).collect();
-        patch.report(&request, watch).map_err(|error| {
+/// `calibrate`: for the patch of the case; of a history that with the largest load.
+pub struct Calibrate;
+
+impl Task for Calibrate {
+    const NAME: &'static str = "calibrate";
+    const ABOUT: &'static str = "Determine the stiffnesses of the elastic layer: tabulated, \
+                                 recalibrated, or fitted to displacements";
+    type Request = Request;
+    type Report = CalibrationReport;
+
+    fn run(
+        of: &Given,
+        request: Request,
+        wanted: &Wanted,
+        watch: Watch,
+    ) -> Result<Found<CalibrationReport>, TaskError> {
+        request.asked.require_one_of(&["direct", "displacements"])?;
+        let name = request.asked.name("displacements");
+        let files = request.displacements.iter();
+        let displacements = files.map(|file| read_displacements(&name, file));
+        let displacements = displacements.collect::<Result<Vec<_>, _>>()?;
+        let patch = Patch::of(of.case, watch)?;
+        let report = patch.report(&request, &displacements, wanted.figures, watch);
+        let report = report.map_err(|error| {
+            let names: Vec<&str> = displacements.iter().map(|file| file.name.as_str()).collect();
             let sources = matches!(error, Error::UnlikeALayer { .. })
                 .then(|| format!("the displacements are those of {}", names.join(", ")));
-            case.explain(&error).help(sources).into()
-        })
+            of.case.explain(&error).help(sources)
+        })?;
+        Ok(report.into())
     }
 }
 
@@ -115,8 +104,15 @@ impl Patch {
         })
     }
 
-    fn report(&self, request: &Request, watch: Watch) -> Result<CalibrationReport, Error> {
-        let Request { displacements, .. } = request;
+    /// The stiffnesses; with the forces and tractions of all models, which the figure shows, if
+    /// they are wanted.
+    fn report(
+        &self,
+        request: &Request,
+        displacements: &[Displacements],
+        with_sides: bool,
+        watch: Watch,
+    ) -> Result<CalibrationReport, Error> {
         let options =
             CalibrationOptions { cells: request.cells, max_iterations: self.max_iterations };
         let ratios = (self.axis_ratio, self.bodies.poisson_ratio());
@@ -144,7 +140,7 @@ impl Patch {
         let mut converged = direct.is_none_or(|direct| direct.converged)
             && fitted.iter().flat_map(components).all(|component| component.fit.converged);
         let mut sides = None;
-        if request.with_sides && displacements.is_empty() {
+        if with_sides && displacements.is_empty() {
             let stiffness = direct.map(|direct| direct.stiffness).or(tabulated);
             if let Some(stiffness) = stiffness {
                 let found = side_by_side(ratios.0, ratios.1, stiffness, watch)?;

@@ -2,14 +2,16 @@
 
 use std::time::{Duration, Instant};
 
+use crate::output::comparison::{Answer, Comparison, Entry};
 use schlupf::message::Message;
 use schlupf::normal::Pressure;
 use schlupf::simplified::FastContact;
 use schlupf::{Error, Method, Problem, Solution, Solver, Watch, parallel};
 use schlupf_case::fields::STIFFNESSES;
-use schlupf_case::{Case, CaseErrors, CaseFile, Effective, ElasticityModel, Place};
-use schlupf_output::comparison::{Answer, Comparison, Entry};
+use schlupf_case::{Case, CaseErrors, Effective, ElasticityModel, Place};
 
+use crate::request::Nothing;
+use crate::task::{Found, Given, Task, Wanted};
 use crate::{Notice, TaskError, messages};
 
 /// What the fields that a method sets come from, in messages.
@@ -19,33 +21,28 @@ const BOUND: &str = "fastsim.bound";
 
 const MARGIN: &str = "elasticity.margin";
 
-/// A case to solve by all methods.
-#[derive(Debug)]
-pub struct Plan {
-    case: Case,
-}
+/// `compare`.
+pub struct Compare;
 
-/// Poses the case.
-///
-/// # Errors
-/// A case that is wrong or has a history.
-pub fn plan(file: &CaseFile, watch: Watch) -> Result<Plan, TaskError> {
-    let case = file.pose(watch)?;
-    case.require_steady("a comparison is")?;
-    Ok(Plan { case })
-}
+impl Task for Compare {
+    const NAME: &'static str = "compare";
+    const ABOUT: &'static str =
+        "Solve a case by all methods and compare forces, temperatures and times";
+    type Request = Nothing;
+    type Report = Comparison;
 
-impl Plan {
-    /// Solves the case by all methods, and measures their times.
-    ///
-    /// # Errors
-    /// What the first one says if none has an answer.
-    pub fn find(self, watch: Watch) -> Result<Comparison, TaskError> {
-        let Self { case } = self;
+    fn run(
+        of: &Given,
+        _request: Nothing,
+        _wanted: &Wanted,
+        watch: Watch,
+    ) -> Result<Found<Comparison>, TaskError> {
+        let case = of.case.pose(watch)?;
+        case.require_steady("a comparison is")?;
         let entries = entries(&case, watch)?;
         let warnings =
             Notice::of_first_contact(&case).into_iter().chain(warnings(&entries)).collect();
-        Ok(Comparison { title: case.title, entries, warnings })
+        Ok(Comparison { title: case.title, entries, warnings }.into())
     }
 }
 

@@ -1,7 +1,7 @@
 //! k_c of a case as results show it.
 
+use crate::output::contact_law::{ContactLaw, Fit, Origin};
 use schlupf_case::{Case, StiffnessOrigin};
-use schlupf_output::contact_law::{ContactLaw, Fit, Origin};
 
 /// k_c and where it comes from.
 pub fn of(case: &Case) -> ContactLaw {

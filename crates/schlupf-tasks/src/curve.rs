@@ -2,69 +2,87 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use schlupf::creep_curve::{self, CreepCurve, Creepages, Path, Sampling, VariedForce};
+use crate::output::creep_curve::{CurveFamily, FieldValue, Member as Found};
+use schlupf::creep_curve::{
+    self, CreepCurve, Creepages, MAX_POINTS, Path, Sampling, Spacing, VariedForce,
+};
 use schlupf::{Problem, Quantity, Watch, parallel};
-use schlupf_case::{Case, CaseFile, Family, FieldNames, quantity_field};
-use schlupf_output::creep_curve::{CurveFamily, FieldValue, Member as Found};
+use schlupf_case::{Case, Family, FieldNames, quantity_field};
 
 use crate::TaskError;
+use crate::request::{Form, request};
+use crate::task::{Found as Done, Given, Task, Wanted};
 
-/// Which curves.
-#[derive(Debug, Clone)]
-pub struct Request {
-    /// What varies along each.
-    pub varied: Varied,
-    /// The fields that have other values for each curve, if there are several: at most two, of
-    /// which the last varies fastest.
-    pub over: Vec<Family>,
-    /// Where the points are.
-    pub sampling: Sampling,
-    /// What messages call all that.
-    pub names: Names,
+request! {
+    /// Which curves: what varies along each, what is another for each, and where the points are.
+    Request {
+        /// Vary the longitudinal creepage, such as 0..0.05; several creepages vary together.
+        creepage_x: Option<[f64; 2]> = Form::Range(Quantity::CreepageX);
+        /// Vary the lateral creepage.
+        creepage_y: Option<[f64; 2]> = Form::Range(Quantity::CreepageY);
+        /// Vary the spin creepage, such as "0..2 1/m".
+        spin: Option<[f64; 2]> = Form::Range(Quantity::Spin);
+        /// Vary the total creepage in a direction, in place of both creepages.
+        creepage: Option<[f64; 2]> = Form::Range(Quantity::CreepageX);
+        /// Direction of the total creepage, from longitudinal (0 deg) to lateral (90 deg).
+        direction: Option<f64> = Form::Angle;
+        /// Vary the longitudinal force on the wheel, such as "0..-20 kN" (negative in braking), in
+        /// place of all creepages: its creepage is found.
+        force_x: Option<[f64; 2]> = Form::Range(Quantity::ForceX);
+        /// Vary the same over the load, such as 0..0.25 (positive in braking).
+        traction_coefficient: Option<[f64; 2]> = Form::Range(Quantity::ForceOverLoad);
+        /// Vary the lateral force on the wheel.
+        force_y: Option<[f64; 2]> = Form::Range(Quantity::ForceY);
+        /// Vary the spin moment on the wheel, such as "0..20 N m".
+        moment_z: Option<[f64; 2]> = Form::Range(Quantity::MomentZ);
+        /// Draw one curve for each value of a field, such as kinematics.speed="10 m/s,20 m/s" or
+        /// kinematics.speed="5..50 m/s:10"; three numbers or more make a map, and two fields make
+        /// one of the largest force over both.
+        over: Vec<Family> = Form::Family;
+        /// Number of points of each curve.
+        points: usize = Form::Count([2, MAX_POINTS]), default(Sampling::default().points);
+        /// Spacing of the points; by default refined over a creepage and even over a force.
+        spacing: Option<&'static str> = Form::Choice(&SPACINGS);
+    }
 }
 
-/// Which creepages vary, or which force, and from where to where; the others are those of the case.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Varied {
-    /// ξ, dimensionless.
-    pub creepage_x: Option<[f64; 2]>,
-    /// η, dimensionless.
-    pub creepage_y: Option<[f64; 2]>,
-    /// φ, in 1/m.
-    pub spin: Option<[f64; 2]>,
-    /// Total creepage, dimensionless, and its direction, in rad from longitudinal to lateral; in
-    /// place of ξ and η.
-    pub total: Option<([f64; 2], f64)>,
-    /// A prescribed force (in the unit of its quantity) in place of its creepage; then no creepage
-    /// varies.
-    pub force: Option<(VariedForce, [f64; 2])>,
-}
+const REFINED: &str = "refined";
 
-/// What messages call the parts of a request.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Names {
-    /// ξ.
-    pub creepage_x: &'static str,
-    /// η.
-    pub creepage_y: &'static str,
-    /// φ.
-    pub spin: &'static str,
-    /// The total creepage.
-    pub creepage: &'static str,
-    /// The force that varies; of no matter if none does.
-    pub force: &'static str,
-    /// The family.
-    pub over: &'static str,
-    /// What varies, as it was given.
-    pub given: String,
-}
+/// How the points of a curve are spaced.
+const SPACINGS: [(&str, &str); 2] =
+    [(REFINED, "finer near zero creepage"), ("even", "equal steps")];
 
-/// The curves to compute, checked.
-#[derive(Debug)]
-pub struct Plan {
-    title: String,
-    request: Request,
-    members: Vec<Member>,
+const CREEPAGES: [&str; 4] = ["creepage_x", "creepage_y", "spin", "creepage"];
+
+/// Forces that a curve may vary.
+const FORCES: [(&str, VariedForce); 4] = [
+    ("force_x", VariedForce::X),
+    ("traction_coefficient", VariedForce::OverLoad),
+    ("force_y", VariedForce::Y),
+    ("moment_z", VariedForce::MomentZ),
+];
+
+/// `curve`.
+pub struct Curve;
+
+impl Task for Curve {
+    const NAME: &'static str = "curve";
+    const ABOUT: &'static str = "Compute creep curves: forces against creepage";
+    type Request = Request;
+    type Report = CurveFamily;
+
+    fn run(
+        of: &Given,
+        request: Request,
+        _wanted: &Wanted,
+        watch: Watch,
+    ) -> Result<Done<CurveFamily>, TaskError> {
+        request.check_varied()?;
+        let case = of.case.pose(watch)?;
+        let members = request.members(&case, watch)?;
+        members.iter().try_for_each(|member| request.check(member))?;
+        Ok(request.trace(case.title, &members, watch)?.into())
+    }
 }
 
 /// One curve to compute.
@@ -75,25 +93,15 @@ struct Member {
     path: Path,
 }
 
-/// Poses the cases.
-///
-/// # Errors
-/// A case that is wrong or has a history, and creepages that no wheel can have.
-pub fn plan(file: &CaseFile, request: Request, watch: Watch) -> Result<Plan, TaskError> {
-    let case = file.pose(watch)?;
-    let members = request.members(&case, watch)?;
-    members.iter().try_for_each(|member| request.check(member))?;
-    Ok(Plan { title: case.title, request, members })
-}
-
-impl Plan {
+impl Request {
     /// Traces all curves, on several threads.
-    ///
-    /// # Errors
-    /// Whatever the solver refuses.
-    pub fn find(self, watch: Watch) -> Result<CurveFamily, TaskError> {
-        let Self { title, request, members } = self;
-        let sampling = request.sampling;
+    fn trace(
+        &self,
+        title: String,
+        members: &[Member],
+        watch: Watch,
+    ) -> Result<CurveFamily, TaskError> {
+        let sampling = self.sampling();
         let done: Vec<AtomicUsize> = members.iter().map(|_| AtomicUsize::new(0)).collect();
         let total = members.len() * sampling.points;
         let each = members.iter().zip(&done).collect();
@@ -103,14 +111,52 @@ impl Plan {
                 let done = done.iter().map(|done| done.load(Ordering::Relaxed)).sum();
                 watch(progress.of(done, total))
             });
-            found.map_err(|error| request.failure(&member.case, &member.values, &error))
+            found.map_err(|error| self.failure(&member.case, &member.values, &error))
         })?;
-        let over = request.over.iter().map(|family| family.field.to_owned()).collect();
+        let over = self.over.iter().map(|family| family.field.to_owned()).collect();
         Ok(CurveFamily::new(title, over, sampling, found))
     }
-}
 
-impl Request {
+    /// Requires creepages or one force.
+    fn check_varied(&self) -> Result<(), TaskError> {
+        let asked = &self.asked;
+        let forces = FORCES.map(|(name, _)| name);
+        if !CREEPAGES.iter().chain(&forces).any(|name| asked.has(name)) {
+            let names: Vec<String> =
+                CREEPAGES.iter().chain(&forces).map(|name| asked.name(name)).collect();
+            let [first, rest @ ..] = &names[..] else { return Ok(()) };
+            let message = format!("a curve needs {first}, or {}", rest.join(", "));
+            return Err(TaskError::Request(message));
+        }
+        asked.require_one_of(&forces)?;
+        for force in forces {
+            CREEPAGES.iter().try_for_each(|creepage| asked.require_one_of(&[creepage, force]))?;
+        }
+        asked.require_with(&["creepage"], "direction")?;
+        asked.require_with(&["direction"], "creepage")?;
+        asked.require_one_of(&["creepage", "creepage_x"])?;
+        Ok(asked.require_one_of(&["creepage", "creepage_y"])?)
+    }
+
+    /// The force that varies, with its name and its range.
+    fn force(&self) -> Option<(&'static str, VariedForce, [f64; 2])> {
+        let ranges = [self.force_x, self.traction_coefficient, self.force_y, self.moment_z];
+        let mut forces = FORCES.into_iter().zip(ranges);
+        forces.find_map(|((name, force), range)| Some((name, force, range?)))
+    }
+
+    /// The total creepage and its direction, if it varies.
+    fn total(&self) -> Option<([f64; 2], f64)> {
+        self.creepage.zip(self.direction)
+    }
+
+    /// The creepage changes fastest with a force where that is largest.
+    fn sampling(&self) -> Sampling {
+        let is_refined = self.spacing.map_or(self.force().is_none(), |name| name == REFINED);
+        let spacing = if is_refined { Spacing::Refined } else { Spacing::Even };
+        Sampling { points: self.points, spacing }
+    }
+
     /// One, or one for each value of the family, or for each pair of values of two.
     fn members(&self, case: &Case, watch: Watch) -> Result<Vec<Member>, TaskError> {
         self.check_fields()?;
@@ -128,9 +174,9 @@ impl Request {
             cases = each;
         }
         let member = |(values, case): (Vec<FieldValue>, Case)| {
-            let path = self.varied.path(&case);
+            let path = self.path(&case);
             let path = path.map_err(|error| self.failure(&case, &values, &error))?;
-            let case = self.varied.in_place_of_forces(case);
+            let case = self.in_place_of_forces(case);
             Ok(Member { values, case, path })
         };
         let members = cases.into_iter().map(member).collect::<Result<Vec<_>, TaskError>>()?;
@@ -140,7 +186,7 @@ impl Request {
 
     /// Refuses fields that cannot vary beside the creepages, or together.
     fn check_fields(&self) -> Result<(), TaskError> {
-        let over = self.names.over;
+        let over = self.asked.name("over");
         for (k, Family { field, .. }) in self.over.iter().enumerate() {
             if let Some(name) = self.in_place_of(field) {
                 let reason =
@@ -162,12 +208,12 @@ impl Request {
 
     /// Refuses two fields that do not make a map.
     fn check_map(&self, members: &[Member]) -> Result<(), TaskError> {
-        let over = self.names.over;
+        let over = self.asked.name("over");
         if self.over.len() < 2 {
             return Ok(());
         }
-        if self.varied.force.is_some() {
-            let force = self.names.force;
+        if let Some((force, ..)) = self.force() {
+            let force = self.asked.name(force);
             let reason = format!(
                 "{over} varies two fields for a map of the largest forces, but {force} prescribes \
                  the force: give {over} once, or vary a creepage"
@@ -198,48 +244,42 @@ impl Request {
     fn check(&self, member: &Member) -> Result<(), TaskError> {
         let Member { values, case, path } = member;
         case.require_steady("a creep curve is")?;
-        let of_wheel =
-            [(self.names.creepage_y, self.varied.creepage_y), (self.names.spin, self.varied.spin)];
-        let of_wheel = of_wheel.iter().find(|(_, varied)| varied.is_some()).map(|(name, _)| *name);
-        let total = self.varied.total.map(|_| self.names.creepage);
-        let other = |(force, _): (VariedForce, _)| force.creepage() != Quantity::CreepageX;
-        let force = self.varied.force.filter(|force| other(*force)).map(|_| self.names.force);
-        if let (Some(_), Some(name)) = (&case.wheel, of_wheel.or(total).or(force)) {
+        const OF_WHEEL: [&str; 5] = ["creepage_y", "spin", "creepage", "force_y", "moment_z"];
+        let other = OF_WHEEL.into_iter().find(|name| self.asked.has(name));
+        if let (Some(_), Some(name)) = (&case.wheel, other) {
+            let [name, creepage_x] = [name, "creepage_x"].map(|name| self.asked.name(name));
             return Err(TaskError::Request(format!(
                 "{name} must be left out with normal.model = \"wheel-rail\", where lateral creepage \
-                 and spin follow from the motion of the wheelset: a curve of a wheel varies {}",
-                self.names.creepage_x
+                 and spin follow from the motion of the wheelset: a curve of a wheel varies \
+                 {creepage_x}"
             )));
         }
-        creep_curve::check(&case.problem, path, &self.sampling)
+        creep_curve::check(&case.problem, path, &self.sampling())
             .map_err(|error| self.failure(case, values, &error))
     }
 
     /// What varies and makes a field of the case count for nothing.
-    fn in_place_of(&self, field: &str) -> Option<&'static str> {
-        let Self { varied, names, .. } = self;
+    fn in_place_of(&self, field: &str) -> Option<String> {
         let force = |creepage| {
-            varied.force.filter(|(force, _)| force.creepage() == creepage).map(|_| names.force)
+            self.force().filter(|(_, force, _)| force.creepage() == creepage).map(|(name, ..)| name)
         };
-        match field {
+        let given = |name: &'static str| self.asked.has(name).then_some(name);
+        let name = match field {
             "kinematics.creepage_x"
             | "kinematics.angular_velocity"
             | "kinematics.wheel_radius"
             | "kinematics.force_x"
             | "kinematics.traction_coefficient"
             | "kinematics.wheel_torque" => {
-                let creepage = varied.creepage_x.map(|_| names.creepage_x);
-                varied.total.map(|_| names.creepage).or(creepage).or(force(Quantity::CreepageX))
+                given("creepage").or(given("creepage_x")).or(force(Quantity::CreepageX))
             }
             "kinematics.creepage_y" | "kinematics.yaw_angle" | "kinematics.force_y" => {
-                let creepage = varied.creepage_y.map(|_| names.creepage_y);
-                varied.total.map(|_| names.creepage).or(creepage).or(force(Quantity::CreepageY))
+                given("creepage").or(given("creepage_y")).or(force(Quantity::CreepageY))
             }
-            "kinematics.spin" | "kinematics.moment_z" => {
-                varied.spin.map(|_| names.spin).or(force(Quantity::Spin))
-            }
+            "kinematics.spin" | "kinematics.moment_z" => given("spin").or(force(Quantity::Spin)),
             _ => None,
-        }
+        };
+        name.map(|name| self.asked.name(name))
     }
 
     /// An error of the core about a curve: of what varies, with the fields that make the curve one
@@ -247,7 +287,12 @@ impl Request {
     fn failure(&self, case: &Case, values: &[FieldValue], error: &schlupf::Error) -> TaskError {
         let field = quantity_field(error.quantity());
         if self.in_place_of(field).is_some() {
-            let given = &self.names.given;
+            let names: Vec<&str> = CREEPAGES
+                .into_iter()
+                .chain(["direction"])
+                .chain(FORCES.map(|(name, _)| name))
+                .collect();
+            let given = self.asked.given(&names);
             let of_curve = self.over.iter().zip(values);
             let of_curve =
                 of_curve.map(|(family, value)| format!("{} = {}", family.field, value.text));
@@ -262,16 +307,14 @@ impl Request {
             case.explain(error).into()
         }
     }
-}
 
-impl Varied {
     /// The case without the forces of the creepages that vary in their place.
     fn in_place_of_forces(&self, mut case: Case) -> Case {
         let forces = &mut case.problem.prescribed;
-        if self.creepage_x.or(self.total.map(|(range, _)| range)).is_some() {
+        if self.creepage_x.or(self.creepage).is_some() {
             forces.x = None;
         }
-        if self.creepage_y.or(self.total.map(|(range, _)| range)).is_some() {
+        if self.creepage_y.or(self.creepage).is_some() {
             forces.y = None;
         }
         if self.spin.is_some() {
@@ -283,11 +326,11 @@ impl Varied {
     /// The creepages of a case with those that vary in their place.
     fn path(&self, case: &Case) -> Result<Path, schlupf::Error> {
         let own = Creepages::of(&case.motion);
-        if let Some((force, range)) = self.force {
+        if let Some((_, force, range)) = self.force() {
             return Path::over_force(force, range, own);
         }
         let spin = self.spin.unwrap_or([own.spin; 2]);
-        if let Some((range, direction)) = self.total {
+        if let Some((range, direction)) = self.total() {
             return Path::in_direction(range, direction, spin);
         }
         let x = self.creepage_x.unwrap_or([own.x; 2]);

@@ -1,157 +1,152 @@
 //! Parameters that fit measured creep curves.
 
-use std::ops::RangeInclusive;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
+use crate::output::identification::{FitReport, FittedRoughness};
+use schlupf::identification::roughness::DEFAULT_GAMMA;
 use schlupf::identification::{
     self, CreepForceModel, DataPoint, Parameter, PolachModel, RollingContactModel, sample_curves,
 };
 use schlupf::message::Message;
 use schlupf::method::FastMethod;
 use schlupf::{Error, Method, Quantity, Watch};
-use schlupf_case::identification::{field, read_data};
+use schlupf_case::identification::{field, parameters, read_data};
 use schlupf_case::{
     Case, CaseError, CaseErrors, CaseFile, Cause, FieldNames, Folder, InputFile, Overrides, Place,
 };
-use schlupf_output::identification::{FitReport, FittedRoughness};
 
+use crate::request::{Form, request};
+use crate::task::{Found, Given, Task, Wanted};
 use crate::{Notice, TaskError, messages};
 
-/// Largest number of steps by default.
-pub const MAX_STEPS: u32 = 100;
-
-/// Values of γ that theory or measurement may have, dimensionless.
-pub const GAMMA: RangeInclusive<f64> = 0.01..=10.0;
-
-/// What to fit to which data.
-#[derive(Debug, Clone)]
-pub struct Request {
-    /// The parameters.
-    pub parameters: Vec<Parameter>,
-    /// Measured points (CSV).
-    pub data: InputFile,
-    /// γ, where the roughness is fitted, dimensionless.
-    pub gamma: f64,
-    /// Largest number of steps.
-    pub max_steps: usize,
-    /// Points of each curve of the model, for plots; none where zero.
-    pub curve_points: usize,
-    /// Where the case with the fitted values is going to lie, if it is wanted.
-    pub fitted_case: Option<PathBuf>,
-    /// What messages call data and parameters, and the parameters as they were given.
-    pub names: Names,
+request! {
+    /// What to fit to which data.
+    Request {
+        /// Parameters to fit, such as "friction.coefficient,contact_law.stiffness";
+        /// "contact_law.roughness" is the r.m.s. height of both surfaces together, in place of the
+        /// stiffness.
+        parameters: String = Form::Text("SECTION.FIELD,…"), option("fit");
+        /// Measured points (CSV): creepage_x, creepage_y or spin [1/m], force_ratio (-Fx/N over
+        /// creepage_x, -Fy/N over creepage_y) or force_ratio_x, force_ratio_y, and where they
+        /// differ from the case speed [m/s], load [kN]; standard_deviation where known.
+        data: InputFile = Form::File;
+        /// γ, for "contact_law.roughness": the rough surfaces approach by γ times that height when
+        /// the pressure grows e-fold (Persson 2007).
+        gamma: f64 = Form::Number([0.01, 10.0]), default(DEFAULT_GAMMA);
+        /// Maximum number of steps of the fit.
+        max_steps: usize = Form::Count([1, 1_000_000]), default(100);
+    }
 }
 
-/// What messages call the parts of a request.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Names {
-    /// The data.
-    pub data: &'static str,
-    /// The parameters.
-    pub parameters: &'static str,
-    /// The parameters as they were given, with what stands between them and the data.
-    pub given: String,
+/// `fit`: from the values of the case.
+pub struct Fit;
+
+impl Task for Fit {
+    const NAME: &'static str = "fit";
+    const ABOUT: &'static str =
+        "Fit constants of friction and contact law to measured creep forces";
+    type Request = Request;
+    type Report = FitReport;
+
+    fn run(
+        of: &Given,
+        request: Request,
+        wanted: &Wanted,
+        watch: Watch,
+    ) -> Result<Found<FitReport>, TaskError> {
+        let posed = Posed::new(of.case, request, watch)?;
+        let fitted_case = wanted.file(FitReport::CASE);
+        if let Some(path) = fitted_case {
+            // Whether it can be written there at all.
+            posed.case.edited(&[], folder(path))?;
+        }
+        posed.fit(if wanted.figures { CURVE_POINTS } else { 0 }, fitted_case, watch)
+    }
 }
+
+/// Points of each curve of the model in the figure.
+const CURVE_POINTS: usize = 41;
 
 /// What is fitted to which data, checked.
-pub struct Plan {
+struct Posed {
     case: Case,
     request: Request,
+    parameters: Vec<Parameter>,
     data: Vec<DataPoint>,
-    model: Model,
     /// Load of the case, in N.
     load: f64,
+    /// What is doubtful about the loads of the data.
+    doubt: Option<Message>,
 }
 
-/// What a fit has found.
-#[derive(Debug)]
-pub struct Found {
-    /// The fit.
-    pub report: FitReport,
-    /// Why no case can have the fitted values.
-    pub failure: Option<CaseErrors>,
-}
-
-/// Poses the case, whose values are those to start from, and reads the data.
-///
-/// # Errors
-/// A case or data that are wrong, or that do not determine the parameters.
-pub fn plan(file: &CaseFile, request: Request, watch: Watch) -> Result<Plan, TaskError> {
-    request.check_gamma()?;
-    let case = file.pose(watch)?;
-    let data = read_data(request.names.data, &request.data, &case.problem.kinematics)?;
-    let load = case.problem.normal.normal_contact(None);
-    let load = load.map_err(|error| case.explain(&error))?.summary.load;
-    let doubt = other_loads(&data, load);
-    let explain = |error: Error| request.explain(&case, &error, doubt.as_ref());
-    case.require_steady("a creep curve is")?;
-    refuse_forces(file, &case)?;
-    let model = Model::new(&case, &request).map_err(explain)?;
-    let Some(mut model) = model else { return Err(no_model(case.method)) };
-    identification::check(model.creep_forces(), &data).map_err(explain)?;
-    if let Some(path) = &request.fitted_case {
-        // Whether it can be written there at all.
-        case.edited(&[], folder(path))?;
-    }
-    Ok(Plan { case, request, data, model, load })
-}
-
-impl Plan {
-    /// Fits.
-    ///
-    /// # Errors
-    /// Data that do not determine the parameters, or whatever the solver refuses.
-    pub fn find(self, watch: Watch) -> Result<Found, TaskError> {
-        let Self { case, request, data, mut model, load } = self;
+impl Posed {
+    /// Poses the case and reads the data; the model is checked with them.
+    fn new(file: &CaseFile, request: Request, watch: Watch) -> Result<Self, TaskError> {
+        let parameters = parameters(&request.asked.name("parameters"), &request.parameters)?;
+        let case = file.pose(watch)?;
+        let name = request.asked.name("data");
+        let data = read_data(&name, &request.data, &case.problem.kinematics)?;
+        let load = case.problem.normal.normal_contact(None);
+        let load = load.map_err(|error| case.explain(&error))?.summary.load;
         let doubt = other_loads(&data, load);
-        let explain = |error: Error| request.explain(&case, &error, doubt.as_ref());
-        let fit = identification::fit(model.creep_forces(), &data, request.max_steps, watch);
+        case.require_steady("a creep curve is")?;
+        refuse_forces(file, &case)?;
+        let posed = Self { case, request, parameters, data, load, doubt };
+        let mut model = posed.model()?;
+        let checked = identification::check(model.creep_forces(), &posed.data);
+        checked.map_err(|error| posed.explain(&error))?;
+        Ok(posed)
+    }
+
+    fn model(&self) -> Result<Model, TaskError> {
+        let model = Model::new(&self.case, &self.parameters, self.request.gamma);
+        let model = model.map_err(|error| self.explain(&error))?;
+        model.ok_or_else(|| no_model(self.case.method))
+    }
+
+    /// The fit; the case with its values is going to lie at a path, if it is wanted.
+    fn fit(
+        self,
+        curve_points: usize,
+        fitted: Option<&Path>,
+        watch: Watch,
+    ) -> Result<Found<FitReport>, TaskError> {
+        let mut model = self.model()?;
+        let explain = |error: Error| self.explain(&error);
+        let max_steps = self.request.max_steps;
+        let fit = identification::fit(model.creep_forces(), &self.data, max_steps, watch);
         let fit = fit.map_err(explain)?;
-        let curves = sample_curves(model.creep_forces(), &data, request.curve_points, watch);
+        let curves = sample_curves(model.creep_forces(), &self.data, curve_points, watch);
         let curves = curves.map_err(explain)?;
         let stiffness = model.contact_stiffness();
-        let fitted = request.fitted_case.as_ref();
-        let fitted = fitted.map(|path| fitted_case(&case, &fit, stiffness, path)).transpose();
-        let is_fitted = request.parameters.contains(&Parameter::Roughness);
-        let roughness = stiffness.filter(|_| is_fitted);
-        let notices = case.notices.iter().cloned();
-        let warnings = messages(&fit.warnings).chain(notices).chain(doubt.iter().cloned());
+        let fitted = fitted.map(|path| fitted_case(&self.case, &fit, stiffness, path)).transpose();
+        let is_fitted = self.parameters.contains(&Parameter::Roughness);
+        let roughness = stiffness.filter(|_| is_fitted).map(|contact_stiffness| FittedRoughness {
+            gamma: self.request.gamma,
+            contact_stiffness,
+        });
+        let notices = self.case.notices.iter().cloned();
+        let warnings = messages(&fit.warnings).chain(notices).chain(self.doubt).collect();
         let report = FitReport {
-            data: request.data.path().display().to_string(),
-            load,
+            data: self.request.data.path().display().to_string(),
+            load: self.load,
             curves,
-            roughness: roughness.map(|contact_stiffness| FittedRoughness {
-                gamma: request.gamma,
-                contact_stiffness,
-            }),
-            names: request
-                .parameters
-                .iter()
-                .map(|parameter| field(*parameter).to_owned())
-                .collect(),
+            roughness,
+            names: self.parameters.iter().map(|p| field(*p).to_owned()).collect(),
             case: fitted.as_ref().ok().cloned().flatten(),
-            warnings: warnings.collect(),
+            warnings,
             fit,
-            title: case.title,
+            title: self.case.title,
         };
-        // What was found is told, whether a case can have it or not.
-        Ok(Found { report, failure: fitted.err() })
-    }
-}
-
-impl Request {
-    fn check_gamma(&self) -> Result<(), TaskError> {
-        if GAMMA.contains(&self.gamma) {
-            return Ok(());
-        }
-        let (least, largest, gamma) = (GAMMA.start(), GAMMA.end(), self.gamma);
-        let message = format!("gamma must be between {least} and {largest}, but is {gamma}");
-        Err(TaskError::Request(message))
+        // What was found is told, whether a case can have it or not. That it has not converged
+        // explains more.
+        Ok(Found { report: Box::new(report), failure: fitted.err() })
     }
 
     /// An error of the core: of the data and what they are to determine, or of the case; with what
     /// is doubtful about the loads.
-    fn explain(&self, case: &Case, error: &Error, doubt: Option<&Message>) -> TaskError {
+    fn explain(&self, error: &Error) -> TaskError {
+        let Self { request, case, .. } = self;
         let quantity = error.quantity();
         let is_fitted = self.parameters.iter().any(|parameter| parameter.quantity() == quantity);
         let is_of_data = matches!(
@@ -161,12 +156,15 @@ impl Request {
         if !is_fitted && !is_of_data {
             return case.explain(error).into();
         }
-        let Names { parameters, given, .. } = &self.names;
-        let text = format!("{given} {}", self.data.path().display());
-        let place = Place::Override { option: (*parameters).into(), text };
+        let (parameters, data) = (&request.parameters, request.data.path());
+        let name = request.asked.name("data");
+        let text = format!("{parameters} {name} {}", data.display());
+        let place = Place::Override { option: request.asked.name("parameters").into(), text };
         let cause = if error.is_of_convergence() { Cause::NotConverged } else { Cause::Input };
         let error = CaseError::new("", error.text(&FieldNames::CASE), place);
-        CaseError { cause, ..error }.help(doubt.map(|doubt| doubt.text.clone())).into()
+        CaseError { cause, ..error }
+            .help(self.doubt.as_ref().map(|doubt| doubt.text.clone()))
+            .into()
     }
 }
 
@@ -188,12 +186,11 @@ enum Model {
 
 impl Model {
     /// `None` where the method cannot be fitted.
-    fn new(case: &Case, request: &Request) -> Result<Option<Self>, Error> {
+    fn new(case: &Case, parameters: &[Parameter], gamma: f64) -> Result<Option<Self>, Error> {
         let Case { problem, options, .. } = case;
-        let Request { parameters, gamma, .. } = request;
         Ok(match case.method {
             Method::Full => {
-                let model = RollingContactModel::new(problem, options, parameters, *gamma)?;
+                let model = RollingContactModel::new(problem, options, parameters, gamma)?;
                 Some(Self::Full(Box::new(model)))
             }
             Method::Fast(FastMethod::Polach(reduction)) => {

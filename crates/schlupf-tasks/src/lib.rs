@@ -1,35 +1,77 @@
-//! What a case can be asked, from the case to a report: the part that the command and the Python
-//! package share.
+//! What a case can be asked, from the case to a report: the part that all faces share.
 //!
-//! A task takes a request in SI units with the names that messages call its parts by, since a face
-//! has options or arguments for them. It checks whatever can be checked before the work (`plan`),
-//! and does the work (`find`). It reads no arguments and writes no files.
+//! A [`Task`] has a name, a request and a report. [`TASKS`] lists them: a face gives values to the
+//! fields of a request, calls [`Entry::run`](task::Entry::run), and renders the report, which
+//! knows its own summary, JSON, tables, figures and files. A new task is one file and one line
+//! there. Tasks read no arguments and write no files.
+//!
+//! ```
+//! use schlupf_case::{CaseFile, Folder, Overrides};
+//! use schlupf_tasks::{Asked, Face, Given, Value, Wanted, find};
+//!
+//! let text = "kinematics.creepage_x = 0.002\ngrid = { cells_x = 10, cells_y = 10 }";
+//! let case = CaseFile::from_str(text, "a case", Folder::new(""), Overrides::NONE)?;
+//! let task = find("subsurface").ok_or("no such task")?;
+//! let mut asked = Asked::new(Face::Functions, (task.fields)());
+//! asked.give("x", Value::Text("-1 mm".to_owned()));
+//! let found = (task.run)(&Given::of(&case), &asked, &Wanted::default(), &schlupf::unwatched)?;
+//! assert!(found.report.summary().to_string().contains("von Mises"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
-pub mod bulk;
-pub mod calibrate;
-pub mod compare;
-pub mod contact_law;
-pub mod curve;
 mod error;
-pub mod fit;
-pub mod import;
 mod notice;
-pub mod roughness;
+pub mod output;
+pub mod request;
+pub mod task;
+mod bulk;
+mod calibrate;
+mod compare;
+pub mod contact_law;
+mod curve;
+mod fit;
+mod roughness;
 pub mod solve;
 pub mod states;
-pub mod subsurface;
-pub mod temperature;
-pub mod wear;
-pub mod wheelset;
+mod subsurface;
+mod temperature;
+mod wear;
+mod wheelset;
+#[cfg(feature = "study")]
+pub mod study;
 
 pub use error::TaskError;
 pub use notice::Notice;
+pub use request::{Asked, Face, Value};
+pub use task::{Entry, Given, Task, Wanted};
 
 use schlupf::Warning;
 use schlupf::message::Message;
 use schlupf_case::FieldNames;
+
+/// All tasks, in the order of help.
+pub const TASKS: &[Entry] = &[
+    Entry::of::<solve::Solve>(),
+    Entry::of::<curve::Curve>(),
+    Entry::of::<roughness::Roughness>(),
+    Entry::of::<compare::Compare>(),
+    Entry::of::<temperature::Temperature>(),
+    Entry::of::<subsurface::Subsurface>(),
+    Entry::of::<wear::Wear>(),
+    Entry::of::<bulk::Bulk>(),
+    Entry::of::<calibrate::Calibrate>(),
+    Entry::of::<fit::Fit>(),
+    Entry::of::<wheelset::Wheelset>(),
+    #[cfg(feature = "study")]
+    Entry::of::<study::damage::Damage>(),
+];
+
+/// The task with a name.
+pub fn find(name: &str) -> Option<&'static Entry> {
+    TASKS.iter().find(|task| task.name == name)
+}
 
 /// Warnings of the core in the words of a case file.
 pub fn messages<'a>(

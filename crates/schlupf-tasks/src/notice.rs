@@ -16,6 +16,18 @@ messages! {
         reason: String,
     } "solver.method", |subject, words| format!("not available: {reason}");
 
+    /// An output has nothing in it, because the method gives no fields.
+    "empty-output" EmptyOutput {
+        /// Which one.
+        output: &'static str,
+        /// What is missing.
+        what: &'static str,
+        /// Name of the method.
+        method: &'static str,
+    } "solver.method", |subject, words| {
+        format!("the output {output} has {what}: solver.method = {method:?} gives no fields")
+    };
+
     /// Loads of the data are far from that of the case.
     "other-loads" OtherLoads {
         /// The one that is farthest, in N.

@@ -1,5 +1,6 @@
 //! A rough surface, its contact and its k_c.
 
+use crate::output::roughness::{RoughnessReport, Spots};
 use schlupf::interface::roughness::load_curve::LoadCurveOptions;
 use schlupf::interface::roughness::micro_model::{MicroModel, MicroModelResult};
 use schlupf::message::Message;
@@ -8,54 +9,93 @@ use schlupf::surface::HeightMap;
 use schlupf::surface::spectrum::{RadialSpectrum, Window};
 use schlupf::{Error, Watch};
 use schlupf_case::surface::{RoughSurface, SurfaceOrigin};
-use schlupf_case::{CaseErrors, CaseFile, RoughnessRequest, caveats};
-use schlupf_output::roughness::{RoughnessReport, Spots};
+use schlupf_case::{CaseErrors, InputFile, RoughnessRequest, caveats};
 
 use crate::TaskError;
+use crate::request::{Form, request};
+use crate::task::{CaseArgument, Found, Given, Task, Wanted};
 
-/// A surface to press, and on what.
-#[derive(Debug)]
-pub struct Plan {
-    /// Title of the case.
-    pub title: String,
-    /// Surface, bodies and pressures.
-    pub request: RoughnessRequest,
-    /// What messages and results call a surface that is generated, if not by the case.
-    pub generated: Option<String>,
-    /// Whether the contact spots are wanted, too.
-    pub with_spots: bool,
+mod fields;
+
+request! {
+    /// Which surface to press; without a file and without `synthetic` that of the case.
+    Request {
+        /// Surface or profile of one body, or of both together (.csv, .npy, .x3p, .xyz).
+        surface: Option<InputFile> = Form::File, positional();
+        /// Surface of the other body, on the same lattice: their heights are added.
+        second: Option<InputFile> = Form::File;
+        /// Make a self-affine surface, such as rms_height="1 um",hurst=0.8,longest="100 um",
+        /// shortest="5 um",seed=1; also rms_slope and roll_off.
+        synthetic: Option<String> = Form::Text("KEY=VALUE,…");
+        /// Form to remove from a measured surface; by default a plane.
+        form: Option<String> = Form::Text("plane|cylinder|sphere|none");
+        /// Remove waves longer than this from a measured surface, such as "0.8 mm" (λc of the
+        /// Gaussian filter, ISO 16610).
+        cutoff: Option<String> = Form::Text("LENGTH");
+        /// Unit of the heights of an .npy file, of all lengths of an .xyz file, such as um.
+        unit: Option<String> = Form::Text("UNIT");
+        /// Spacing of the points of an .npy file or of heights alone, such as "1 um".
+        spacing: Option<String> = Form::Text("LENGTH");
+        /// Fill points without a height smoothly.
+        fill_holes: bool = Form::Flag;
+        /// Resample a surface whose cells are not square.
+        square_cells: bool = Form::Flag;
+        /// Cells along x of the resampled or synthetic surface.
+        cells: Option<String> = Form::Text("N");
+        /// Seed of a surface generated from a profile.
+        seed: Option<String> = Form::Text("N");
+        /// Mean pressures: a range (six pressures) or a list; by default those of the case, of a
+        /// surface given here without a case 0.2..1.2 GPa.
+        pressure: Option<String> = Form::Text("START..END|P,P,…");
+        /// Coefficient of friction; by default that of the case.
+        friction: Option<String> = Form::Text("MU");
+        /// Hardness of the softer body, such as "2.5 GPa"; by default the bodies are elastic.
+        hardness: Option<String> = Form::Text("PRESSURE");
+    }
 }
 
-impl Plan {
-    /// The surface of a case.
-    ///
-    /// # Errors
-    /// A case that is wrong, or without a rough surface.
-    pub fn of_case(file: &CaseFile, with_spots: bool, watch: Watch) -> Result<Self, TaskError> {
-        let names = schlupf_case::FieldNames::CASE;
-        let Some(request) = file.rough_contact(&[], None, names, watch)? else {
-            return Err(TaskError::Request(
-                "contact_law.roughness must have a surface to press: file, or rms_height, \
-                 longest_wavelength and shortest_wavelength"
-                    .to_owned(),
-            ));
-        };
-        Ok(Self { title: file.title()?, request, generated: None, with_spots })
-    }
+/// `roughness`: the case has the bodies.
+pub struct Roughness;
 
-    /// Presses it.
-    ///
-    /// # Errors
-    /// A surface that cannot be read, or whatever the solver refuses.
-    pub fn find(self, watch: Watch) -> Result<RoughnessReport, TaskError> {
-        let rough = self.request.load()?;
-        let explain = |error: Error| CaseErrors::from(self.request.explain(&error));
-        let result = solve(&self.request, &rough, watch).map_err(explain)?;
-        let spots = self.with_spots.then(|| spots(&self.request, &rough.surface, watch));
+impl Task for Roughness {
+    const NAME: &'static str = "roughness";
+    const ABOUT: &'static str =
+        "Compute k_c from rough surfaces, with statistics, contact area and tangential curves";
+    const CASE: CaseArgument = CaseArgument::Option;
+    type Request = Request;
+    type Report = RoughnessReport;
+
+    fn run(
+        of: &Given,
+        request: Request,
+        wanted: &Wanted,
+        watch: Watch,
+    ) -> Result<Found<RoughnessReport>, TaskError> {
+        let files = [RoughnessReport::PRESSURES, RoughnessReport::GAPS];
+        let with_spots = wanted.figures || files.iter().any(|file| wanted.file(file).is_some());
+        let title = of.case.title()?;
+        let generated = request.generated();
+        let request = request.of_case(of, watch)?;
+        let rough = request.load()?;
+        let explain = |error: Error| CaseErrors::from(request.explain(&error));
+        let result = solve(&request, &rough, watch).map_err(explain)?;
+        let spots = with_spots.then(|| spots(&request, &rough.surface, watch));
         let spots = spots.transpose().map_err(explain)?;
-        Ok(self.report(rough, result, spots))
+        let pressed = Pressed { title, request, generated };
+        Ok(pressed.report(rough, result, spots).into())
     }
+}
 
+/// What is pressed.
+struct Pressed {
+    /// Title of the case.
+    title: String,
+    request: RoughnessRequest,
+    /// How a surface is generated, if not by the case.
+    generated: Option<String>,
+}
+
+impl Pressed {
     /// What was pressed, and what came out.
     fn report(
         &self,

@@ -1,13 +1,129 @@
 //! The solution of a case: steady rolling, or rolling over time.
 
-use schlupf::message::Message;
-use schlupf::rolling::marching::march;
-use schlupf::wheel_rail::WheelSolution;
-use schlupf::{Error, Method, Solution, Watch};
-use schlupf_case::{Case, Rolling};
-use schlupf_output::solution::SolutionReport;
+use std::borrow::Cow;
 
-use crate::{contact_law, messages};
+use crate::output::solution::SolutionReport;
+use schlupf::message::{Message, Words};
+use schlupf::rolling::marching::march;
+use schlupf::state::State;
+use schlupf::wheel_rail::WheelSolution;
+use schlupf::{Error, Method, Quantity, Solution, Watch};
+use schlupf_case::{Case, CaseError, CaseFile, Cause, FieldNames, InputFile, Rolling};
+
+use crate::output::{Report, figures};
+use crate::request::{Asked, Form, request};
+use crate::task::{Found, Given, Task, Wanted};
+use crate::{Notice, TaskError, contact_law, messages};
+
+request! {
+    /// What to start from.
+    Request {
+        /// Start from a state that an earlier run has written.
+        initial_state: Option<InputFile> = Form::File;
+    }
+}
+
+/// `solve`: steady rolling, or rolling over time.
+pub struct Solve;
+
+const INITIAL_STATE: &str = "initial_state";
+
+impl Task for Solve {
+    const NAME: &'static str = "solve";
+    const ABOUT: &'static str = "Solve a case";
+    type Request = Request;
+    type Report = SolutionReport;
+
+    fn run(
+        of: &Given,
+        request: Request,
+        wanted: &Wanted,
+        watch: Watch,
+    ) -> Result<Found<SolutionReport>, TaskError> {
+        let state = request.initial_state.as_ref().map(|file| request.state(file)).transpose()?;
+        let case = of.case.pose(watch)?;
+        request.refuse_state(case.method, wanted)?;
+        let rolling = case.rolling(state)?;
+        let report = solve(&case, rolling, watch);
+        let mut report = report.map_err(|error| request.explain(&case, &error))?;
+        report.warnings.extend(empty(&report.solution, wanted));
+        Ok(report.into())
+    }
+
+    fn figure_names(case: &CaseFile, asked: &Asked) -> Vec<String> {
+        let is_marched = asked.has(INITIAL_STATE) || case.is_marched();
+        let mut names = SolutionReport::figure_names();
+        names.retain(|name| is_marched || name != figures::HISTORY);
+        names
+    }
+}
+
+/// Which of the outputs that are wanted have nothing in them.
+fn empty(solution: &Solution, wanted: &Wanted) -> Vec<Message> {
+    if solution.method.has_fields() {
+        return Vec::new();
+    }
+    let given = [
+        ("csv", "no rows", wanted.table),
+        ("vtk", "no cells", wanted.file(SolutionReport::VTK).is_some()),
+        ("figures", "nothing to draw", wanted.figures),
+    ];
+    let given = given.into_iter().filter(|(.., is_wanted)| *is_wanted);
+    let method = solution.method.name();
+    given.map(|(output, what, _)| Notice::EmptyOutput { output, what, method }.into()).collect()
+}
+
+impl Request {
+    fn state(&self, file: &InputFile) -> Result<State, CaseError> {
+        let refused =
+            |cause, message| CaseError { cause, ..self.asked.refuse(INITIAL_STATE, message) };
+        let bytes = file.read().map_err(|cause| {
+            refused(Cause::FileSystem, format!("the state cannot be read: {cause}"))
+        })?;
+        serde_json::from_slice(&bytes).map_err(|error| {
+            let name = self.asked.name(INITIAL_STATE);
+            let message = format!("{name} must be a state that a run has written, but: {error}");
+            refused(Cause::Input, message)
+        })
+    }
+
+    /// Only the full method has a state.
+    fn refuse_state(&self, method: Method, wanted: &Wanted) -> Result<(), TaskError> {
+        let final_state = wanted.file(SolutionReport::STATE).map(|_| "the final state".to_owned());
+        let initial = self.initial_state.as_ref().map(|_| self.asked.name(INITIAL_STATE));
+        match initial.or(final_state) {
+            Some(name) if method != Method::Full => Err(TaskError::Request(format!(
+                "{name} goes with solver.method = \"full\" only, but that is {:?}, which has no state",
+                method.name()
+            ))),
+            _ => Ok(()),
+        }
+    }
+
+    fn explain(&self, case: &Case, error: &Error) -> CaseError {
+        match &self.initial_state {
+            // This one is no field of the case file.
+            Some(file) if error.quantity() == Quantity::InitialState => {
+                let name = self.asked.name(INITIAL_STATE);
+                let words = StateFile(format!("{name} {}", file.path().display()));
+                self.asked.refuse(INITIAL_STATE, error.text(&words))
+            }
+            _ => case.explain(error),
+        }
+    }
+}
+
+/// What the file of a state is called in messages.
+struct StateFile(String);
+
+impl Words for StateFile {
+    fn word(&self, quantity: Quantity) -> Cow<'static, str> {
+        match quantity {
+            Quantity::InitialState => self.0.clone().into(),
+            other => FieldNames::CASE.word(other),
+        }
+    }
+}
 
 /// What to know about a wheel and about its contacts but the first, whose warnings are those of the
 /// solution.

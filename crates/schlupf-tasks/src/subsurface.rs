@@ -1,77 +1,60 @@
 //! Stresses below the surface.
 
+use crate::output::subsurface::{PROFILE_POINTS, StressReport};
 use schlupf::error::MethodPurpose;
 use schlupf::grid::Grid;
 use schlupf::subsurface::{Measure, PointStress, SubsurfaceStress};
 use schlupf::{Error, Solution, Watch};
-use schlupf_case::{
-    Case, CaseErrors, CaseFile, InputFile, Rolling, SubsurfaceRequest, read_points,
-};
-use schlupf_output::subsurface::{PROFILE_POINTS, StressReport};
+use schlupf_case::{Case, CaseErrors, InputFile, SubsurfaceRequest, read_points};
 
+use crate::request::{Form, request};
 use crate::solve::solve;
+use crate::task::{Found, Given, Task, Wanted};
 use crate::{Notice, TaskError, messages};
 
-/// Where to look besides the volume of the case.
-#[derive(Debug, Clone)]
-pub struct Request {
-    /// Place of the profile along rolling, in m; by default that of the largest stress of von
-    /// Mises.
-    pub x: Option<f64>,
-    /// The same across rolling, in m.
-    pub y: Option<f64>,
-    /// A table of points, with what messages call it.
-    pub points: Option<(&'static str, InputFile)>,
-    /// What messages call x and y.
-    pub names: [&'static str; 2],
+request! {
+    /// Where to look besides the volume of the case.
+    Request {
+        /// Position of the profile along rolling, such as "-3 mm"; by default that of the largest
+        /// stress of von Mises.
+        x: Option<f64> = Form::Position;
+        /// Position of the profile across rolling; by default that of the largest stress of von
+        /// Mises.
+        y: Option<f64> = Form::Position;
+        /// Table of points (CSV) at which stresses are wanted, too: columns x [mm], y [mm] and
+        /// depth [mm].
+        points: Option<InputFile> = Form::File;
+    }
 }
 
-/// Places may be so far from the middle of the patch, in m.
-const FARTHEST: f64 = 1e3;
+/// `subsurface`.
+pub struct Subsurface;
 
-/// A case with where to look.
-pub struct Plan {
-    case: Case,
-    rolling: Rolling,
-    volume: SubsurfaceRequest,
-    request: Request,
-    points: Option<Vec<[f64; 3]>>,
-}
+impl Task for Subsurface {
+    const NAME: &'static str = "subsurface";
+    const ABOUT: &'static str = "Compute the stresses below the surface of wheel or rail";
+    const SOURCES: &'static str = "Love (1929); Ahmadi, Keer and Mura (1983).";
+    type Request = Request;
+    type Report = StressReport;
 
-/// Poses the case.
-///
-/// # Errors
-/// A case that is wrong, or a place that is none.
-pub fn plan(file: &CaseFile, request: Request, watch: Watch) -> Result<Plan, TaskError> {
-    for (name, place) in request.names.iter().zip([request.x, request.y]) {
-        if let Some(place) = place.filter(|place| !(-FARTHEST..=FARTHEST).contains(place)) {
-            let text = format!("{name} must be at most ±{FARTHEST} m, but is {place} m");
-            return Err(TaskError::Request(text));
+    fn run(
+        of: &Given,
+        request: Request,
+        _wanted: &Wanted,
+        watch: Watch,
+    ) -> Result<Found<StressReport>, TaskError> {
+        let points = request.points.as_ref();
+        let points =
+            points.map(|file| read_points(&request.asked.name("points"), file)).transpose()?;
+        let case = of.case.pose(watch)?;
+        if !case.method.has_fields() {
+            let method = case.method.name();
+            let error = Error::OtherMethod { purpose: MethodPurpose::Stress, method };
+            return Err(case.explain(&error).into());
         }
-    }
-    let points = request.points.as_ref().map(|(name, file)| read_points(name, file)).transpose();
-    let points = points.map_err(CaseErrors::from)?;
-    let case = file.pose(watch)?;
-    if !case.method.has_fields() {
-        let method = case.method.name();
-        let error = Error::OtherMethod { purpose: MethodPurpose::Stress, method };
-        return Err(CaseErrors::from(case.explain(&error)).into());
-    }
-    let rolling = case.rolling(None).map_err(CaseErrors::from)?;
-    let volume = case.subsurface().map_err(CaseErrors::from)?;
-    Ok(Plan { case, rolling, volume, request, points })
-}
-
-impl Plan {
-    /// Solves the case and computes the stresses.
-    ///
-    /// # Errors
-    /// More points than can be stored, or whatever the solver refuses.
-    pub fn find(self, watch: Watch) -> Result<StressReport, TaskError> {
-        let Self { case, rolling, volume: wanted, request, points } = self;
         let explain = |error: Error| CaseErrors::from(case.explain(&error));
-        let solved = solve(&case, rolling, watch).map_err(explain)?;
-        let solution = solved.solution;
+        let (rolling, wanted) = (case.rolling(None)?, case.subsurface()?);
+        let solution = solve(&case, rolling, watch).map_err(explain)?.solution;
         let stresses =
             SubsurfaceStress::new(&case.problem, &solution, wanted.side).map_err(explain)?;
         check_size(&case, &wanted, &solution, &stresses)?;
@@ -86,7 +69,7 @@ impl Plan {
         let points = points.map(|points| stresses.points(&points, watch)).transpose();
         let points = points.map_err(explain)?;
         let warnings = messages(&solution.warnings);
-        Ok(StressReport {
+        let report = StressReport {
             status: solution.status,
             profile: profile(&stresses, [x, y], deepest),
             points,
@@ -96,7 +79,8 @@ impl Plan {
             normal: solution.normal,
             warnings: Notice::of_first_contact(&case).into_iter().chain(warnings).collect(),
             title: case.title,
-        })
+        };
+        Ok(report.into())
     }
 }
 
@@ -111,10 +95,10 @@ fn profile(stresses: &SubsurfaceStress, [x, y]: [f64; 2], deepest: f64) -> Vec<P
 fn check_planes(grid: &Grid, request: &Request) -> Result<(), TaskError> {
     let x = [grid.edge_x(0), grid.edge_x(grid.columns)];
     let y = [grid.edge_y(0), grid.edge_y(grid.rows)];
-    let given = request.names.into_iter().zip([(request.x, x), (request.y, y)]);
-    for (name, (place, [first, last])) in given {
+    for (name, place, [first, last]) in [("x", request.x, x), ("y", request.y, y)] {
         let Some(place) = place.filter(|place| !(first..=last).contains(place)) else { continue };
         let [place, first, last] = [place, first, last].map(|place| 1e3 * place);
+        let name = request.asked.name(name);
         return Err(TaskError::Request(format!(
             "{name} must be within the layers, {first:.3} to {last:.3} mm, but is {place} mm: \
              subsurface.margin makes them wider"

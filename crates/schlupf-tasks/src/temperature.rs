@@ -1,60 +1,51 @@
 //! Temperatures below the surface and in the wake.
 
+use crate::output::temperature::{Request as Positions, Temperatures};
+use schlupf::creep_curve::MAX_POINTS;
 use schlupf::temperature_field::{Side, TemperatureField};
 use schlupf::{Error, Problem, Solution, Watch};
-use schlupf_case::{Case, CaseErrors, CaseFile};
-use schlupf_output::temperature::{Request as Positions, Temperatures};
+use schlupf_case::CaseErrors;
 
+use crate::request::{Form, request};
+use crate::task::{Found, Given, Task, Wanted};
 use crate::{Notice, TaskError, messages};
 
-/// Points of each line by default.
-pub const POINTS: usize = 201;
-
-/// Where to look; what is left out follows from the solution.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Request {
-    /// Place along rolling, in m; by default the hottest point.
-    pub x: Option<f64>,
-    /// Place across rolling, in m; by default the hottest point.
-    pub y: Option<f64>,
-    /// Depths of the profile, in m; by default as far as heat has penetrated.
-    pub depth: Option<[f64; 2]>,
-    /// Length of the wake, in m; by default twice that of the contact.
-    pub wake: Option<f64>,
-    /// Points of each line, at least two.
-    pub points: usize,
-    /// What messages call x, y, the depths and the wake.
-    pub names: [&'static str; 4],
+request! {
+    /// Where to look; what is left out follows from the solution.
+    Request {
+        /// Position along rolling, such as "-3 mm"; by default that of the hottest point.
+        x: Option<f64> = Form::Position;
+        /// Position across rolling; by default that of the hottest point.
+        y: Option<f64> = Form::Position;
+        /// Depths of the profile, such as "0..2 mm"; by default as far as heat has penetrated.
+        depth: Option<[f64; 2]> = Form::Depths;
+        /// Length of the wake; by default twice the length of the contact.
+        wake: Option<f64> = Form::Length;
+        /// Number of points of each line.
+        points: usize = Form::Count([2, MAX_POINTS]), default(201);
+    }
 }
 
-/// Places may be so far from the middle of the patch, in m.
-const FARTHEST: f64 = 1e3;
+/// `temperature`.
+pub struct Temperature;
 
-/// A case with where to look.
-#[derive(Debug)]
-pub struct Plan {
-    case: Case,
-    request: Request,
-}
+impl Task for Temperature {
+    const NAME: &'static str = "temperature";
+    const ABOUT: &'static str =
+        "Compute temperatures below a point and along its row, including the wake";
+    const SOURCES: &'static str =
+        "Conduction perpendicular to the surface: Carslaw and Jaeger (1959).";
+    type Request = Request;
+    type Report = Temperatures;
 
-/// Poses the case.
-///
-/// # Errors
-/// A case that is wrong or has a history.
-pub fn plan(file: &CaseFile, request: Request, watch: Watch) -> Result<Plan, TaskError> {
-    request.check()?;
-    let case = file.pose(watch)?;
-    case.require_steady("temperatures below the surface and in the wake are those")?;
-    Ok(Plan { case, request })
-}
-
-impl Plan {
-    /// Solves the case and looks.
-    ///
-    /// # Errors
-    /// A place outside of the contact, or whatever the solver refuses.
-    pub fn find(self, watch: Watch) -> Result<Temperatures, TaskError> {
-        let Self { case, request } = self;
+    fn run(
+        of: &Given,
+        request: Request,
+        _wanted: &Wanted,
+        watch: Watch,
+    ) -> Result<Found<Temperatures>, TaskError> {
+        let case = of.case.pose(watch)?;
+        case.require_steady("temperatures below the surface and in the wake are those")?;
         let explain = |error: Error| CaseErrors::from(case.explain(&error));
         let problem = &case.problem;
         let solution = case.solver().solve(problem, watch).map_err(explain)?;
@@ -63,7 +54,7 @@ impl Plan {
         let (profile, rows) = Temperatures::sample(&field, &positions);
         let caveats = TemperatureField::caveat(problem, &solution);
         let warnings = messages(solution.warnings.iter().chain(&caveats));
-        Ok(Temperatures {
+        let report = Temperatures {
             status: solution.status,
             request: positions,
             bulk: [&problem.wheel, &problem.rail].map(|body| body.bulk_temperature),
@@ -71,35 +62,12 @@ impl Plan {
             rows,
             warnings: Notice::of_first_contact(&case).into_iter().chain(warnings).collect(),
             title: case.title,
-        })
+        };
+        Ok(report.into())
     }
 }
 
 impl Request {
-    fn check(&self) -> Result<(), TaskError> {
-        let [x, y, depth, wake] = self.names;
-        let is_place = |place: &f64| place.abs() <= FARTHEST;
-        let is_length = |length: &f64| (0.0..=FARTHEST).contains(length);
-        let wrong = |name: &str, requirement: &str, value: f64| {
-            Err(TaskError::Request(format!("{name} must be {requirement}, but is {value} m")))
-        };
-        for (name, place) in [(x, self.x), (y, self.y)] {
-            if let Some(place) = place.filter(|place| !is_place(place)) {
-                return wrong(name, "at most ±1000 m", place);
-            }
-        }
-        let lengths = [(depth, self.depth.map(|d| d[0])), (depth, self.depth.map(|d| d[1]))];
-        for (name, length) in lengths.into_iter().chain([(wake, self.wake)]) {
-            if let Some(length) = length.filter(|length| !is_length(length)) {
-                return wrong(name, "between 0 and 1000 m", length);
-            }
-        }
-        match self.depth {
-            Some([start, end]) if end <= start => wrong(depth, "a range that increases", end),
-            _ => Ok(()),
-        }
-    }
-
     /// With the defaults that the solution gives.
     fn positions(
         &self,
@@ -137,7 +105,7 @@ impl Request {
         let [low, high] = field.width().map(millimetres);
         TaskError::Request(format!(
             "{} must lie in the contact, between {low} and {high} mm, but is {} mm",
-            self.names[1],
+            self.asked.name("y"),
             millimetres(y)
         ))
     }
@@ -146,7 +114,7 @@ impl Request {
         TaskError::Request(format!(
             "{} must not lie ahead of the contact, which begins at x = {} mm in the row y = {} mm, but \
              is {} mm",
-            self.names[0],
+            self.asked.name("x"),
             millimetres(entry),
             millimetres(y),
             millimetres(x)

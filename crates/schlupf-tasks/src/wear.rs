@@ -1,45 +1,46 @@
 //! Wear, fatigue and melting of one passage.
 
+use crate::output::wear::WearReport;
 use schlupf::damage::{Laws, WearMap, of_passage};
 use schlupf::error::MethodPurpose;
 use schlupf::message::Message;
 use schlupf::solution::Power;
 use schlupf::{Error, Method, Solution, Warning, Watch};
-use schlupf_case::{Case, CaseErrors, CaseFile, FieldNames};
-use schlupf_output::wear::WearReport;
+use schlupf_case::{Case, CaseErrors, FieldNames};
 
+use crate::request::Nothing;
+use crate::task::{Found, Given, Task, Wanted};
 use crate::{Notice, TaskError, messages};
 
-/// Whether wear in the cells is to be written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Cells {
-    /// It is.
-    Needed,
-    /// It is part of the report where the method has cells.
-    IfAny,
-}
+/// `wear`: the section `[damage]` of the case has the laws.
+pub struct Wear;
 
-/// A case with its laws of damage.
-#[derive(Debug)]
-pub struct Plan {
-    case: Case,
-    laws: Laws,
-}
+impl Task for Wear {
+    const NAME: &'static str = "wear";
+    const ABOUT: &'static str = "Compute wear, fatigue and melting of one passage of the wheel";
+    const SOURCES: &'static str = "Wear: Archard (1953) with coefficients of Jendel (2002); Braghin, Lewis, \
+                                   Dwyer-Joyce and Bruni (2006). Fatigue: Ekberg, Kabo and Andersson (2002), \
+                                   Burstow (2004). Shakedown: Johnson and Jefferis (1963).";
+    type Request = Nothing;
+    type Report = WearReport;
 
-/// Poses the case.
-///
-/// # Errors
-/// A case that is wrong or has a history, and a method without cells where they are needed.
-pub fn plan(file: &CaseFile, cells: Cells, watch: Watch) -> Result<Plan, TaskError> {
-    let laws = file.damage_laws().map_err(CaseErrors::from)?;
-    let case = file.pose(watch)?;
-    case.require_steady("wear, fatigue and melting are those")?;
-    if cells == Cells::Needed && !case.method.has_fields() {
-        let method = case.method.name();
-        let error = Error::OtherMethod { purpose: MethodPurpose::Wear, method };
-        return Err(CaseErrors::from(case.explain(&error)).into());
+    fn run(
+        of: &Given,
+        _request: Nothing,
+        wanted: &Wanted,
+        watch: Watch,
+    ) -> Result<Found<WearReport>, TaskError> {
+        let laws = of.case.damage_laws()?;
+        let case = of.case.pose(watch)?;
+        case.require_steady("wear, fatigue and melting are those")?;
+        let needs_cells = wanted.table || wanted.file(WearReport::PROFILE).is_some();
+        if needs_cells && !case.method.has_fields() {
+            let method = case.method.name();
+            let error = Error::OtherMethod { purpose: MethodPurpose::Wear, method };
+            return Err(case.explain(&error).into());
+        }
+        Ok(passage(case, laws, watch)?.into())
     }
-    Ok(Plan { case, laws })
 }
 
 /// Coefficient of friction (dimensionless) below which steel on steel is not dry: that of a wet
@@ -61,32 +62,24 @@ fn gap(solution: &Solution) -> Option<Message> {
     (is_open && is_fastsim && !is_told).then(|| gap.message(&FieldNames::CASE))
 }
 
-impl Plan {
-    /// Solves the case and computes its damage.
-    ///
-    /// # Errors
-    /// Whatever the solver refuses.
-    pub fn find(self, watch: Watch) -> Result<WearReport, TaskError> {
-        let Self { case, laws } = self;
-        let explain = |error: Error| CaseErrors::from(case.explain(&error));
-        let solution = case.solver().solve(&case.problem, watch).map_err(explain)?;
-        let passage = of_passage(&case.problem, &solution, &laws).map_err(explain)?;
-        let without_fields = passage
-            .wear
-            .is_none()
-            .then(|| Notice::NoWear { method: solution.method.name() }.into());
-        let molten = passage.melting.filter(|melting| melting.share > 0.0).map(|melting| {
-            let (share, temperature) = (melting.share, melting.max_temperature);
-            Notice::Molten { share, temperature, limit: laws.melting_temperature }.into()
-        });
-        let friction = case.problem.friction.cold_coefficient();
-        let is_dry = friction >= DRY && case.problem.layer.is_none();
-        let is_of_dry_steel = laws.archard.map == WearMap::default();
-        let other = (!is_dry && is_of_dry_steel && passage.wear.is_some())
-            .then(|| Notice::WearOfDrySteel { friction }.into());
-        let own = without_fields.into_iter().chain(molten).chain(other).chain(gap(&solution));
-        let warnings = Notice::of_first_contact(&case).into_iter();
-        let warnings = warnings.chain(messages(&solution.warnings)).chain(own).collect();
-        Ok(WearReport { title: case.title, laws, passage, solution, warnings })
-    }
+/// Solves the case and computes its damage.
+fn passage(case: Case, laws: Laws, watch: Watch) -> Result<WearReport, TaskError> {
+    let explain = |error: Error| CaseErrors::from(case.explain(&error));
+    let solution = case.solver().solve(&case.problem, watch).map_err(explain)?;
+    let passage = of_passage(&case.problem, &solution, &laws).map_err(explain)?;
+    let without_fields =
+        passage.wear.is_none().then(|| Notice::NoWear { method: solution.method.name() }.into());
+    let molten = passage.melting.filter(|melting| melting.share > 0.0).map(|melting| {
+        let (share, temperature) = (melting.share, melting.max_temperature);
+        Notice::Molten { share, temperature, limit: laws.melting_temperature }.into()
+    });
+    let friction = case.problem.friction.cold_coefficient();
+    let is_dry = friction >= DRY && case.problem.layer.is_none();
+    let is_of_dry_steel = laws.archard.map == WearMap::default();
+    let other = (!is_dry && is_of_dry_steel && passage.wear.is_some())
+        .then(|| Notice::WearOfDrySteel { friction }.into());
+    let own = without_fields.into_iter().chain(molten).chain(other).chain(gap(&solution));
+    let warnings = Notice::of_first_contact(&case).into_iter();
+    let warnings = warnings.chain(messages(&solution.warnings)).chain(own).collect();
+    Ok(WearReport { title: case.title, laws, passage, solution, warnings })
 }

@@ -2,21 +2,19 @@
 
 use std::sync::Arc;
 
+use crate::output::wheelset::{Conicity, WheelsetAt, WheelsetReport};
+use schlupf::creep_curve::MAX_POINTS;
 use schlupf::message::Message;
 use schlupf::tally::{Tallied, Tally};
 use schlupf::wheel_rail::{Roll, RollingRadiusDifference, Support, WheelSolution};
-use schlupf::{Watch, parallel};
-use schlupf_case::{CaseError, CaseFile, Cause, FieldNames, Place};
-use schlupf_output::wheelset::{Conicity, WheelsetAt, WheelsetReport};
+use schlupf::{Quantity, Watch, parallel};
+use schlupf_case::{CaseError, CaseErrors, CaseFile, Cause, FieldNames, Place};
 
 use crate::notice::{Notice, millimetres};
+use crate::request::{Form, request};
 use crate::solve::of_wheel;
+use crate::task::{Found, Given, Task, Wanted};
 use crate::{TaskError, messages};
-
-/// Lateral positions by default, in m, and their number.
-pub const RANGE: [f64; 2] = [-8e-3, 8e-3];
-/// Number of positions by default.
-pub const POINTS: usize = 33;
 
 /// Amplitudes of the equivalent conicity: the first, the last unless positions go further, and
 /// their number in a metre.
@@ -29,112 +27,103 @@ const LATERAL: &str = "wheelset.lateral_position";
 /// Step of the positions from which it is found, in m.
 const RADIUS_STEP: f64 = 2e-5;
 
-/// Where to put the wheelset.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Request {
-    /// First and last lateral position, in m.
-    pub range: [f64; 2],
-    /// Number of positions.
-    pub points: usize,
-}
-
-impl Default for Request {
-    fn default() -> Self {
-        Self { range: RANGE, points: POINTS }
+request! {
+    /// Where to put the wheelset.
+    Request {
+        /// First and last lateral position of the wheelset.
+        lateral_position: [f64; 2] = Form::Range(Quantity::LateralPosition), default("-8..8 mm");
+        /// Number of positions.
+        points: usize = Form::Count([2, MAX_POINTS]), default(33);
     }
 }
 
-/// A case with where to put its wheelset.
-#[derive(Debug)]
-pub struct Plan {
-    file: CaseFile,
-    request: Request,
+/// `wheelset`.
+pub struct Wheelset;
+
+impl Task for Wheelset {
+    const NAME: &'static str = "wheelset";
+    const ABOUT: &'static str =
+        "Find the contacts of a wheelset over its lateral position, and its equivalent conicity";
+    type Request = Request;
+    type Report = WheelsetReport;
+
+    /// A position at which the contacts are not found is one without wheels.
+    fn run(
+        of: &Given,
+        request: Request,
+        _wanted: &Wanted,
+        watch: Watch,
+    ) -> Result<Found<WheelsetReport>, TaskError> {
+        let Support::Force(load) = of.case.wheel()?.support else {
+            return Err(TaskError::Request(
+                "wheelset.height must be left out for the contacts of a wheelset that rests on both \
+                 rails: give normal.load"
+                    .to_owned(),
+            ));
+        };
+        Ok(report(of.case, &request, load, watch)?.into())
+    }
+}
+
+/// All contacts of a wheelset whose wheels carry a load (in N) each.
+fn report(
+    file: &CaseFile,
+    request: &Request,
     load: f64,
-}
-
-/// Checks the case.
-///
-/// # Errors
-/// A case without profiles, or with a height in place of the vertical force.
-pub fn plan(file: &CaseFile, request: Request) -> Result<Plan, TaskError> {
-    let file = file.clone();
-    let wheel = file.wheel()?;
-    let Support::Force(load) = wheel.support else {
-        return Err(TaskError::Request(
-            "wheelset.height must be left out for the contacts of a wheelset that rests on both \
-             rails: give normal.load"
-                .to_owned(),
-        ));
-    };
-    Ok(Plan { file, request, load })
-}
-
-impl Plan {
-    /// Finds all contacts. A position at which they are not found is one without wheels.
-    ///
-    /// # Errors
-    /// Whatever keeps the contacts of all positions from being found, and being stopped.
-    pub fn find(self, watch: Watch) -> Result<WheelsetReport, TaskError> {
-        let Self { file, request, load } = self;
-        let [from, to] = request.range;
-        let last = request.points.max(2) - 1;
-        let (radii, conicity, mut notices) = rigid(&file, from.abs().max(to.abs()), watch)?;
-        // Exact at both ends, and in the middle of a symmetric range.
-        let between = |share: f64| from * (1.0 - share) + to * share;
-        let lateral: Vec<f64> = (0..=last).map(|k| between(k as f64 / last as f64)).collect();
-        let found = parallel::try_map(lateral, |lateral| match wheels(&file, lateral, watch) {
-            Err(error) if is_stopped(&error) => Err(error),
-            wheels => Ok((lateral, wheels)),
-        })?;
-        let is_empty = radii.is_none() && found.iter().all(|(_, wheels)| wheels.is_err());
-        if let Some((lateral, Err(error))) = found.first().filter(|_| is_empty) {
-            return Err(at_position(&file, error.clone(), *lateral));
-        }
-        let mut positions = Vec::new();
-        for (lateral, wheels) in found {
-            let wheels = wheels.map_err(|error| reason(&error));
-            if let Err(reason) = &wheels {
-                let reason = reason.clone();
-                notices.push(Notice::PositionFailed { lateral, reason }.into());
-            }
-            let rigid = radii.as_ref().and_then(|radii| radii.at(lateral));
-            positions.push(WheelsetAt { lateral, rigid, wheels });
-        }
-        let warnings =
-            file.notices().into_iter().chain(of_positions(&positions)).chain(notices).collect();
-        let (title, pair) = (file.title()?, Arc::clone(&file.wheel()?.pair));
-        Ok(WheelsetReport { title, pair, load, positions, radii, conicity, warnings })
+    watch: Watch,
+) -> Result<WheelsetReport, TaskError> {
+    let [from, to] = request.lateral_position;
+    let last = request.points.max(2) - 1;
+    let (radii, conicity, mut notices) = rigid(file, from.abs().max(to.abs()), watch)?;
+    // Exact at both ends, and in the middle of a symmetric range.
+    let between = |share: f64| from * (1.0 - share) + to * share;
+    let lateral: Vec<f64> = (0..=last).map(|k| between(k as f64 / last as f64)).collect();
+    let found = parallel::try_map(lateral, |lateral| match wheels(file, lateral, watch) {
+        Err(error) if is_stopped(&error) => Err(error),
+        wheels => Ok((lateral, wheels)),
+    })?;
+    let is_empty = radii.is_none() && found.iter().all(|(_, wheels)| wheels.is_err());
+    if let Some((lateral, Err(error))) = found.first().filter(|_| is_empty) {
+        return Err(at_position(file, error.clone(), *lateral).into());
     }
+    let mut positions = Vec::new();
+    for (lateral, wheels) in found {
+        let wheels = wheels.map_err(|errors| errors.first.message);
+        if let Err(reason) = &wheels {
+            let reason = reason.clone();
+            notices.push(Notice::PositionFailed { lateral, reason }.into());
+        }
+        let rigid = radii.as_ref().and_then(|radii| radii.at(lateral));
+        positions.push(WheelsetAt { lateral, rigid, wheels });
+    }
+    let warnings =
+        file.notices().into_iter().chain(of_positions(&positions)).chain(notices).collect();
+    let (title, pair) = (file.title()?, Arc::clone(&file.wheel()?.pair));
+    Ok(WheelsetReport { title, pair, load, positions, radii, conicity, warnings })
 }
 
 /// Both wheels at a lateral position (in m).
-fn wheels(file: &CaseFile, lateral: f64, watch: Watch) -> Result<[WheelSolution; 2], TaskError> {
+fn wheels(file: &CaseFile, lateral: f64, watch: Watch) -> Result<[WheelSolution; 2], CaseErrors> {
     let wheels = file.wheels_at(lateral, watch)?;
     let two = <[WheelSolution; 2]>::try_from(wheels);
-    two.map_err(|_| TaskError::Request("the wheelset must have two wheels".to_owned()))
+    two.map_err(|_| {
+        let place = Place::File { name: file.name().to_owned() };
+        CaseError::new("wheelset", "the wheelset must have two wheels", place).into()
+    })
 }
 
 /// An error with the lateral position (in m) at which it arose; that of the case is not used.
-fn at_position(file: &CaseFile, error: TaskError, lateral: f64) -> TaskError {
-    let TaskError::Case(mut errors) = error else { return error };
+fn at_position(file: &CaseFile, mut errors: CaseErrors, lateral: f64) -> CaseErrors {
     let CaseError { field, message, place, .. } = &mut *errors.first;
     *message = format!("at a lateral position of {} mm: {message}", millimetres(lateral));
     if field == LATERAL {
         *place = Place::File { name: file.name().to_owned() };
     }
-    TaskError::Case(errors)
+    errors
 }
 
-fn is_stopped(error: &TaskError) -> bool {
-    matches!(error, TaskError::Case(errors) if errors.first.cause == Cause::Stopped)
-}
-
-/// An error without its place in the case file.
-fn reason(error: &TaskError) -> String {
-    match error {
-        TaskError::Case(errors) => errors.first.message.clone(),
-        TaskError::Request(message) => message.clone(),
-    }
+fn is_stopped(errors: &CaseErrors) -> bool {
+    errors.first.cause == Cause::Stopped
 }
 
 /// Δr of rigid bodies as in EN 15302, without roll, up to a lateral position (in m) at least, the
@@ -151,11 +140,11 @@ fn rigid(
         let reason = error.text(&FieldNames::CASE);
         Message::from(Notice::ConicityEnds { largest, reason })
     };
-    let explain = |error: &schlupf::Error| TaskError::from(file.explain(error));
+    let explain = |error: &schlupf::Error| CaseErrors::from(file.explain(error));
     let radii = RollingRadiusDifference::new(pair, (wanted, intervals), Roll::Neglected, watch);
     let radii = match radii {
         Ok(radii) => radii,
-        Err(error) if is_stopped(&explain(&error)) => return Err(explain(&error)),
+        Err(error) if is_stopped(&explain(&error)) => return Err(explain(&error).into()),
         Err(error) => return Ok((None, Conicity::default(), vec![ends(0.0, &error)])),
     };
     let reach = radii.ends()[1];

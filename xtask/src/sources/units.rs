@@ -254,6 +254,6 @@ mod tests {
 
     #[test]
     fn other_crates_are_free() {
-        assert_eq!(lines(&RULE, "crates/schlupf-output/src/a.rs", "pub const A: f64 = 1.0;"), []);
+        assert_eq!(lines(&RULE, "crates/schlupf-tasks/src/a.rs", "pub const A: f64 = 1.0;"), []);
     }
 }

@@ -1,11 +1,11 @@
 //! `[grid]`, `[solver]` and `[fastsim]`.
 
+use crate::look_up_table::StoredTable;
 use schlupf::method::{
     AreaReduction, Brush, FastMethod, Flexibilities, SharedTable, SlopeReduction, TractionBound,
 };
 use schlupf::problem::Branch;
 use schlupf::{Method, Options};
-use schlupf_table::StoredTable;
 
 use crate::error::CaseError;
 use crate::fields::choice::{BoundChoice, BranchChoice, Driver, FlexibilitiesChoice, MethodChoice};
@@ -66,12 +66,12 @@ pub fn method(settings: &Settings) -> Result<Method, CaseError> {
 /// The table that was given, or the standard one.
 fn look_up_table(settings: &Settings) -> Result<&'static StoredTable, CaseError> {
     if !settings.is_given(TABLE) {
-        return schlupf_table::standard().map_err(|error| {
+        return crate::look_up_table::standard().map_err(|error| {
             settings.error("solver.method", format!("the standard table {error}"))
         });
     }
     let (name, bytes) = settings.read_file(TABLE)?;
-    schlupf_table::shared(&bytes)
+    crate::look_up_table::shared(&bytes)
         .map_err(|error| settings.error(TABLE, format!("{TABLE}: {name} {error}")))
 }
 

@@ -1,0 +1,279 @@
+//! A case of module 3.
+
+use std::sync::Arc;
+
+use crate::Source;
+
+use crate::import::Notice;
+use crate::import::contact::basic::{Basic, Motion, Rolling};
+use crate::import::contact::control::Control;
+use crate::import::contact::friction::Friction;
+
+use super::case::Translation;
+use super::contact::{Contact, NormalProblem};
+use super::frame::{Frame, WheelBody};
+use super::laws;
+use super::normal;
+
+/// Speed of what does not roll, in mm/s: irrelevant there, but every case has one.
+const RESTING: f64 = 1e3;
+
+/// Translates a steady state or a shift; `stem` begins the names of its files.
+pub fn translate(
+    source: &Arc<Source>,
+    (control, basic): (&Control, &Basic),
+    wheel: WheelBody,
+    stem: &str,
+) -> Translation {
+    let mut case = Translation::new(source);
+    write(&mut case, (control, basic), wheel, stem);
+    case
+}
+
+/// What every case of module 3 has.
+#[derive(Debug, Clone, Copy)]
+pub struct Written {
+    /// Axes.
+    pub frame: Frame,
+    /// Normal contact.
+    pub contact: Contact,
+}
+
+/// Writes all but the history of transient rolling.
+pub fn write(
+    case: &mut Translation,
+    (control, basic): (&Control, &Basic),
+    wheel: WheelBody,
+    stem: &str,
+) -> Option<Written> {
+    laws::notice_digits(case, control);
+    let rolling = control.is_rolling().then_some(basic.rolling.as_ref()).flatten();
+    let frame = frame(case, control, rolling, wheel);
+    if let Some(elastic) = &basic.elastic {
+        laws::elastic(case, elastic, wheel);
+        laws::method(case, control, elastic);
+        if let Some(motion) = &basic.motion {
+            laws::notice_fastsim(case, control, elastic, motion);
+        }
+    } else {
+        case.miss(control.influence, "the materials");
+    }
+    laws::heat(case, control, basic.heat.as_ref(), wheel);
+    if let Some(friction) = &basic.friction {
+        laws::friction(case, friction);
+    } else {
+        case.miss(control.friction_law, "the law of friction");
+    }
+    extra_slip(case, basic);
+    let (Some(elastic), Some(area), Some(motion)) = (&basic.elastic, &basic.area, &basic.motion)
+    else {
+        if basic.area.is_none() {
+            case.miss(control.grid, "the potential contact area");
+        }
+        return None;
+    };
+    let frame = frame?;
+    let given = NormalProblem { control, motion, elastic, area, frame };
+    let contact = normal::write(case, given, basic, stem)?;
+    if let Some(friction) = &basic.friction {
+        variation(case, friction, frame, contact);
+    }
+    speed(case, rolling);
+    let written = Written { frame, contact };
+    motion_of(case, control, motion, (written, forces_at(control, basic, written)));
+    Some(written)
+}
+
+fn frame(
+    case: &mut Translation,
+    control: &Control,
+    rolling: Option<&Rolling>,
+    wheel: WheelBody,
+) -> Option<Frame> {
+    if control.is_rolling() && rolling.is_none() {
+        case.miss(control.influence, "the rolling direction and speed");
+    }
+    let frame = Frame::new(wheel, rolling);
+    if let (None, Some(rolling)) = (frame, rolling) {
+        let what = "rolling is available along x only";
+        case.refuse(rolling.direction, what, "CHI = 0 or 180d");
+    }
+    frame
+}
+
+fn speed(case: &mut Translation, rolling: Option<&Rolling>) {
+    // mm/s.
+    match rolling {
+        Some(rolling) => case.quantity("kinematics.speed", rolling.speed, (1e-3, "m/s")),
+        None => case.document.quantity("kinematics.speed", 1e-3 * RESTING, "m/s"),
+    }
+}
+
+/// Creepages, forces (in kN) or a shift.
+fn motion_of(
+    case: &mut Translation,
+    control: &Control,
+    motion: &Motion,
+    (written, forces): (Written, Forces),
+) {
+    match control.tangential.whole() {
+        0 => case.remark("Without creepage there are no tangential tractions (T = 0)."),
+        1 => write_shift(case, control, motion, written.frame),
+        _ => creepages(case, control, motion, (written, forces)),
+    }
+}
+
+fn creepages(
+    case: &mut Translation,
+    control: &Control,
+    motion: &Motion,
+    (written, [force_x, force_y]): (Written, Forces),
+) {
+    let [x, y] = creepages_at(motion, written);
+    let contact = written.contact;
+    let spin = 1e3 * motion.spin.value;
+    if force_x.is_some() {
+        check_forces(case, control, motion);
+    }
+    match force_x {
+        Some(force) => case.document.quantity("kinematics.force_x", force, "kN"),
+        None => case.document.number("kinematics.creepage_x", x),
+    }
+    match force_y {
+        Some(force) => case.document.quantity("kinematics.force_y", force, "kN"),
+        None => case.document.number("kinematics.creepage_y", y),
+    }
+    case.document.quantity("kinematics.spin", spin, "1/m");
+    for (path, given) in [
+        (if force_x.is_some() { "kinematics.force_x" } else { "kinematics.creepage_x" }, 0),
+        (if force_y.is_some() { "kinematics.force_y" } else { "kinematics.creepage_y" }, 1),
+    ] {
+        case.stands(path, motion.tangential[given]);
+    }
+    case.stands("kinematics.spin", motion.spin);
+    if contact.centre != [0.0; 2] {
+        case.notice(Notice::MomentAtMiddle { centre: contact.centre }, motion.spin);
+    }
+}
+
+/// Forces along x and y in kN, where they are given in place of the creepages.
+pub type Forces = [Option<f64>; 2];
+
+/// The forces that are given; relative ones refer to the friction limit.
+pub fn forces_at(control: &Control, basic: &Basic, written: Written) -> Forces {
+    let Written { frame, contact } = written;
+    let Some(motion) = &basic.motion else { return [None; 2] };
+    let level = basic.friction.as_ref().map_or(0.0, Friction::force_scale) * contact.load;
+    let force =
+        |component: f64, place: usize| component * motion.tangential[place].value * level / 1e3;
+    let is_given = [!control.force.is(0), control.force.is(2)];
+    [(frame.component_x, 0), (frame.component_y, 1)]
+        .map(|(component, place)| is_given[place].then(|| force(component, place)))
+}
+
+/// Refuses forces at the friction limit, which no creepage causes.
+pub fn check_forces(case: &mut Translation, control: &Control, motion: &Motion) {
+    let [x, y] = motion.tangential;
+    let size = if control.force.is(2) { x.value.hypot(y.value) } else { x.value.abs() };
+    if size >= 1.0 {
+        let what = "the force must be less than 1 in size, the friction limit FSTAT FN";
+        case.refuse(x, what, "FXREL and FYREL are forces over that limit");
+    }
+}
+
+/// Creepages of the wheel over the rail at the middle of the contact.
+pub fn creepages_at(motion: &Motion, Written { frame, contact }: Written) -> [f64; 2] {
+    let [x, y] = at_centre(motion, contact.centre);
+    [frame.component_x * x, frame.component_y * y]
+}
+
+/// Creepages at a point (in mm) that are given about the spin centre.
+fn at_centre(motion: &Motion, centre: [f64; 2]) -> [f64; 2] {
+    let from = motion.spin_centre.map_or([0.0; 2], |centre| centre.map(|given| given.value));
+    let [x, y] = motion.tangential.map(|given| given.value);
+    let spin = motion.spin.value;
+    [x - spin * (centre[1] - from[1]), y + spin * (centre[0] - from[0])]
+}
+
+/// A shift from a contact without tractions.
+pub fn write_shift(case: &mut Translation, control: &Control, motion: &Motion, frame: Frame) {
+    if matches!(control.previous.whole(), 0 | 3) {
+        let what = "a shift that goes on from an earlier one is not available";
+        case.refuse(control.previous, what, "P = 2 begins without tractions");
+    }
+    if !control.force.is(0) {
+        let what = "forces in a shift are not available";
+        case.refuse(control.force, what, "F = 0 gives the shift CKSI, CETA");
+        return;
+    }
+    let what = "a turn in a shift is not available";
+    case.refuse_unless_zero(motion.spin, what, "CPHI = 0 shifts without it");
+    if matches!(control.friction_law.whole(), 2..=4) {
+        let what =
+            "friction that depends on the slip speed is not available in a shift, which has none";
+        case.refuse(control.friction_law, what, "L = 0 has constant friction");
+    }
+    let [x, y] = motion.tangential.map(|given| given.value);
+    // mm.
+    case.document.quantity("history.shift_x", frame.component_x * x, "mm");
+    case.document.quantity("history.shift_y", frame.component_y * y, "mm");
+}
+
+/// Friction that varies across the contact: factors on that at its middle.
+fn variation(case: &mut Translation, friction: &Friction, frame: Frame, contact: Contact) {
+    let digit = friction.variation;
+    let what = match (digit.whole(), contact.rows) {
+        (0, _) => return,
+        (3, Some(rows)) if friction.law.is(0) => {
+            return by_row(case, friction, frame, rows);
+        }
+        (3, Some(_)) => "a law other than that of Coulomb that varies by row is not available",
+        (3, None) => "friction by row is available for Hertz's contact only",
+        _ => "friction that varies along the track is not available",
+    };
+    case.refuse(digit, what, "V = 0 is the same everywhere");
+}
+
+fn by_row(case: &mut Translation, friction: &Friction, frame: Frame, [from, width]: [f64; 2]) {
+    let count = friction.sets.len();
+    let mut places: Vec<f64> =
+        (0..count).map(|row| frame.coordinate_y * (from + row as f64 * width)).collect();
+    let mut levels: Vec<f64> = friction.sets.iter().map(|[level, ..]| level.value).collect();
+    if let Some([_, other, ..]) =
+        friction.sets.iter().find(|[level, other, ..]| level.value != other.value)
+    {
+        case.refuse(*other, "FKIN must equal FSTAT, as it must in CONTACT", "");
+    }
+    if frame.coordinate_y < 0.0 {
+        places.reverse();
+        levels.reverse();
+    }
+    // Linear in between, constant beyond the ends.
+    let next = places.partition_point(|place| *place < 0.0).clamp(1, count.max(2) - 1);
+    let middle = match (places.get(next - 1..=next), levels.get(next - 1..=next)) {
+        (Some(&[left, right]), Some(&[below, above])) => {
+            let part = (-left / (right - left)).clamp(0.0, 1.0);
+            below + part * (above - below)
+        }
+        _ => levels.first().copied().unwrap_or_default(),
+    };
+    if middle <= 0.0 {
+        let digit = friction.variation;
+        return case.refuse(digit, "friction must be positive at the middle of the contact", "");
+    }
+    let factors: Vec<f64> = levels.iter().map(|level| level / middle).collect();
+    case.document.number("friction.coefficient", middle);
+    case.document.quantities("friction.variation_y", &places, "mm");
+    case.document.numbers("friction.variation_factor", &factors);
+}
+
+fn extra_slip(case: &mut Translation, basic: &Basic) {
+    if let Some(digit) = basic.extra_slip {
+        let what = match digit.whole() {
+            0 => return,
+            2 | 3 => "spin in one direction only is not available",
+            _ => "an extra term of the rigid slip (EXRHS) is not available",
+        };
+        case.refuse(digit, what, "E = 0 is without");
+    }
+}

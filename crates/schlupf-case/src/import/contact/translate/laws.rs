@@ -1,0 +1,252 @@
+//! Materials, friction, heat and method: what both modules have.
+
+use crate::import::Notice;
+use crate::import::contact::basic::Motion;
+use crate::import::contact::control::Control;
+use crate::import::contact::friction::Friction;
+use crate::import::contact::given::Given;
+use crate::import::contact::material::{Elastic, Heat};
+
+use super::case::Translation;
+use super::frame::WheelBody;
+
+const YOUNG: [&str; 2] = ["wheel.young_modulus", "rail.young_modulus"];
+const POISSON: [&str; 2] = ["wheel.poisson_ratio", "rail.poisson_ratio"];
+const TEMPERATURE: [&str; 2] = ["wheel.bulk_temperature", "rail.bulk_temperature"];
+const CAPACITY: [&str; 2] = ["wheel.specific_heat", "rail.specific_heat"];
+const CONDUCTIVITY: [&str; 2] = ["wheel.conductivity", "rail.conductivity"];
+const DENSITY: [&str; 2] = ["wheel.density", "rail.density"];
+
+/// Elastic constants of both bodies.
+pub fn elastic(case: &mut Translation, elastic: &Elastic, wheel: WheelBody) {
+    for (path, body) in [wheel.index(), 1 - wheel.index()].into_iter().enumerate() {
+        let (shear, poisson) = (elastic.shear_modulus[body].value, elastic.poisson[body].value);
+        // N/mm² in GPa.
+        let young = 2.0 * shear * (1.0 + poisson) / 1e3;
+        case.document.quantity(YOUNG[path], young, "GPa");
+        case.document.number(POISSON[path], poisson);
+        case.stands(YOUNG[path], elastic.shear_modulus[body]);
+        case.stands(POISSON[path], elastic.poisson[body]);
+    }
+    for shear in elastic.shear_modulus.into_iter().filter(|shear| shear.value <= 0.0) {
+        case.refuse(shear, "must be positive", "");
+    }
+    let is_possible = |poisson: &Given| (0.0..=0.5).contains(&poisson.value);
+    for poisson in elastic.poisson.into_iter().filter(|poisson| !is_possible(poisson)) {
+        case.refuse(poisson, "must be 0 to 0.5", "");
+    }
+    match elastic.influence.whole() {
+        4 => case.refuse(
+            elastic.influence,
+            "influence coefficients of conformal bodies are not available",
+            "C3 = 2 is the half-space",
+        ),
+        9 => case.refuse(
+            elastic.influence,
+            "influence coefficients from a file are not available",
+            "C3 = 2 is the half-space",
+        ),
+        _ => {}
+    }
+}
+
+/// What solves the case: digits M and B.
+pub fn method(case: &mut Translation, control: &Control, elastic: &Elastic) {
+    let material = control.material;
+    match material.whole() {
+        0 | 4 => {
+            if material.is(4) {
+                third_body(case, elastic);
+            }
+            case.document.text("elasticity.model", "half-space");
+            case.document.text("contact_law.model", "coulomb");
+            if control.bound.is(3) {
+                case.refuse(
+                    control.bound,
+                    "a parabolic pressure on the half-space is not available",
+                    "B = 0 or 2 is that of Hertz; with M = 3 B = 3 is available",
+                );
+            }
+        }
+        3 => fastsim(case, control, elastic),
+        1 => case.refuse(material, "viscoelastic bodies are not available", "M = 0 is elastic"),
+        2 => case.refuse(
+            material,
+            "FASTSIM with a flexibility FLX that is given is not available",
+            "M = 3 finds the flexibilities from Kalker's coefficients",
+        ),
+        _ => case.refuse(
+            material,
+            "FaStrip is not available",
+            "M = 3 is FASTSIM, M = 0 solves all equations",
+        ),
+    }
+    bound(case, control);
+    if control.damping.value >= 2.0 {
+        case.refuse(control.damping, "damping is not available", "leave it out: M2 = 0");
+    }
+}
+
+/// A layer between the surfaces: GG3 in N/mm², LAYTHK in mm, TAU_C0 in N/mm², where it is zero
+/// elastic only, and K_TAU in N/mm³.
+fn third_body(case: &mut Translation, elastic: &Elastic) {
+    let [shear_modulus, thickness, stress, hardening] = elastic.model[..] else { return };
+    case.quantity("layer.thickness", thickness, (1.0, "mm"));
+    case.quantity("layer.shear_modulus", shear_modulus, (1.0, "MPa"));
+    if stress.value > 0.0 {
+        case.quantity("layer.yield_stress", stress, (1.0, "MPa"));
+        if hardening.value != 0.0 {
+            case.quantity("layer.hardening", hardening, (1.0, "MPa/mm"));
+        }
+    }
+}
+
+/// What bounds the traction with every material: the digit B, as far as it is refused.
+fn bound(case: &mut Translation, control: &Control) {
+    let bound = control.bound;
+    let what = match bound.whole() {
+        1 => "a compressible layer (FLXZ) is not available",
+        4 => "the contact of two half-ellipses (SDEC) is not available",
+        5 => "the approximate contact of Kik and Piotrowski (KPEC) is not available",
+        6 => "the approximate contact ANALYN is not available",
+        _ => return,
+    };
+    case.refuse(bound, what, "B = 0 solves the normal contact");
+}
+
+/// K0_MF, ALFAMF and BETAMF, and whether they change nothing.
+fn slope_reduction(elastic: &Elastic) -> ([Given; 3], bool) {
+    let none = Given { value: 1.0, ..elastic.influence };
+    let given = std::array::from_fn(|k| elastic.model.get(k).copied().unwrap_or(none));
+    let [initial, limit, _] = given;
+    (given, initial.is(1) && limit.is(1))
+}
+
+fn fastsim(case: &mut Translation, control: &Control, elastic: &Elastic) {
+    let ([initial, limit, decay], is_plain) = slope_reduction(elastic);
+    case.document.text("solver.method", if is_plain { "fastsim" } else { "modified-fastsim" });
+    let bound = if control.bound.is(3) { "parabolic" } else { "elliptic" };
+    case.document.text("fastsim.flexibilities", "three");
+    case.document.text("fastsim.bound", bound);
+    if is_plain {
+        return;
+    }
+    case.document.number("fastsim.initial_reduction", initial.value);
+    case.document.number("fastsim.reduction_limit_ratio", limit.value);
+    // CONTACT's ratio of slip to adhesion is that of the softened contact: k0 times ours.
+    case.document.number("fastsim.reduction_decay", initial.value * decay.value);
+    case.stands("fastsim.initial_reduction", initial);
+    case.stands("fastsim.reduction_limit_ratio", limit);
+    case.stands("fastsim.reduction_decay", decay);
+}
+
+/// How CONTACT's FASTSIM differs.
+pub fn notice_fastsim(
+    case: &mut Translation,
+    control: &Control,
+    elastic: &Elastic,
+    motion: &Motion,
+) {
+    if !control.material.is(3) {
+        return;
+    }
+    case.notice(Notice::OtherFastsim {}, control.material);
+    let ([_, limit, decay], is_plain) = slope_reduction(elastic);
+    let falls = !is_plain && limit.value != 1.0 && decay.value != 0.0;
+    let is_along = motion.tangential[1].value == 0.0 && motion.spin.value == 0.0;
+    if falls && !is_along {
+        case.notice(Notice::OtherSlopeReduction {}, decay);
+    }
+}
+
+/// The law of friction.
+pub fn friction(case: &mut Translation, friction: &Friction) {
+    let [a, b, c, d, e] = friction.first();
+    let level = friction.static_coefficient();
+    match friction.law.whole() {
+        0 => {
+            case.document.text("friction.model", "constant");
+            if b.value != a.value {
+                case.refuse(
+                    b,
+                    &format!("FKIN must equal FSTAT, {}, as it must in CONTACT", a.value),
+                    "L = 2, 3 and 4 are laws of friction that falls with the slip",
+                );
+            }
+        }
+        6 => {
+            case.document.text("friction.model", "temperature-piecewise-linear");
+            case.document.number("friction.hot_coefficient", a.value + c.value);
+            case.stands("friction.hot_coefficient", c);
+            case.quantity("friction.reference_temperature", b, (1.0, "degC"));
+            case.quantity("friction.temperature_range", d, (1.0, "K"));
+        }
+        law => {
+            falling(case, law, [(b, c), (d, e)]);
+            if b.value != 0.0 || d.value != 0.0 {
+                case.document.number("friction.kinetic_coefficient", a.value);
+                case.stands("friction.kinetic_coefficient", a);
+            }
+        }
+    }
+    case.document.number("friction.coefficient", level);
+    case.stands("friction.coefficient", a);
+    if let Some([distance, speed]) = friction.memory.filter(|[distance, _]| distance.value > 0.0) {
+        // mm in µm, mm/s.
+        case.quantity("friction.memory_distance", distance, (1e3, "um"));
+        case.quantity("friction.memory_speed", speed, (1.0, "mm/s"));
+    }
+}
+
+/// A law of two terms, each with its size and the slip speed (in mm/s) at which it has halved.
+fn falling(case: &mut Translation, law: i64, [first, second]: [(Given, Given); 2]) {
+    if first.0.value == 0.0 && second.0.value == 0.0 {
+        case.document.text("friction.model", "constant");
+        return;
+    }
+    let model = match law {
+        2 => "linear-in-speed",
+        3 => "rational",
+        _ => "exponential",
+    };
+    case.document.text("friction.model", model);
+    // The first term needs a speed even where it vanishes.
+    let first_speed = if first.0.value == 0.0 { second.1 } else { first.1 };
+    case.quantity("friction.half_speed", first_speed, (1.0, "mm/s"));
+    if second.0.value != 0.0 {
+        case.document.number("friction.second_coefficient", second.0.value);
+        case.stands("friction.second_coefficient", second.0);
+        case.quantity("friction.second_half_speed", second.1, (1.0, "mm/s"));
+    }
+}
+
+/// The digit H, with the constants that it needs.
+pub fn heat(case: &mut Translation, control: &Control, heat: Option<&Heat>, wheel: WheelBody) {
+    let digit = control.heat;
+    if digit.is(0) {
+        case.document.text("heat.model", "none");
+        return;
+    }
+    let Some(heat) = heat else { return case.miss(digit, "the thermal constants of both bodies") };
+    case.document.text("heat.model", "duhamel");
+    case.document.text("heat.partition", "velocity");
+    for (path, body) in [wheel.index(), 1 - wheel.index()].into_iter().enumerate() {
+        let [temperature, capacity, conductivity, density] = heat.bodies[body];
+        case.quantity(TEMPERATURE[path], temperature, (1.0, "degC"));
+        case.quantity(CAPACITY[path], capacity, (1.0, "J/(kg K)"));
+        // W/(mm K) and kg/mm³.
+        case.quantity(CONDUCTIVITY[path], conductivity, (1e3, "W/(m K)"));
+        case.quantity(DENSITY[path], density, (1e9, "kg/m^3"));
+    }
+    if let Some(part) = heat.plastic_part.filter(|part| !part.is(1)) {
+        let what = "a part of the plastic work that does not heat is not available";
+        case.refuse(part, what, "BETAPL = 1 heats with all of it");
+    }
+}
+
+/// What is left out of both modules.
+pub fn notice_digits(case: &mut Translation, control: &Control) {
+    if control.stress.value != 0.0 {
+        case.notice(Notice::PointsLeftOut {}, control.stress);
+    }
+}

@@ -1,0 +1,71 @@
+//! Notices: what users of an import should know about it.
+
+use schlupf::message::{Message, Names, messages};
+
+messages! {
+    /// A notice about an input file.
+    Notice of &'static str:
+
+    /// Settings that have no counterpart.
+    "settings-left-out" SettingsLeftOut {
+        /// Their names.
+        names: &'static str,
+    } "solver", |subject, words| format!(
+        "{names} set CONTACT's own solvers and output and are left out: nothing that is solved depends on them"
+    );
+
+    /// The grid of two profiles.
+    "grid-left-out" GridLeftOut {
+        /// Size of its elements, in mm.
+        size: [f64; 2],
+    } "grid", |subject, words| format!(
+        "elements of {} x {} mm (DX, DS) are left out: grid.cells_x and cells_y are cells across the patch, \
+         whatever its size",
+        size[0],
+        size[1]
+    );
+
+    /// Another FASTSIM.
+    "other-fastsim" OtherFastsim {} "solver.method", |subject, words| "CONTACT's FASTSIM shifts its \
+        three flexibilities towards one and takes cells as a whole: forces differ by 1 to 2 % of the \
+        friction limit".to_owned();
+
+    /// Modified FASTSIM with lateral creepage or spin.
+    "other-slope-reduction" OtherSlopeReduction {} "fastsim.reduction_decay", |subject, words| "with \
+        lateral creepage or spin modified FASTSIM differs more: the ratio of slip to adhesion that \
+        reduces the slope has C11 √(ξ² + (η + φ a)²) in CONTACT, √((C11 ξ)² + (C22 η)²) here"
+        .to_owned();
+
+    /// Another point about which the moment is taken.
+    "moment-at-middle" MomentAtMiddle {
+        /// Middle of the contact in the coordinates of the file, in mm.
+        centre: [f64; 2],
+    } "kinematics.reference", |subject, words| format!(
+        "creepages are converted to the middle of the contact, ({}, {}) mm in the input, and the moment \
+         is taken about it",
+        crate::import::document::number(centre[0]),
+        crate::import::document::number(centre[1])
+    );
+
+    /// Stresses below the surface.
+    "points-left-out" PointsLeftOut {} "subsurface", |subject, words| "the points of stresses below \
+        the surface (S) are left out: `schlupf subsurface` computes them".to_owned();
+
+    /// Contacts that are close together.
+    "whole-contacts" WholeContacts {} "normal.join_distance", |subject, words| "contacts closer than \
+        D_SEP are one contact: CONTACT attenuates their influence on each other down to D_COMB"
+        .to_owned();
+
+    /// Thresholds of profiles.
+    "thresholds-left-out" ThresholdsLeftOut {
+        /// The field of the profile.
+        profile: &'static str,
+    } *profile, |subject, words| "thresholds for kinks and \
+        errors of a profile (PRFOPT) are left out: it is taken as it is".to_owned();
+}
+
+impl From<Notice> for Message {
+    fn from(notice: Notice) -> Self {
+        notice.message(&Names)
+    }
+}

@@ -1,0 +1,7 @@
+//! Input files of CONTACT as cases.
+
+mod support;
+mod contact;
+mod elements;
+mod layers;
+mod results;

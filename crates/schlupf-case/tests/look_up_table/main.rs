@@ -1,0 +1,5 @@
+//! Look-up tables of creep forces.
+
+mod accuracy;
+mod evaluation;
+mod files;

@@ -1,0 +1,213 @@
+//! Figures of a wheelset: which points of both profiles touch each other over the lateral position,
+//! and what follows for rolling radii, angles and conicity.
+
+use schlupf::wheel_rail::{Contact, ProfileCurve, RollingRadiusDifference, Side};
+
+use super::{WheelsetAt, WheelsetReport};
+use crate::output::figures::color::{BLUE, ColorScale, GREEN, INK, Palette, VERMILION};
+use crate::output::figures::frame::Frame;
+use crate::output::figures::label::{Anchor, TextStyle};
+use crate::output::figures::marks::{self, HEADING, short};
+use crate::output::figures::panels::{Curve, GAP, Panel, Stack, WIDTH, known};
+use crate::output::figures::svg::Drawing;
+
+/// Distance by which the wheels are drawn above the rails, in mm.
+const LIFT: f64 = 14.0;
+
+/// Width of a view of one side, in mm.
+const VIEW: f64 = 116.0;
+
+/// Outmost position that a view shows beyond the middle of the rail, in mm.
+const BEYOND: f64 = 40.0;
+
+/// Points along a profile.
+const POINTS: usize = 600;
+
+/// Space between both views, and right of them for the colours.
+const BETWEEN: f64 = 70.0;
+const BAR: f64 = 84.0;
+
+/// Both profiles of each side, the wheel lifted, with a line between the points that touch each
+/// other at each lateral position.
+pub(super) fn contacts(report: &WheelsetReport) -> Option<String> {
+    let [left, right] = [report.positions.first()?.lateral, report.positions.last()?.lateral];
+    let scale = ColorScale {
+        palette: Palette::Mechanical,
+        low: 1e3 * left.min(right),
+        high: 1e3 * left.max(right) + f64::from(u8::from(left == right)),
+    };
+    let width = 0.5 * (WIDTH - 60.0 - BETWEEN - BAR);
+    let low = -46.0;
+    let high = LIFT + 12.0;
+    let height = width * (high - low) / VIEW;
+    let top = HEADING + 34.0;
+    let mut drawing = Drawing::new(WIDTH, top + height + 66.0);
+    let load = format!(
+        "lateral positions {} to {} mm, $N$ = {} kN on each wheel; wheels drawn {LIFT} mm above the \
+         rails, patches to scale",
+        short(1e3 * left),
+        short(1e3 * right),
+        short(1e-3 * report.load)
+    );
+    marks::title_block(&mut drawing, "Contact points", [&report.title, &load], remark(report));
+    for (k, side) in [Side::Left, Side::Right].into_iter().enumerate() {
+        // As seen by who looks along the track, so the axis is that of −y.
+        let outer = -side.outwards() * (1e3 * report.pair.rail_origin()[0] + BEYOND);
+        let inner = outer + side.outwards() * VIEW;
+        let frame = Frame {
+            corner: [60.0 + k as f64 * (width + BETWEEN), top],
+            size: [width, height],
+            x: [outer.min(inner), outer.max(inner)],
+            y: [low, high],
+        };
+        view(&mut drawing, report, (&frame, side, &scale));
+    }
+    let bar = [WIDTH - BAR + 24.0, top + 20.0];
+    marks::color_bar(&mut drawing, bar, height - 20.0, &scale, "$y$ (mm)");
+    Some(drawing.finish())
+}
+
+fn remark(report: &WheelsetReport) -> &'static str {
+    use crate::output::report::Report;
+    if report.status() == schlupf::Status::Converged { "" } else { "not converged" }
+}
+
+/// One side, seen along the track.
+fn view(
+    drawing: &mut Drawing,
+    report: &WheelsetReport,
+    (frame, side, scale): (&Frame, Side, &ColorScale),
+) {
+    let sign = side.outwards();
+    let pair = &report.pair;
+    let line = |curve: &ProfileCurve, place: &dyn Fn([f64; 2]) -> [f64; 2]| -> Vec<[f64; 2]> {
+        let step = curve.length() / (POINTS - 1) as f64;
+        (0..POINTS).map(|k| frame.at(place(curve.at(k as f64 * step).place))).collect()
+    };
+    let rail = |[y, z]: [f64; 2]| [-1e3 * sign * y, 1e3 * z];
+    let wheel = |[y, z]: [f64; 2]| [-1e3 * sign * (y + pair.wheel_offset()), 1e3 * z + LIFT];
+    drawing.begin_clip(&frame.area());
+    let stroke = format!(r#"stroke="{INK}" stroke-width="1.8" stroke-linejoin="round""#);
+    drawing.polyline(&line(pair.rail(), &rail), &stroke);
+    drawing.polyline(&line(pair.wheel(), &wheel), &stroke);
+    for at in &report.positions {
+        let Some(solution) = at.wheel(side) else { continue };
+        let color = scale.paint(1e3 * at.lateral);
+        for contact in &solution.contacts {
+            let on_wheel = on_profile(pair.wheel(), contact.wheel_position).map(wheel);
+            let on_rail = [-1e3 * contact.position[1], 1e3 * contact.position[2]];
+            if let Some(on_wheel) = on_wheel {
+                let style = format!(r#"stroke="{color}" stroke-width="1.2""#);
+                drawing.line(frame.at(on_rail), frame.at(on_wheel), &style);
+            }
+            patch(drawing, frame, contact, &color);
+        }
+    }
+    drawing.end_group();
+    frame.draw_vertical(drawing, if side == Side::Left { "$z$ (mm)" } else { "" });
+    frame.draw_horizontal(drawing, "to the right, −$y$ (mm)");
+    let name = format!("{} wheel and rail", side.name());
+    let at = [frame.corner[0], frame.corner[1] - 10.0];
+    drawing.text(at, &TextStyle::new(14.0, Anchor::Start), &name);
+}
+
+/// The width of a patch on the rail.
+fn patch(drawing: &mut Drawing, frame: &Frame, contact: &Contact, color: &str) {
+    let half = 1e3 * contact.solution.normal.semi_axis_y;
+    let (sin, cos) = contact.angle.sin_cos();
+    let origin = contact.solution.normal.origin.map_or(0.0, |origin| 1e3 * origin[1]);
+    let [_, y, z] = contact.position.map(|part| 1e3 * part);
+    let end = |s: f64| frame.at([-y - s * cos, z - s * sin]);
+    let style =
+        format!(r#"stroke="{color}" stroke-width="4" stroke-linecap="round" stroke-opacity="0.7""#);
+    drawing.line(end(origin - half), end(origin + half), &style);
+}
+
+/// The lowest point of a wheel's profile at y (in m).
+fn on_profile(curve: &ProfileCurve, y: f64) -> Option<[f64; 2]> {
+    let step = curve.length() / (POINTS - 1) as f64;
+    let points: Vec<[f64; 2]> = (0..POINTS).map(|k| curve.at(k as f64 * step).place).collect();
+    let crossing = |pair: &[[f64; 2]]| {
+        let share = (y - pair[0][0]) / (pair[1][0] - pair[0][0]);
+        (0.0..=1.0).contains(&share).then(|| [y, pair[0][1] + share * (pair[1][1] - pair[0][1])])
+    };
+    points.windows(2).filter_map(crossing).min_by(|p, q| p[1].total_cmp(&q[1]))
+}
+
+/// Δr of rigid bodies (in mm) over the lateral positions (in mm) between two (in m).
+fn rigid(radii: &RollingRadiusDifference, from: f64, to: f64) -> impl Iterator<Item = [f64; 2]> {
+    let points = radii.lateral.iter().zip(&radii.difference);
+    let within = points.filter(move |(y, _)| (from.min(to)..=from.max(to)).contains(*y));
+    within.map(|(y, difference)| [1e3 * y, 1e3 * difference])
+}
+
+/// Height of each panel.
+const HEIGHT: f64 = 210.0;
+
+/// Δr and angles over the lateral position, and the equivalent conicity over the amplitude.
+pub(super) fn radii(report: &WheelsetReport) -> Option<String> {
+    let [from, to] = [report.positions.first()?.lateral, report.positions.last()?.lateral];
+    let of = |value: &dyn Fn(&WheelsetAt) -> Option<f64>| -> Vec<[f64; 2]> {
+        let point = |at: &WheelsetAt| [1e3 * at.lateral, value(at).unwrap_or(f64::NAN)];
+        report.positions.iter().map(point).collect()
+    };
+    let difference = of(&|at| at.rolling_radius_difference().map(|value| 1e3 * value));
+    let rigid: Vec<[f64; 2]> =
+        report.radii.iter().flat_map(|radii| rigid(radii, from, to)).collect();
+    let angle =
+        |side: Side| of(&move |at| at.wheel(side)?.contacts.first().map(|contact| contact.angle));
+    let panel = |label: &str, curves| Panel { label: label.to_owned(), height: HEIGHT, curves };
+    let over_position = Stack {
+        x: [1e3 * from.min(to), 1e3 * from.max(to)],
+        label: "lateral position to the left, $y$ (mm)",
+        panels: vec![
+            panel(
+                "Δ$r$ (mm)",
+                vec![
+                    Curve::solid(difference, GREEN, "left minus right"),
+                    Curve::dashed(rigid, INK, "rigid, without roll"),
+                ],
+            ),
+            panel(
+                "contact angle (rad)",
+                vec![
+                    Curve::solid(angle(Side::Left), BLUE, "left wheel"),
+                    Curve::solid(angle(Side::Right), VERMILION, "right wheel"),
+                ],
+            ),
+        ],
+        shaded: Vec::new(),
+        shading: "",
+    };
+    let curve = &report.conicity;
+    let points = |of: &[Option<f64>]| -> Vec<[f64; 2]> {
+        curve.amplitude.iter().zip(of).map(|(a, c)| [1e3 * a, known(*c)]).collect()
+    };
+    let curves = vec![
+        Curve::solid(
+            points(&curve.nonlinear),
+            INK,
+            "wavelength of the nonlinear motion (EN 15302)",
+        ),
+        Curve::dashed(points(&curve.harmonic), VERMILION, "harmonic linearisation"),
+    ];
+    let conicity = Stack {
+        x: [0.0, 1e3 * curve.amplitude.last().copied().unwrap_or(1e-3)],
+        label: "amplitude (mm)",
+        panels: vec![panel("equivalent conicity", curves)],
+        shaded: Vec::new(),
+        shading: "",
+    };
+    if from == to {
+        return None;
+    }
+    let top = HEADING + 30.0;
+    let below = top + over_position.plot_height() + GAP + 60.0;
+    let mut drawing = Drawing::new(WIDTH, below + conicity.plot_height() + 70.0);
+    let load = format!("$N$ = {} kN on each wheel", short(1e-3 * report.load));
+    let title = "Rolling radius, contact angle and conicity";
+    marks::title_block(&mut drawing, title, [&report.title, &load], remark(report));
+    over_position.draw(&mut drawing, top);
+    conicity.draw(&mut drawing, below);
+    Some(drawing.finish())
+}
