@@ -248,7 +248,7 @@ impl CaseFile {
     /// let text = "kinematics.speed = \"72 km/h\"";
     /// let file = CaseFile::from_str(text, "a case", Folder::new(""), Overrides::NONE)?;
     /// assert_eq!(file.value("kinematics.speed"), Some(Setting::Number(20.0)));
-    /// # Ok::<(), crate::CaseErrors>(())
+    /// # Ok::<(), schlupf_case::CaseErrors>(())
     /// ```
     pub fn value(&self, path: &str) -> Option<Setting> {
         if self.settings.is_replaced(path) {
@@ -351,7 +351,7 @@ impl Case {
     /// let file = CaseFile::from_str(&text, "template", Folder::new(""), Overrides::NONE)?;
     /// let case = file.pose(&schlupf::unwatched)?;
     /// assert!(matches!(case.rolling(None), Ok(Rolling::Steady(_))));
-    /// # Ok::<(), crate::CaseErrors>(())
+    /// # Ok::<(), schlupf_case::CaseErrors>(())
     /// ```
     ///
     /// # Errors

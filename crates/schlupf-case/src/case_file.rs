@@ -66,7 +66,7 @@ impl CaseFile {
     /// let file = CaseFile::from_str(text, "a case", Folder::new(""), set)?;
     /// let case = file.pose(&schlupf::unwatched)?;
     /// assert!((case.problem.kinematics.speed - 20.0).abs() < 1e-12);
-    /// # Ok::<(), crate::CaseErrors>(())
+    /// # Ok::<(), schlupf_case::CaseErrors>(())
     /// ```
     pub fn from_str(
         text: &str,
@@ -156,7 +156,7 @@ impl CaseFile {
     /// let file = file.with_laws(Laws { friction: Some(friction), ..Laws::default() })?;
     /// let case = file.pose(&schlupf::unwatched)?;
     /// assert_eq!(case.problem.friction.cold_coefficient(), 0.25);
-    /// # Ok::<(), crate::CaseErrors>(())
+    /// # Ok::<(), schlupf_case::CaseErrors>(())
     /// ```
     ///
     /// # Errors

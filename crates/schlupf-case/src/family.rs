@@ -89,7 +89,7 @@ impl Family {
     /// let speeds = Family::parse("--over", "kinematics.speed=10 m/s,20 m/s")?;
     /// let speeds = speeds.members(&case, &unwatched)?;
     /// assert_eq!(speeds[1].problem.kinematics.speed, 20.0);
-    /// # Ok::<(), crate::CaseErrors>(())
+    /// # Ok::<(), schlupf_case::CaseErrors>(())
     /// ```
     pub fn members(&self, case: &Case, watch: Watch) -> Result<Vec<Case>, CaseErrors> {
         let files = self.case_files(&case.file)?;

@@ -172,7 +172,7 @@ fn what_did_not_converge_is_written_and_marked() {
 
 /// Arguments after `curve case.toml`, parts of the report.
 const BAD: &[(&[&str], &[&str])] = &[
-    (&[], &["--creepage-x <START..END>", "required"]),
+    (&[], &["a curve needs --creepage-x, or --creepage-y"]),
     (&["--creepage-x", "0.05"], &["--creepage-x must be a range START..END", "\"0.05\""]),
     (&["--creepage-x", "0.05..0.05"], &["must differ from its start, but both are 0.05"]),
     (&["--creepage-x", "0..nan"], &["--creepage-x 0..nan: the end", "finite", "NaN"]),
@@ -187,7 +187,7 @@ const BAD: &[(&[&str], &[&str])] = &[
         &["--creepage", "0..2", "--direction", "0 deg"],
         &["--creepage 0..2 --direction 0 deg", "does not at creepage = 1"],
     ),
-    (&["--creepage", "0..0.1"], &["--direction <ANGLE>"]),
+    (&["--creepage", "0..0.1"], &["must be given together with --direction"]),
     (&["--creepage-x", "0..0.1", "--direction", "3 deg"], &["--direction is that of --creepage"]),
     (
         &["--force-x", "0..-40 kN", "--over", "normal.load=60 kN,70 kN"],

@@ -132,8 +132,8 @@ fn what_did_not_converge_is_written_and_marked() {
 
 /// Arguments after `temperature case.toml`, parts of the report.
 const BAD: &[(&[&str], &[&str])] = &[
-    (&["--x", "3"], &["--x 3: the place along rolling must be a length", "the unit is missing"]),
-    (&["--y", "1 kN"], &["--y 1 kN: the place across rolling must be a length", "`kN`"]),
+    (&["--x", "3"], &["--x 3: --x must be a length", "the unit is missing"]),
+    (&["--y", "1 kN"], &["--y 1 kN: --y must be a length", "`kN`"]),
     (&["--y", "7 mm"], &["--y must lie in the contact, between -5 and 5 mm, but is 7 mm"]),
     (
         &["--x", "7 mm"],

@@ -10,11 +10,11 @@ const BYTES: &[u8] = include_bytes!("standard.npz");
 /// without options makes it. It is read once.
 ///
 /// ```
-/// let standard = crate::look_up_table::standard()?;
+/// let standard = schlupf_case::look_up_table::standard()?;
 /// // A circle that is nearly all slides.
 /// let force = standard.table.normalised_force(1.0, [1.0, 0.0, 0.0]).force;
 /// assert!(force[0] < -0.99 && force[0] >= -1.0);
-/// # Ok::<(), crate::look_up_table::TableFileError>(())
+/// # Ok::<(), schlupf_case::look_up_table::TableFileError>(())
 /// ```
 ///
 /// # Errors
