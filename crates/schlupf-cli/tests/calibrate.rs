@@ -278,7 +278,11 @@ fn bad_input_is_named() {
             "bad.csv:2:1: column `displacement_x` must name its unit",
         ),
         (&["--displacements", "opposite.csv"], 2, "displacement_x must go with traction_x"),
-        (&["--displacements", "bad.csv", "--direct"], 2, "must not be given together with --direct"),
+        (
+            &["--displacements", "bad.csv", "--direct"],
+            2,
+            "must not be given together with --direct",
+        ),
         (&["--displacements", "fe.csv", "--json", "fe.csv"], 2, "must name a file of its own"),
         (&["--cells", "5"], 2, "between 10 and 80"),
         (&["--json", "fe.csv/file.json"], 1, "fe.csv"),

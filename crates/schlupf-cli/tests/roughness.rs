@@ -187,7 +187,10 @@ const BAD: &[(&[&str], &[&str])] = &[
         &["--cutoff 1 m: --cutoff must be between 2e-6 and 9.9e-5 m"],
     ),
     (&["line.csv", "--form", "cone"], &["--form cone: --form must be one of"]),
-    (&["line.csv", "--heights", "line.csv"], &["must name a file of its own, but line.csv is also that of SURFACE"]),
+    (
+        &["line.csv", "--heights", "line.csv"],
+        &["must name a file of its own, but line.csv is also that of SURFACE"],
+    ),
 ];
 
 #[test]

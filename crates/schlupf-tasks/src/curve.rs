@@ -242,9 +242,9 @@ impl Request {
     }
 
     fn check(&self, member: &Member) -> Result<(), TaskError> {
+        const OF_WHEEL: [&str; 5] = ["creepage_y", "spin", "creepage", "force_y", "moment_z"];
         let Member { values, case, path } = member;
         case.require_steady("a creep curve is")?;
-        const OF_WHEEL: [&str; 5] = ["creepage_y", "spin", "creepage", "force_y", "moment_z"];
         let other = OF_WHEEL.into_iter().find(|name| self.asked.has(name));
         if let (Some(_), Some(name)) = (&case.wheel, other) {
             let [name, creepage_x] = [name, "creepage_x"].map(|name| self.asked.name(name));

@@ -14,8 +14,8 @@ use crate::study::columns::{Outcome, Row, push};
 use crate::study::design::Entry;
 use crate::study::error::StudyError;
 use crate::study::order::groups;
+use crate::study::plan::Study;
 use crate::study::solved::Solved;
-use crate::study::study::Study;
 use crate::study::table::{Cells, Column, Contents, Rows};
 
 /// Solves the rows of a batch, and the fields of their cells if the study keeps them.

@@ -17,8 +17,8 @@ use crate::study::batch::MORE_CONTACTS;
 use crate::study::columns::{beside_field, contact_column};
 use crate::study::counts::{Counts, WARNINGS};
 use crate::study::error::StudyError;
+use crate::study::plan::Study;
 use crate::study::run;
-use crate::study::study::Study;
 use crate::study::table::{Cells, Contents, Reader};
 use crate::task::{Found, Given, Scratch, Task, Wanted};
 

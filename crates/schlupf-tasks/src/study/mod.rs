@@ -18,14 +18,14 @@ pub mod lock;
 pub mod merge;
 mod order;
 mod parts;
+mod plan;
 pub mod run;
 mod solved;
-mod study;
 pub mod table;
 
 pub use counts::Counts;
 pub use error::StudyError;
-pub use study::Study;
+pub use plan::Study;
 
 /// A folder to work in.
 ///

@@ -17,8 +17,8 @@ use crate::study::counts::{Counts, WARNINGS};
 use crate::study::error::StudyError;
 use crate::study::lock::OutputLock;
 use crate::study::parts::{Parts, folder_with, sync};
+use crate::study::plan::Study;
 use crate::study::solved::no_fields;
-use crate::study::study::Study;
 use crate::study::table::{Cells, Contents, Format, Reader, Rows, Writer};
 
 /// What a run has done.

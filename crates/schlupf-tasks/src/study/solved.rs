@@ -6,11 +6,11 @@ use schlupf::message::Message;
 use schlupf::tally::Tally;
 
 use crate::study::error::StudyError;
-use crate::study::study::Study;
+use crate::study::plan::Study;
 use crate::study::table::{Cells, Rows};
 
-/// Rows of a batch, to be kept by a [`Run`](crate::study::run::Run), with the fields of their cells where
-/// the study keeps them.
+/// Rows of a batch, to be kept by a [`Run`](crate::study::run::Run), with the fields of their cells
+/// where the study keeps them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solved {
     pub(crate) rows: Rows,
