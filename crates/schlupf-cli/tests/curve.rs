@@ -188,7 +188,7 @@ const BAD: &[(&[&str], &[&str])] = &[
         &["--creepage 0..2 --direction 0 deg", "does not at creepage = 1"],
     ),
     (&["--creepage", "0..0.1"], &["must be given together with --direction"]),
-    (&["--creepage-x", "0..0.1", "--direction", "3 deg"], &["--direction is that of --creepage"]),
+    (&["--creepage-x", "0..0.1", "--direction", "3 deg"], &["--direction must be given together with --creepage"]),
     (
         &["--force-x", "0..-40 kN", "--over", "normal.load=60 kN,70 kN"],
         &["--force-x 0..-40 kN with normal.load = 60 kN: kinematics.force_x cannot be"],

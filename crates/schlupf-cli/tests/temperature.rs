@@ -143,7 +143,7 @@ const BAD: &[(&[&str], &[&str])] = &[
     (&["--depth", "-1mm..1mm"], &["the start of the range must be between 0 and 1000 m"]),
     (&["--depth", "2mm..1mm"], &["must be larger than its start, but is 1e-3 m after 2e-3 m"]),
     (&["--depth", "0..2"], &["the unit is missing"]),
-    (&["--wake", "-1 mm"], &["the length of the wake must be between 0 and 1000 m", "\"-1 mm\""]),
+    (&["--wake", "-1 mm"], &["--wake must be between 0 and 1000 m", "\"-1 mm\""]),
     (&["--wake", "nan m"], &["the length of the wake must be between"]),
     (&["--points", "1"], &["'1' for '--points", "between 2 and 10000"]),
     (&["--csv", "case.toml"], &["is also that of the case file"]),
