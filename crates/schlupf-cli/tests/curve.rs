@@ -188,14 +188,17 @@ const BAD: &[(&[&str], &[&str])] = &[
         &["--creepage 0..2 --direction 0 deg", "does not at creepage = 1"],
     ),
     (&["--creepage", "0..0.1"], &["must be given together with --direction"]),
-    (&["--creepage-x", "0..0.1", "--direction", "3 deg"], &["--direction must be given together with --creepage"]),
+    (
+        &["--creepage-x", "0..0.1", "--direction", "3 deg"],
+        &["--direction must be given together with --creepage"],
+    ),
     (
         &["--force-x", "0..-40 kN", "--over", "normal.load=60 kN,70 kN"],
         &["--force-x 0..-40 kN with normal.load = 60 kN: kinematics.force_x cannot be"],
     ),
     (&["--creepage", "0..0.1", "--direction", "30"], &["must be an angle", "\"30\""]),
-    (&["--creepage", "0..0.1", "--creepage-x", "0..1"], &["cannot be used with"]),
-    (&["--creepage-x", "0..0.1", "--points", "1"], &["'1' for '--points", "between 2 and 10000"]),
+    (&["--creepage", "0..0.1", "--creepage-x", "0..1"], &["must be given together with"]),
+    (&["--creepage-x", "0..0.1", "--points", "1"], &["--points must be a whole number between 2"]),
     (&["--creepage-x", "0..0.1", "--spacing", "odd"], &["refined, even"]),
     (&["--creepage-x", "0..0.1", "--over", "speed"], &["section.field=value,value,…"]),
     (
@@ -254,8 +257,8 @@ const BAD: &[(&[&str], &[&str])] = &[
         &["both must be numbers, but friction.model is none"],
     ),
     (&["--force-x", "0..-10"], &["--force-x 0..-10: ", "the unit is missing"]),
-    (&["--force-x", "0..1 kN", "--spin", "0..1 1/m"], &["cannot be used with"]),
-    (&["--force-x", "0..1 kN", "--force-y", "0..1 kN"], &["cannot be used with"]),
+    (&["--force-x", "0..1 kN", "--spin", "0..1 1/m"], &["must not be given together with"]),
+    (&["--force-x", "0..1 kN", "--force-y", "0..1 kN"], &["must not be given together with"]),
     (&["--moment-z", "1..1 N m"], &["must differ from its start, but both are 1 N m"]),
     (
         &["--traction-coefficient", "0..0.9"],

@@ -144,8 +144,8 @@ const BAD: &[(&[&str], &[&str])] = &[
     (&["--depth", "2mm..1mm"], &["must be larger than its start, but is 1e-3 m after 2e-3 m"]),
     (&["--depth", "0..2"], &["the unit is missing"]),
     (&["--wake", "-1 mm"], &["--wake must be between 0 and 1000 m", "\"-1 mm\""]),
-    (&["--wake", "nan m"], &["the length of the wake must be between"]),
-    (&["--points", "1"], &["'1' for '--points", "between 2 and 10000"]),
+    (&["--wake", "nan m"], &["--wake must be between", "nan m"]),
+    (&["--points", "1"], &["--points must be a whole number between 2 and 10000"]),
     (&["--csv", "case.toml"], &["is also that of the case file"]),
 ];
 
