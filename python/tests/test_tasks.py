@@ -202,7 +202,7 @@ def test_a_rough_contact():
     for plot in ("spectrum", "surface", "spots", "curves"):
         getattr(found.plot, plot)()
         plt.close("all")
-    with pytest.raises(ValueError, match="contact_law.roughness must have a surface"):
+    with pytest.raises(ValueError, match="there is no surface: name one with surface"):
         SMALL.roughness()
 
 
