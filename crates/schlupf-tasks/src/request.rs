@@ -1,8 +1,8 @@
 //! What a task is asked: fields, read from what a face gives for them.
 //!
 //! A task defines its request with the macro `request!`: name, type, form and meaning of each
-//! field. Options of the command, arguments in Python and their documentation follow from that, and every
-//! face has its values read and checked here.
+//! field. Options of the command, arguments in Python and their documentation follow from that, and
+//! every face has its values read and checked here.
 
 use std::fmt::{Display, Write};
 use std::path::PathBuf;
