@@ -31,12 +31,11 @@ pub fn command() -> Command {
         .help("Number of threads for independent solutions [default: all cores]");
     let command = Command::new("schlupf")
         .version(env!("CARGO_PKG_VERSION"))
-        .about("Rolling contact of wheel and rail: forces, stress, slip and temperature in the contact patch")
         .subcommand_required(true)
         .arg_required_else_help(true)
         .arg(threads)
         .subcommands(schlupf_tasks::TASKS.iter().map(task::command));
-    let command = Other::augment_subcommands(command).after_help(EXIT_CODES);
+    let command = Other::augment_subcommands(command).about(ABOUT).after_help(EXIT_CODES);
     command.mut_subcommands(|command| {
         if PRINTS_ONLY.contains(&command.get_name()) {
             command
@@ -45,6 +44,9 @@ pub fn command() -> Command {
         }
     })
 }
+
+const ABOUT: &str =
+    "Rolling contact of wheel and rail: forces, stress, slip and temperature in the contact patch";
 
 /// Commands whose exit codes say nothing else than those of any other program.
 const PRINTS_ONLY: [&str; 4] = ["check", "init", "schema", "completions"];

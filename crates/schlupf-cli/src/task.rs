@@ -28,11 +28,12 @@ const OVERRIDES: &str = "set";
 pub fn command(task: &Entry) -> Command {
     let (named, positional): (Vec<Field>, Vec<Field>) =
         (task.fields)().into_iter().partition(|field| !field.is_positional);
-    let command = Command::new(task.name).about(task.about);
+    let command = Command::new(task.name);
     let command = command.args(positional.iter().map(argument)).args(case(task.case));
     let command = command.args(named.iter().map(argument));
     let command = command.args((task.own_files)().iter().map(own_file));
-    OutputArguments::augment_args(command)
+    // Arguments that are added bring the comment of their type along.
+    OutputArguments::augment_args(command).about(task.about)
 }
 
 /// The arguments of the case.

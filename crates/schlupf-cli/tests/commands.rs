@@ -165,6 +165,23 @@ fn completions_name_the_commands() {
     assert!(script.contains("solve") && script.contains("--initial-state"));
 }
 
+/// The help of every command begins with what it does, and no two begin alike.
+#[test]
+fn help_says_what_each_command_does() {
+    let help = Bench::new().run(&["--help"]).stdout;
+    assert!(help.starts_with("Rolling contact of wheel and rail: "), "{help}");
+    let lines = help.lines().skip_while(|line| *line != "Commands:").skip(1);
+    let lines = lines.take_while(|line| !line.is_empty());
+    let mut all: Vec<&str> =
+        lines.filter_map(|line| line.trim().split_once("  ")).map(|l| l.1.trim()).collect();
+    let count = all.len();
+    all.sort_unstable();
+    all.dedup();
+    assert!(count > 15 && all.len() == count, "{help}");
+    let run = Bench::new().run(&["curve", "--help"]);
+    assert!(run.stdout.contains("creep curve"), "{}", run.stdout);
+}
+
 #[test]
 fn help_lists_the_exit_codes() {
     let run = Bench::new().run(&["solve", "--help"]);
