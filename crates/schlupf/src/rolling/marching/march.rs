@@ -119,6 +119,8 @@ struct March<'a> {
     options: &'a Options,
     contact: DiscreteContact,
     law: TimeStepLaw,
+    /// Change of the traction in the last step, in Pa.
+    trend: Vec<f64>,
     /// If forces are prescribed.
     control: Option<ForceControl>,
     /// The first step that did not end with the prescribed forces: what, and its end in s.
@@ -198,6 +200,7 @@ impl<'a> March<'a> {
             passage_start: [Vec::new(), Vec::new()],
             worst_residual: 0.0,
             missed: None,
+            trend: vec![0.0; 2 * contact.patch.len()],
             strip_lengths: [usize::MAX, 0],
             largest_pressure: 0.0,
             failures: 0,
@@ -333,12 +336,14 @@ impl<'a> March<'a> {
             ..Snapshot::blank(self.now.kinematics, self.now.conduction, patch.len())
         };
         let old = std::mem::replace(&mut self.now, blank);
+        let mut trend = vec![0.0; 2 * patch.len()];
         for strip in &patch.strips {
             for k in strip.cells.clone() {
                 let cell = &patch.cells[k];
                 let mut point = FrictionPoint::default();
                 if let Some(e) = at[cell.index] {
                     self.now.traction[2 * k..2 * k + 2].copy_from_slice(&old.traction_at(e));
+                    trend[2 * k..2 * k + 2].copy_from_slice(&self.trend[2 * e..2 * e + 2]);
                     self.now.scaled_rise[k] = old.scaled_rise[e];
                     point = FrictionPoint {
                         friction: old.friction.get(e).copied().unwrap_or(0.0),
@@ -354,6 +359,7 @@ impl<'a> March<'a> {
                 };
             }
         }
+        self.trend = trend;
     }
 
     /// The record of the present instant.

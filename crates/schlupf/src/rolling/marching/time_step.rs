@@ -13,11 +13,12 @@ use crate::normal::NormalContact;
 use crate::numerics::vector::norm;
 use crate::patch::Patch;
 use crate::problem::Problem;
-use crate::rolling::shared::cell::{inverse_2x2, times};
+use crate::rolling::shared::cell::times;
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::passage::pair;
 use crate::rolling::shared::strip::{
-    BristleState, Matrix, Resolvent, StripContact, order, reduced, saturation, through,
+    BristleState, Displaced, Interface, Resolvent, StripContact, StripFactors, order, reduced,
+    saturation, through,
 };
 use crate::state::{Places, TrackPoint};
 
@@ -33,6 +34,9 @@ pub(super) struct TimeStepLaw {
     directions: Directions,
     /// λ of the cells, and which material entered in place: the linear response of the directions.
     of: (Vec<f64>, Vec<bool>),
+    factors: Option<StripFactors>,
+    /// What they are the factors of.
+    displaced: Vec<Displaced>,
 }
 
 impl TimeStepLaw {
@@ -47,6 +51,8 @@ impl TimeStepLaw {
             interface: problem.contact_law,
             directions: Directions::default(),
             of: Default::default(),
+            factors: None,
+            displaced: Vec::new(),
         })
     }
 
@@ -139,8 +145,8 @@ pub(super) struct TimeStepEquilibrium<'a> {
     tracks: Vec<Track>,
     slips: Vec<PathSlip>,
     resolvents: Vec<Resolvent>,
-    /// Inverse of the local Jacobian of each cell.
-    inverses: Vec<Matrix>,
+    /// Whether the factors are those of the last residual.
+    is_factorised: bool,
     /// Largest ‖p‖₂ of the previous steps, in Pa.
     largest: f64,
 }
@@ -161,17 +167,19 @@ impl<'a> TimeStepEquilibrium<'a> {
         }
         let mut bound = bound.to_vec();
         law.contact.slaved.complete_scalar(&mut bound);
-        Self {
+        let mut equilibrium = Self {
             gamma: response.contact.cell_stiffness(),
             slips: tracks.iter().map(Track::slip).collect(),
             resolvents: vec![Resolvent::default(); tracks.len()],
-            inverses: vec![Matrix::default(); tracks.len()],
+            is_factorised: false,
             response,
             law,
             bound,
             tracks,
             largest,
-        }
+        };
+        equilibrium.prepare();
+        equilibrium
     }
 
     /// Sliding at a cell, in m.
@@ -212,10 +220,40 @@ impl<'a> TimeStepEquilibrium<'a> {
         }
     }
 
-    fn inverse(&self, k: usize) -> Matrix {
-        let weight = self.gamma * self.weight(k);
-        let stiffening = self.law.contact.local[k].map(|row| row.map(|entry| weight * entry));
-        inverse_2x2(self.resolvents[k].jacobian(&stiffening))
+    /// The displacement that is a part of what the law of a cell sees; see [`StepResponse`].
+    fn displaced(&self, cell: usize) -> Displaced {
+        let Prescribed { in_contact, in_place, .. } = self.response.prescribed;
+        let whole = self.weight(cell);
+        let entered = (1.0 - in_contact[cell]) * whole;
+        if in_place[cell] && self.response.is_coupled {
+            Displaced { cell, weight: whole - entered, entered: 0.0, alone: entered }
+        } else {
+            Displaced { cell, weight: whole, entered, alone: 0.0 }
+        }
+    }
+
+    /// Makes the factors anew where the displacements differ from those of the last step.
+    fn prepare(&mut self) {
+        let cells = 0..self.bound.len();
+        let displaced: Vec<Displaced> = cells.map(|cell| self.displaced(cell)).collect();
+        let Self { law, response, .. } = self;
+        if law.factors.is_none() || law.displaced != displaced {
+            let of_cell = |k: usize| std::iter::once(displaced[k]);
+            law.factors = Some(StripFactors::new(&response.contact.patch, &law.contact, of_cell));
+            law.displaced = displaced;
+        }
+    }
+
+    fn factorise(&mut self) {
+        let Self { law, resolvents, gamma, .. } = self;
+        let Some(factors) = &mut law.factors else { return };
+        factors.factorise(&Interface {
+            kept: &law.contact.slaved.kept,
+            resolvents,
+            gamma: *gamma,
+            bristles: None,
+        });
+        self.is_factorised = true;
     }
 
     /// What the material of the cells has done in the step that ends with the traction p.
@@ -256,10 +294,10 @@ impl Equilibrium for TimeStepEquilibrium<'_> {
 
     fn residual(&mut self, p: &[f64], u: &[f64], residual: &mut [f64]) {
         residual.fill(0.0);
+        self.is_factorised = false;
         for strip in 0..self.law.contact.slaved.kept.len() {
             for k in self.law.contact.slaved.kept[strip].clone() {
                 self.resolvents[k] = self.resolvent(p, u, k);
-                self.inverses[k] = self.inverse(k);
                 for c in 0..2 {
                     residual[2 * k + c] = p[2 * k + c] - self.resolvents[k].traction[c];
                 }
@@ -283,11 +321,13 @@ impl Equilibrium for TimeStepEquilibrium<'_> {
         Some(&mut self.law.directions)
     }
 
-    /// Each cell separately.
+    /// Strip by strip.
     fn precondition(&mut self, v: &mut [f64]) {
-        for k in self.law.contact.kept() {
-            let solved = times(&self.inverses[k], pair(v, k));
-            v[2 * k..2 * k + 2].copy_from_slice(&solved);
+        if !self.is_factorised {
+            self.factorise();
+        }
+        if let Some(factors) = &mut self.law.factors {
+            factors.solve(&self.law.contact.slaved.kept, v);
         }
         self.law.contact.slaved.complete(v);
     }

@@ -5,8 +5,6 @@ mod transfer;
 mod yielding;
 mod lag;
 mod steady_friction;
-mod block;
-mod strip_factors;
 mod strip_law;
 mod level;
 mod steady_state;

@@ -19,12 +19,11 @@ use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::passage::pair;
 use crate::rolling::shared::strip::{
-    BristleState, Calibrated, Calibration, Matrix, Resolvent, SlipStencil, StripContact,
-    UpstreamValues, slide,
+    BristleState, Calibrated, Calibration, Displaced, Interface, Matrix, Resolvent, SlipStencil,
+    StripContact, StripFactors, Upstream, UpstreamValues, slide,
 };
 
 use super::steady_friction::SteadyFriction;
-use super::strip_factors::{Interface, StripFactors, Upstream};
 
 /// The equations F(p) = 0 of the cells, given b = B p: the linear response of the bodies to the
 /// traction p on the rail. Vectors have the x and y component of each cell in turn.
@@ -352,6 +351,9 @@ fn discretised(
         ContactLaw::Coulomb | ContactLaw::Incremental(_) => SlipStencil::of(patch, kept),
         ContactLaw::TotalDisplacement(_) => SlipStencil::since_entry(patch, kept),
     };
-    let factors = StripFactors::new(patch, contact, &stencils);
+    let factors = StripFactors::new(patch, contact, |k| {
+        let of = |(cell, weight)| Displaced { cell, weight, entered: weight, alone: 0.0 };
+        stencils[k].cells(k).map(of)
+    });
     (stencils, factors)
 }

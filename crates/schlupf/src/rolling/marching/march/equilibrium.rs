@@ -2,7 +2,7 @@
 
 use crate::equilibrium::{Limits, Outcome, measure};
 use crate::error::Error;
-use crate::numerics::vector::norm;
+use crate::numerics::vector::{add_scaled, norm};
 use crate::progress::{Watch, within};
 use crate::rolling::marching::arrival::{Arrival, places_passed, rigid_slip};
 use crate::rolling::marching::change::relative_change;
@@ -25,6 +25,8 @@ impl March<'_> {
     ) -> Result<(), Error> {
         let bound = self.now.bound(&self.contact.patch);
         let old_traction = self.now.traction.clone();
+        // Tractions go on to change as they did in the last step.
+        add_scaled(&mut self.now.traction, 1.0, &self.trend);
         self.outcome = Outcome::default();
         let mut control = self.control.take();
         let (time, load) = (self.time, self.contact.normal.load);
@@ -53,6 +55,8 @@ impl March<'_> {
         self.largest_traction = self.largest_traction.max(norm(&self.now.traction));
         let scale = measure(norm(&bound), self.largest_traction);
         self.change = relative_change(&old_traction, &self.now.traction, scale);
+        self.trend.clone_from(&self.now.traction);
+        add_scaled(&mut self.trend, -1.0, &old_traction);
         let element = |(k, moved): (usize, &Moved)| Element {
             index: self.contact.patch.cells[k].index,
             traction: self.now.traction_at(k),

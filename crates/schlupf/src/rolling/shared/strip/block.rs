@@ -1,7 +1,7 @@
 //! Small matrices in single precision, for the preconditioner, which need not be exact: four lanes
 //! that a processor works on at once.
 
-use crate::rolling::shared::strip::Matrix;
+use super::resolvent::Matrix;
 
 type Lanes = [f32; 4];
 

@@ -9,10 +9,12 @@ use std::ops::Range;
 
 use crate::patch::Patch;
 use crate::rolling::shared::contact::{Row as Compliances, at_distance};
-use crate::rolling::shared::strip::{Resolvent, SlipStencil, StripContact};
 use crate::settings;
 
 use super::block::{Block, Twice, image, reduced_by};
+use super::contact::StripContact;
+use super::resolvent::Resolvent;
+use super::slip_stencil::SlipStencil;
 
 /// Number of neighbours on either side that displace a cell.
 const NEIGHBOURS: usize = 2;
@@ -30,7 +32,7 @@ type Row<B> = [B; WIDTH];
 
 /// The slip at every cell due to the tractions of its neighbourhood, and the factors of the
 /// Jacobian made of it.
-pub(super) struct StripFactors {
+pub(in crate::rolling) struct StripFactors {
     /// Relative to the compliance of a cell, by w.
     slips: Vec<Row<Block>>,
     decay: Decay,
@@ -47,8 +49,12 @@ pub(super) struct StripFactors {
 }
 
 impl StripFactors {
-    /// Of a patch.
-    pub fn new(patch: &Patch, contact: &StripContact, stencils: &[SlipStencil]) -> Self {
+    /// Of a patch, with the displacements of which the slip over the path into a cell is made.
+    pub fn new<I: Iterator<Item = Displaced>>(
+        patch: &Patch,
+        contact: &StripContact,
+        displaced: impl Fn(usize) -> I,
+    ) -> Self {
         let row = &contact.row;
         let mut slips = Vec::with_capacity(patch.len());
         let decay = Decay::of(row);
@@ -58,8 +64,8 @@ impl StripFactors {
             slips.resize(cells.start, Row::default());
             for k in cells.clone() {
                 let mut blocks = Row::default();
-                for (j, weight) in stencils[k].cells(k) {
-                    local.add(cells, j, weight, (k, &mut blocks));
+                for displaced in displaced(k) {
+                    local.add(cells, &displaced, (k, &mut blocks));
                 }
                 slips.push(blocks.map(|block| block.scaled([own.recip() as f32; 2])));
             }
@@ -159,8 +165,22 @@ impl StripFactors {
     }
 }
 
+/// A displacement that is a part of the slip over the path into a cell; its weights are
+/// dimensionless.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::rolling) struct Displaced {
+    /// Of which cell.
+    pub cell: usize,
+    /// Weight of its displacement,
+    pub weight: f64,
+    /// of that where its material entered, which is subtracted,
+    pub entered: f64,
+    /// and of that under its own traction alone.
+    pub alone: f64,
+}
+
 /// The law in every cell, linearised.
-pub(super) struct Interface<'a> {
+pub(in crate::rolling) struct Interface<'a> {
     /// The cells with equations of their own, strip by strip.
     pub kept: &'a [Range<usize>],
     pub resolvents: &'a [Resolvent],
@@ -171,7 +191,7 @@ pub(super) struct Interface<'a> {
 }
 
 /// How the bristles of a cell depend on the tractions upstream.
-pub(super) struct Upstream<'a> {
+pub(in crate::rolling) struct Upstream<'a> {
     pub stencils: &'a [SlipStencil],
     /// 1/(μ pₙ), in 1/Pa.
     pub over_bound: &'a [f64],
@@ -271,33 +291,36 @@ struct Local<'a> {
 }
 
 impl Local<'_> {
-    /// Adds the displacement of cell `j` times a weight to the row of cell `k`.
-    fn add(&self, cells: &Range<usize>, j: usize, weight: f64, (k, row): (usize, &mut Row<Block>)) {
-        let mut put = |to: usize, by: [f64; 3]| {
+    /// Adds a displacement to the row of cell `k`.
+    fn add(&self, cells: &Range<usize>, of: &Displaced, (k, row): (usize, &mut Row<Block>)) {
+        let Displaced { cell: j, weight, entered, alone } = *of;
+        let mut put = |to: usize, weight: f64, by: [f64; 3]| {
             if let Some(block) = row.get_mut((LOWER + to).wrapping_sub(k)) {
                 *block = block.plus(weight as f32, symmetric(by));
             }
         };
         if !self.decay.has_neighbours() {
             let [[xx, xy], [_, yy]] = self.contact.local[j];
-            put(j, [xx, yy, xy]);
+            put(j, weight + alone, [xx, yy, xy]);
             return;
         }
         for to in j.saturating_sub(NEIGHBOURS).max(cells.start)..cells.end.min(j + NEIGHBOURS + 1) {
             let [xx, yy] = self.decay.displacement(j as f64 - to as f64, (to, cells));
-            put(to, [xx, yy, 0.0]);
+            put(to, weight, [xx, yy, 0.0]);
         }
         let entry = self.patch.cells[j].entry_x();
         for to in cells.start..cells.end.min(cells.start + NEIGHBOURS + 1) {
             let [xx, yy] = self.decay.displacement(-self.columns(entry, to), (to, cells));
-            put(to, [-xx, -yy, 0.0]);
+            put(to, -entered, [xx, yy, 0.0]);
         }
         let calibration = &self.contact.calibration;
         let [xx, yy, xy] = calibration.at_cells[j];
         let least = self.decay.row[0].map(|own| -settings::most_reduced() * own);
-        for (of, by) in [
-            (j, [xx.max(least[0]), yy.max(least[1]), xy]),
-            (cells.start, calibration.at_entries[j].map(|u| -u)),
+        let [own_x, own_y] = self.decay.row[0];
+        for (of, weight, by) in [
+            (j, weight + alone, [xx.max(least[0]), yy.max(least[1]), xy]),
+            (j, alone, [own_x, own_y, 0.0]),
+            (cells.start, -entered, calibration.at_entries[j]),
         ] {
             let block = symmetric(by.map(|by| weight * by));
             self.decay.add(row, (LOWER + of).wrapping_sub(k), (of, cells), block);
