@@ -32,7 +32,8 @@ TARGET = ROOT / os.environ.get("CARGO_TARGET_DIR", "target")
 def _of_notebooks() -> list[Path]:
     """Files that notebooks depend on: the package, data, cases, their modules."""
     package = Path(inspect.getfile(schlupf)).parent
-    folders = [package, ROOT / "data", ROOT / "cases", DOCS / "validation", DOCS / "laws"]
+    pages = [DOCS / "validation", DOCS / "laws", DOCS / "theory"]
+    folders = [package, ROOT / "data", ROOT / "cases", *pages]
     endings = {".csv", ".npy", ".py", ".so", ".pyd", ".toml"}
     paths = (path for folder in folders for path in folder.iterdir())
     return sorted(path for path in paths if path.suffix in endings)

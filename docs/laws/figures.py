@@ -127,3 +127,146 @@ def temperatures(models: list[str]) -> None:
         ax.plot(row["x"] * 1e3, row["temperature_rise_wheel"], label=model)
     ax.set(xlabel="x (mm), rolling →", ylabel="temperature rise (K)")
     ax.legend()
+
+
+def hertz() -> None:
+    """Semi-axes and largest pressure over the load."""
+    loads = np.linspace(5e3, 120e3, 24)
+    results = [
+        schlupf.Case(
+            normal={"load": load},
+            friction={"model": "constant"},
+            heat={"model": "none"},
+            solver={"method": "polach"},
+        ).solve(warn=False)
+        for load in loads
+    ]
+    _, axes = plt.subplots(1, 2, figsize=(7.0, 2.8))
+    for name, label in (("semi_axis_x", "a"), ("semi_axis_y", "b")):
+        axes[0].plot(loads / 1e3, [r.normal[name] * 1e3 for r in results], label=label)
+    axes[0].set(xlabel="load (kN)", ylabel="semi-axis (mm)", ylim=(0, None))
+    axes[0].legend()
+    axes[1].plot(loads / 1e3, [r.normal.peak_pressure / 1e6 for r in results])
+    axes[1].set(xlabel="load (kN)", ylabel="p0 (MPa)", ylim=(0, None))
+
+
+def friction_across() -> None:
+    """A rail that is lubricated on the right: tractions, and the coefficient over y."""
+    case = schlupf.Case(
+        kinematics={"creepage_x": 0.002},
+        normal=PATCH,
+        friction={**CONSTANT, "variation_y": ["-4 mm", "-1 mm"], "variation_factor": [0.4, 1.0]},
+        heat=NO_HEAT,
+        grid={"cells_x": 32, "cells_y": 32},
+    )
+    result = case.solve(warn=False)
+    _, axes = plt.subplots(1, 2, figsize=(8, 2.8))
+    result.plot.traction(ax=axes[0])
+    column = result.fields.sel(x=-3e-3, method="nearest")
+    axes[1].plot(column["y"] * 1e3, column["friction_coefficient"])
+    axes[1].set(xlabel="y (mm)", ylabel="μ", ylim=(0, None))
+
+
+def friction_memory() -> None:
+    """Coefficient along y = 0 with and without memory."""
+    _, ax = plt.subplots()
+    for distance in (None, 5e-6, 20e-6):
+        case = schlupf.Case(
+            kinematics={"creepage_x": 0.005},
+            normal=PATCH,
+            friction={
+                "model": "exponential",
+                "coefficient": 0.4,
+                "kinetic_coefficient": 0.2,
+                "half_speed": 0.2,
+                "memory_distance": distance,
+            },
+            heat=NO_HEAT,
+            grid={"cells_x": 48, "cells_y": 15},
+        )
+        row = case.solve(warn=False).fields.sel(y=0.0, method="nearest")
+        label = "no memory" if distance is None else f"d_c = {distance * 1e6:.0f} µm"
+        ax.plot(row["x"] * 1e3, row["friction_coefficient"], label=label)
+    ax.set(xlabel="x (mm), rolling →", ylabel="μ")
+    ax.legend()
+
+
+def roughness_closed_form() -> None:
+    """Creep curves for several heights."""
+    case = schlupf.Case(
+        normal=PATCH, elasticity={"model": "half-space"}, friction=CONSTANT, heat=NO_HEAT
+    )
+    creepages = np.linspace(0.0, 0.006, 40)
+    _, ax = plt.subplots()
+    for height in (1e-6, 5e-6, 20e-6):
+        rough = case.with_(contact_law={"roughness": {"rms_height": height}})
+        forces = schlupf.forces(rough, creepage_x=creepages)
+        label = f"h_rms = {height * 1e6:.0f} µm"
+        ax.plot(creepages, -forces["force_x"] / (0.3 * 80e3), label=label)
+    smooth = schlupf.forces(case.with_(contact_law={"stiffness": 1e8}), creepage_x=creepages)
+    ax.plot(creepages, -smooth["force_x"] / (0.3 * 80e3), "k:", label="k_c = 10⁸/m")
+    ax.set(xlabel="ξ", ylabel="−Fx/μN")
+    ax.legend()
+
+
+def roughness_micro_model() -> None:
+    """Contact spots and tangential curves of a synthetic surface."""
+    case = schlupf.Case(
+        contact_law={
+            "roughness": {
+                "rms_height": "1 um",
+                "hurst": 0.8,
+                "longest_wavelength": "100 um",
+                "shortest_wavelength": "25 um",
+                "cells": 128,
+                "pressures": ["200 MPa", "800 MPa"],
+            }
+        }
+    )
+    rough = case.roughness(warn=False)
+    _, axes = plt.subplots(1, 2, figsize=(8, 3.0))
+    rough.plot.spots(ax=axes[0])
+    rough.plot.curves(ax=axes[1])
+    for ax in axes:
+        ax.set_title("")
+
+
+def layer() -> None:
+    """Creep curves of a locomotive with clean bodies and with a layer."""
+    creepages = np.linspace(0.0, 0.02, 50)
+    clean = schlupf.Case(
+        normal=PATCH,
+        elasticity={"model": "half-space"},
+        contact_law={"model": "coulomb"},
+        friction={"model": "constant", "coefficient": 0.33},
+        heat=NO_HEAT,
+    )
+    layered = clean.with_(layer=schlupf.layers.eurosprinter)
+    _, ax = plt.subplots()
+    for label, case, style in [
+        ("clean", clean, "k-"),
+        ("layer", layered, "C0-"),
+        ("layer, FASTSIM", layered.with_(solver={"method": "fastsim"}), "C0:"),
+    ]:
+        forces = schlupf.forces(case, creepage_x=creepages, warn=False)
+        ax.plot(creepages, -forces["force_x"] / 80e3, style, label=label)
+    ax.set(xlabel="ξ", ylabel="−Fx/N", ylim=(0.0, None))
+    ax.legend()
+
+
+def total_displacement() -> None:
+    """Lateral force over spin with both forms of the contact law."""
+    _, ax = plt.subplots()
+    spins = np.linspace(0.0, 2.0, 21)
+    for model in ("incremental", "total-displacement"):
+        case = schlupf.Case(
+            normal=PATCH,
+            elasticity={"model": "half-space"},
+            friction=CONSTANT,
+            contact_law={"model": model},
+            heat=NO_HEAT,
+        )
+        forces = schlupf.forces(case, spin=spins, warn=False)
+        ax.plot(spins, -forces["force_y"] / (0.3 * 80e3), label=model)
+    ax.set(xlabel="φ (1/m)", ylabel="−Fy/μN")
+    ax.legend()

@@ -1,4 +1,10 @@
 //! A case: what to solve, and how.
+//!
+//! Posing a case solves the normal contact of profiles and rough surfaces. It is kept with the
+//! case, and `Case::with` reuses it where surface, modulus and largest pressure are the same,
+//! because families and comparisons pose a case many times. With two profiles and a position a case
+//! holds a request in place of a normal contact: friction carries a part of the vertical force, so
+//! the contacts are found together with the tangential solution.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

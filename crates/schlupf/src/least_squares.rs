@@ -1,5 +1,10 @@
 //! Nonlinear least squares (Levenberg 1944, Marquardt 1963): parameters that minimise a sum of
 //! squared residuals, for calibration and identification.
+//!
+//! The search ends only where an *undamped* step of the parameters that are not at a bound would be
+//! short, or would reduce the sum by next to nothing: a step shortened by damping proves nothing.
+//! At a kink of the model, from which no step leads down, the promised reduction may be a hundred
+//! times as large.
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 

@@ -1,5 +1,10 @@
 //! Independent work items: on all threads with the feature `rayon`, otherwise on one. The results
 //! are the same.
+//!
+//! The partition of the work does not depend on the number of threads, and sums run in a fixed
+//! order, so results are identical bit for bit. Parts are whole solutions with solvers of their own
+//! (members of a family, loads of a fit); a single solution runs on one thread, because splitting
+//! its transforms gains less than 10 %.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 

@@ -4,6 +4,8 @@
 //! problem that gives them elsewhere is converted on the way in, and its solution is converted back
 //! on the way out; both describe the same rigid motion and the same tractions, so nothing else
 //! changes.
+//!
+//! No kernel knows about the reference point: any new entry point must go through here, too.
 
 use crate::error::{Error, ForceError};
 use crate::kinematics::{Kinematics, ReferencePoint};

@@ -1,4 +1,7 @@
 //! The memory of the material in the contact: the state from which rolling continues.
+//!
+//! The heat records of a strip in steady rolling are one list: that of an element is the end of it.
+//! A solution keeps its state only with [`Options::keeps_state`](crate::Options::keeps_state).
 
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;

@@ -5,6 +5,11 @@
 //! below every point lies a half-space that has received the heat of that point: the frictional
 //! heat since the leading edge, and the heat that the two bodies exchange because they meet at
 //! different temperatures. Behind the contact no heat crosses the surface.
+//!
+//! The record of the last cell of a strip is in steady rolling the past of every element before it.
+//! Its steps are subdivided, each keeping its heat: with one flux per cell the surface temperature
+//! would have a kink at every cell. A history has no such field, because its wake has a different
+//! past.
 
 use std::f64::consts::{FRAC_2_PI, PI};
 

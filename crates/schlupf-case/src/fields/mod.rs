@@ -1,5 +1,10 @@
 //! The fields of a case file: one table from which reading, the check for unknown fields, the JSON
 //! schema and the commented case file of `schlupf init` follow.
+//!
+//! A field that takes one of several names has an enum (`choice`), which readers match
+//! exhaustively: a new choice that is not read does not compile. The attribute `shapes_contact`
+//! marks the fields that shape the contact; members of a family share the contact if none of those
+//! changes.
 
 mod alternatives;
 pub mod choice;

@@ -18,6 +18,11 @@
 //! different constants have those of [`HalfSpace`](crate::elasticity::half_space::HalfSpace), and
 //! another ν than the table's counts by its creep coefficients, which makes the forces exact
 //! where they are small.
+//!
+//! The direction of ξ is the pole of the two angles, because there the forces are odd or even in
+//! the distance; the spin, near which they change fastest, is away from it. Near the pole Fy and Mz
+//! are a plane over η and φ, so that derivatives do not depend on the side. Nodes, not coefficients
+//! of splines, are stored.
 
 mod axis;
 mod coordinates;

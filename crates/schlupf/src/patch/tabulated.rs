@@ -1,4 +1,9 @@
 //! A patch from a table of pressures, possibly with several separate parts.
+//!
+//! Between the samples the square of the pressure is linear, as at the edge of a contact, and a
+//! cell carries the mean of its root along the chords that cover it. Were the load beyond the edge
+//! given to the nearest cell, that cell would have more than the largest pressure where it is
+//! covered, and its equation under Coulomb's law no solution.
 
 use crate::grid::Grid;
 use crate::normal::tabulated::{PressureTable, positive_runs};

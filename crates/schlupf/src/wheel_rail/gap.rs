@@ -5,6 +5,9 @@
 //! x = −r r′ tan ψ with the yaw angle ψ: exactly, so the longitudinal shift of the contact under
 //! yaw is that of the surfaces. The gap between these points, seen from below, and the rail, seen
 //! from above, is vertical.
+//!
+//! The gap does not depend on the height and is computed once for each lateral position, roll and
+//! yaw.
 
 use super::pair::{Candidate, Pair};
 use super::pose::Attitude;

@@ -3,6 +3,8 @@
 //! The undeformed overlap contains the contact, because pressure moves the surfaces apart
 //! everywhere. It is found first, then the contact on a coarse lattice over it, then the contact on
 //! cells that follow its size.
+//!
+//! No condition fixes the sum of the pressures, because several contacts share one height.
 
 use super::contact_plane::ContactPlane;
 use super::distance::{CLEAR, Heights, PlaneView};

@@ -4,6 +4,10 @@
 //! A file is a sequence of cases, each of which keeps what it does not give anew. [`import`] reads
 //! all of them and writes those as case files that are available here; of the others it tells what
 //! is not, with name, value and line.
+//!
+//! A file is read as groups of numbers, each with its name and its place; `input` follows what a
+//! case keeps of earlier ones, so that every case is complete; `translate` writes fields or says
+//! why it cannot. All refusals of a file are collected.
 
 mod given;
 mod reader;

@@ -7,6 +7,8 @@
 //! - Cells that are pressed in without pressure, or yield while the gap opens, join the search
 //!   direction immediately. The direction is kept when they do, with Polak and Ribière's weight,
 //!   which by itself becomes small where the contact has changed much.
+//! - A step is projected onto the load and the bounds by a shift, not a scaling: the energy is
+//!   insensitive to a shift to first order.
 //! - Where no cell meets a constraint the displacement is updated instead of recomputed.
 //! - Where constraints spoil a step so that the energy ½ pᵀSp + pᵀh would rise, the step is
 //!   shortened: the energy decreases in every iteration.

@@ -1,5 +1,11 @@
 //! Four strips side by side: strips do not depend on each other, and a processor works on the cells
 //! of four of them in hardly more time than on one.
+//!
+//! What does not depend on the bound of a cell is computed once for its path. Under a bound the
+//! state comes with its derivative, so friction that depends on slip and heat takes two or three
+//! Newton steps; where the slope is steep, cells are solved one by one within a bracket. Strips
+//! whose layer flows, and heat models that are not linear, are passed one by one with single
+//! numbers.
 
 use wide::f64x4;
 
