@@ -61,7 +61,7 @@ def test_the_total_creepage_varies_in_a_direction():
 @pytest.mark.parametrize(
     ("arguments", "error", "part"),
     [
-        ({}, ValueError, "a curve needs"),
+        ({}, schlupf.CaseError, "one of creepage_x, .* or moment_z must be given"),
         ({"creepage": (0, 0.1)}, ValueError, "must be given together with direction"),
         ({"creepage_x": (0, 0.1), "points": 1}, ValueError, "must be a whole number between 2 and"),
         ({"creepage_x": (0.1, 0.1)}, ValueError, "must differ from its start"),
@@ -87,7 +87,7 @@ def test_the_total_creepage_varies_in_a_direction():
         (
             {"force_x": (0, 1.0), "force_y": (0, 1.0)},
             ValueError,
-            "force_y must not be given together with force_x",
+            "force_x must not be given together with force_y",
         ),
         ({"force_x": (0, "-20 m")}, schlupf.CaseError, "force_x .* must be a force"),
         ({"force_y": (0, "-90 kN")}, schlupf.CaseError, "force_y cannot be"),
@@ -204,6 +204,33 @@ def test_a_rough_contact():
         plt.close("all")
     with pytest.raises(ValueError, match="there is no surface: name one with surface"):
         SMALL.roughness()
+
+
+def test_numbers_and_quantities_stand_for_text_with_units():
+    pint = pytest.importorskip("pint")
+    unit = pint.UnitRegistry()
+    surface = ["rms_height=1 um", "longest=100 um", "shortest=30 um"]
+    arguments = {"synthetic": surface, "cells": 64, "friction": 0.3, "warn": False}
+    pressures = [[4e8, 8e8], ["400 MPa", "0.8 GPa"], [0.4 * unit.GPa, 800 * unit.MPa]]
+    found = [SMALL.roughness(pressure=each, hardness=20e9, **arguments) for each in pressures]
+    for other in found[1:]:
+        np.testing.assert_allclose(other.loads["mean_gap"], found[0].loads["mean_gap"], rtol=1e-12)
+    with pytest.raises(schlupf.CaseError, match="hardness must be given in Pa"):
+        SMALL.roughness(hardness=1 * unit.mm, **arguments)
+    place = {"x": [0.0, 1e-3], "y": [0.0, 0.0], "depth": 1e-3 * np.ones(2)}
+    case = SMALL.with_(subsurface={"layers": 3, "margin": "1 mm"})
+    stresses = case.subsurface(points=place, warn=False)
+    assert len(stresses.points["x"]) == 2
+
+
+def test_a_flag_is_true_or_false_and_nothing_else_is_one():
+    assert SMALL.calibrate(direct=np.bool_(False), cells=10).converged
+    with pytest.raises(schlupf.CaseError, match='direct must be true or false, but is "yes"'):
+        SMALL.calibrate(direct="yes")
+    with pytest.raises(schlupf.CaseError, match='cells must be a whole number .* but is "false"'):
+        SMALL.calibrate(cells=False)
+    with pytest.raises(schlupf.CaseError, match="displacements must not be given together with"):
+        SMALL.calibrate(direct=True, displacements="displacements.csv")
 
 
 def test_curves_over_numbers_have_a_map():
