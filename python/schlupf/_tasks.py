@@ -15,6 +15,7 @@ from ._report import (
     Curve,
     Damage,
     Fit,
+    Report,
     RoughContact,
     Subsurface,
     Temperatures,
@@ -29,6 +30,36 @@ if TYPE_CHECKING:
 
 class Tasks:
     """What a case can be asked besides its solution."""
+
+    def patch(
+        self,
+        *,
+        strict: bool = True,
+        warn: bool = True,
+    ) -> Report:
+        """Find the contact alone: its patch and its pressure.
+
+        Parameters
+        ----------
+        strict : bool, default True
+            Whether to raise `NotConverged`; else look at ``converged``.
+        warn : bool, default True
+            Whether to issue the warnings of the result.
+
+        Returns
+        -------
+        Report
+            Results of a task: the documented JSON as attributes, tables as data sets.
+
+        Raises
+        ------
+        CaseError
+            If something is wrong with the case or an argument.
+        NotConverged
+            If the result has not converged; it has the result.
+        """
+        request: dict[str, object] = {}
+        return ask(Report, "patch", self, request, strict=strict, warn=warn)
 
     def curve(
         self,

@@ -117,6 +117,28 @@ def test_temperatures_below_the_surface_and_in_the_wake():
             case.temperature(**arguments)
 
 
+def test_the_contact_alone_has_its_cells():
+    """Hertz 1882: the largest pressure is 3/2 of the mean; so it is for such a function."""
+    found = SMALL.patch()
+    assert type(found) is schlupf.Report
+    (contact,) = found.contacts
+    assert contact.normal.peak_pressure == pytest.approx(1.5 * contact.mean_pressure)
+    (cells,) = found.tables["cells"]
+    assert cells["pressure"].attrs["units"] == "Pa" and cells.sizes["row"] == contact.cells
+    area = 4.0 * contact.normal.semi_axis_x * contact.normal.semi_axis_y / 100.0
+    assert float(cells["pressure"].sum()) * area == pytest.approx(contact.normal.load)
+    assert float(cells["covered"].sum()) * area == pytest.approx(contact.area)
+    assert "pressure_across" in found.drawings()
+
+    def pressure(x, y):
+        return 1e9 * np.sqrt(np.maximum(0.0, 1.0 - (x / 6e-3) ** 2 - (y / 4e-3) ** 2))
+
+    extent = ((-6e-3, 6e-3), (-4e-3, 4e-3))
+    (contact,) = SMALL.with_laws(pressure=pressure, extent=extent).patch(warn=False).contacts
+    assert contact.area == pytest.approx(np.pi * 24e-6, rel=0.01)
+    assert contact.mean_pressure == pytest.approx(1e9 / 1.5, rel=0.01)
+
+
 def test_the_bulk_temperature_needs_cooling():
     case = SMALL.with_(kinematics={"creepage_x": 0.002})
     with pytest.raises(schlupf.CaseError, match="cooling.film_coefficient is missing"):

@@ -31,6 +31,7 @@ pub mod request;
 pub mod task;
 pub mod contact_law;
 pub mod solve;
+mod patch;
 mod curve;
 mod roughness;
 mod compare;
@@ -57,6 +58,7 @@ use schlupf_case::FieldNames;
 /// All tasks, in the order of help.
 pub const TASKS: &[Entry] = &[
     Entry::of::<solve::Solve>(),
+    Entry::of::<patch::ContactPatch>(),
     Entry::of::<curve::Curve>(),
     Entry::of::<roughness::Roughness>(),
     Entry::of::<compare::Compare>(),
