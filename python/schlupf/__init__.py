@@ -39,7 +39,8 @@ from ._report import (
 )
 from ._report_plots import RoughContactPlots
 from ._result import Record, Result
-from ._study import Sweep, damage, merge, read_table, sweep
+from ._study import Sweep, merge, read_table, sweep
+from ._tasks import damage
 
 __all__ = [
     "BulkTemperature",

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import json
 from functools import cached_property
-from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 import numpy as np
 import xarray as xr
@@ -35,7 +34,13 @@ R = TypeVar("R", bound="Report")
 class Report(Record):
     """Results of a task: the documented JSON as attributes, tables as data sets."""
 
+    #: The kinds of results with more than that, by the names of their tasks.
+    OF_TASKS: ClassVar[dict[str, type[Report]]] = {}
+
     _report: _core.Report
+
+    def __init_subclass__(cls, task: str) -> None:
+        Report.OF_TASKS[task] = cls
 
     #: What a pickled one keeps besides.
     _OWN = ("_case", "_over")
@@ -50,17 +55,7 @@ class Report(Record):
             emit(result.messages, stacklevel=depth)
         return result
 
-    @classmethod
-    def _prepared(cls, case: Case, request: dict[str, Any]) -> tuple[dict[str, Any], Any]:
-        """A request as the library takes it, and what of it the result keeps."""
-        return request, None
-
-    @classmethod
-    def _files(cls, case: Case) -> list[tuple[str, Path]]:
-        """Files of its own that are wanted: formats, and where they are going to lie."""
-        return []
-
-    def _finish(self, case: Case, own: Any) -> None:
+    def _finish(self, case: Case, families: dict[str, list[tuple[str, list[Any]]]]) -> None:
         """Keeps what only the case or the request knows."""
 
     @property
@@ -76,6 +71,12 @@ class Report(Record):
     @cached_property
     def _tables(self) -> dict[str, list[dict[str, Any]]]:
         return self._report.tables()
+
+    @cached_property
+    def tables(self) -> dict[str, list[xr.Dataset]]:
+        """All tables by name, with their rows along ``row``; a name may have several of a kind."""
+        tables = self._tables.items()
+        return {name: [along(columns, "row") for columns in each] for name, each in tables}
 
     def summary(self) -> str:
         """The summary that the command prints."""
@@ -101,22 +102,20 @@ class Report(Record):
         return restored, (type(self), {"_report": Saved.of(self._report), **own})
 
 
-class Curve(Report):
-    """Creep curves: forces along a path of creepages, for one case or several."""
+class Curve(Report, task="curve"):
+    """Creep curves: forces along a path of creepages, for one case or several.
+
+    With ``points`` along ``point``, and along ``over`` (and ``over_2``) where there are several
+    curves; with a ``map``.
+    """
 
     #: Creepages in their order.
     VARIED = ("creepage_x", "creepage_y", "spin")
 
     _over: Sequence[tuple[str, list[Any]]] = ()
 
-    @classmethod
-    def _prepared(cls, case: Case, request: dict[str, Any]) -> tuple[dict[str, Any], Any]:
-        families = [case._family(*entry) for entry in (request["over"] or {}).items()]
-        texts = [text for text, _, _ in families]
-        return request | {"over": texts}, [(path, values) for _, path, values in families]
-
-    def _finish(self, case: Case, own: Any) -> None:
-        self._over = own
+    def _finish(self, case: Case, families: dict[str, list[tuple[str, list[Any]]]]) -> None:
+        self._over = families["over"]
 
     @cached_property
     def points(self) -> xr.Dataset:
@@ -194,8 +193,11 @@ class Curve(Report):
         return creep_map(self, quantity, ax, **style)
 
 
-class Temperatures(Report):
-    """Temperatures of wheel and rail below a point, and along its row with the wake."""
+class Temperatures(Report, task="temperature"):
+    """Temperatures of wheel and rail below a point, and along its row with the wake.
+
+    With ``profile`` over the depth and ``rows`` over depth and x, in °C.
+    """
 
     @cached_property
     def profile(self) -> xr.Dataset:
@@ -217,8 +219,11 @@ class Temperatures(Report):
         return temperatures(self, ax, **style)
 
 
-class Subsurface(Report):
-    """Stresses in wheel or rail below the contact."""
+class Subsurface(Report, task="subsurface"):
+    """Stresses in wheel or rail below the contact.
+
+    With ``largest``, ``profile`` and ``volume`` in Pa, and `at` for any point.
+    """
 
     @cached_property
     def profile(self) -> xr.Dataset:
@@ -294,16 +299,22 @@ def _places(*values: npt.ArrayLike | xr.DataArray) -> list[xr.DataArray]:
     return [xr.DataArray(array) for array in np.broadcast_arrays(*values)]
 
 
-class BulkTemperature(Report):
-    """The bulk temperature of the wheel in the long run."""
+class BulkTemperature(Report, task="bulk"):
+    """The bulk temperature of the wheel in the long run.
+
+    ``temperature.wheel`` (°C), and the balance of heat in ``heat`` (W).
+    """
 
 
-class Calibration(Report):
-    """Stiffnesses of the elastic layer for a patch."""
+class Calibration(Report, task="calibrate"):
+    """Stiffnesses of the elastic layer for a patch.
+
+    With how far the layer is from the half-space, and the ``case`` with them.
+    """
 
     _case: Case
 
-    def _finish(self, case: Case, own: Any) -> None:
+    def _finish(self, case: Case, families: dict[str, list[tuple[str, list[Any]]]]) -> None:
         section = case.from_toml(_core.own_file(self._report, "section") or "").elasticity.given()
         self._case = case.with_(elasticity=None).with_(elasticity=section)
 
@@ -313,8 +324,11 @@ class Calibration(Report):
         return self._case
 
 
-class Comparison(Report):
-    """A case by all methods."""
+class Comparison(Report, task="compare"):
+    """A case by all methods.
+
+    With ``methods`` along ``model``: forces, power, temperature rise, times in s.
+    """
 
     @cached_property
     def methods(self) -> xr.Dataset:
@@ -331,8 +345,13 @@ class Comparison(Report):
         return methods(self, ax, **style)
 
 
-class Wear(Report):
-    """Wear, fatigue and melting of one passage of the wheel."""
+class Wear(Report, task="wear"):
+    """Wear, fatigue and melting of one passage of the wheel.
+
+    ``wear``, ``melting``, ``fatigue_index``, ``crack_damage``, ``shakedown`` and ``t_gamma``;
+    ``profile`` over y and ``cells``. ``wear`` and ``melting`` are None where the method has no
+    fields.
+    """
 
     @cached_property
     def profile(self) -> xr.Dataset | None:
@@ -353,8 +372,12 @@ class Wear(Report):
         return passage(self, ax, **style)
 
 
-class Damage(Report):
-    """Damage over a run: energy, fatigue and wear."""
+class Damage(Report, task="damage"):
+    """Damage over a run: energy, fatigue and wear.
+
+    ``energy`` (J), ``t_gamma``, ``fatigue``, ``archard``, ``energy_wear``; with ``profile`` over y
+    and ``run`` over the distance. States without a solution or a friction power are left out.
+    """
 
     @cached_property
     def profile(self) -> xr.Dataset:
@@ -373,16 +396,15 @@ class Damage(Report):
         return wear(self, ax, **style)
 
 
-class Fit(Report):
-    """Parameters that fit measured creep curves."""
+class Fit(Report, task="fit"):
+    """Parameters that fit measured creep curves.
+
+    With their confidence, ``points`` along ``point``, and the ``case`` with them.
+    """
 
     _case: Case | None
 
-    @classmethod
-    def _files(cls, case: Case) -> list[tuple[str, Path]]:
-        return [("case", case._folder / "fitted case")]
-
-    def _finish(self, case: Case, own: Any) -> None:
+    def _finish(self, case: Case, families: dict[str, list[tuple[str, list[Any]]]]) -> None:
         text = _core.own_file(self._report, "case")
         from ._case import rebuilt
 
@@ -414,13 +436,11 @@ class Fit(Report):
         return fit(self, ax, **style)
 
 
-class RoughContact(Report):
-    """A rough surface, its contact and its k_c."""
+class RoughContact(Report, task="roughness"):
+    """A rough surface, its contact and its k_c.
 
-    @classmethod
-    def _files(cls, case: Case) -> list[tuple[str, Path]]:
-        # Neither is written: the fields have them.
-        return [("pressures", Path()), ("gaps", Path())]
+    With ``fields`` over x and y, ``spectrum``, ``loads`` and ``curves``.
+    """
 
     @cached_property
     def fields(self) -> xr.Dataset:
@@ -460,8 +480,11 @@ class RoughContact(Report):
         return RoughContactPlots(self)
 
 
-class Wheelset(Report):
-    """The contacts of a wheelset over its lateral position, and its equivalent conicity."""
+class Wheelset(Report, task="wheelset"):
+    """The contacts of a wheelset over its lateral position, and its equivalent conicity.
+
+    With ``contacts`` of both wheels, and ``conicity``.
+    """
 
     @cached_property
     def contacts(self) -> xr.Dataset:

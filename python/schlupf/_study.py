@@ -12,9 +12,7 @@ from typing import TYPE_CHECKING, Any
 import xarray as xr
 
 from . import _core
-from ._ask import run as ask
 from ._errors import SchlupfWarning, quoted
-from ._report import Damage
 from ._result import with_folder
 from ._tables import along
 from .warnings import emit
@@ -22,8 +20,6 @@ from .warnings import emit
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from os import PathLike
-
-    from ._case import Case
 
 #: Work that a task of a cluster has at least, in s: handing it out takes milliseconds.
 LEAST_WORK = 1.0
@@ -149,50 +145,6 @@ def merge(
     if warn:
         _warn(result)
     return result
-
-
-def damage(
-    run: str | PathLike[str],
-    case: Case | None = None,
-    *,
-    strict: bool = False,
-    warn: bool = True,
-) -> Damage:
-    """Damage over a run: dissipated energy, surface fatigue and wear across the profile.
-
-    Parameters
-    ----------
-    run : path
-        The table of a study whose states lie along ``distance`` or ``time``, or such a study
-        (TOML), which is solved.
-    case : Case, optional
-        The case with the laws, in ``damage``; by default that of the study, which its table keeps.
-    strict : bool, default False
-        Whether to raise `NotConverged` where states have no solution or no friction power; else
-        they are left out.
-    warn : bool, default True
-        Whether to issue the warnings of the result.
-
-    Returns
-    -------
-    Damage
-        ``energy`` (J), ``t_gamma``, ``fatigue``, ``archard``, ``energy_wear``; with ``profile``
-        over y and ``run`` over the distance.
-
-    Raises
-    ------
-    CaseError
-        If something is wrong with the study or the case.
-    ValueError
-        If the states are no run.
-
-    References
-    ----------
-    Fatigue: Ekberg, Kabo and Andersson (2002). Wear: Archard (1953) with coefficients of Jendel
-    (2002); Braghin, Lewis, Dwyer-Joyce and Bruni (2006).
-    """
-    found = ask("damage", None if case is None else case._file, {"run": run})
-    return Damage._new(found, warn=warn, strict=strict, depth=3)
 
 
 def read_table(path: str | PathLike[str]) -> xr.Dataset:

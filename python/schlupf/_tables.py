@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from ._fields import Field
+    from ._units import Measured
 
 #: A column: values, symbol, units, long_name, vector.
 Column = dict[str, Any]
@@ -70,7 +70,7 @@ def on_grid(
     return xr.Dataset(variables, coords)
 
 
-def csv(data: Any, fields: Mapping[str, Field]) -> bytes:
+def csv(data: Any, fields: Mapping[str, Measured]) -> bytes:
     """Columns by name (a mapping, data frame or data set) as a CSV file with units in its header.
 
     Quantities are converted to SI units; a name that has a unit of its own, such as ``load [kN]``,

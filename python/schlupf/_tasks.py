@@ -1,4 +1,4 @@
-"""The methods of a case that ask for more than its solution.
+"""Tasks.
 
 Made of the tasks of the library by tests/generate_tasks.py.
 """
@@ -7,13 +7,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Literal
 
-from ._ask import Asking
+from ._ask import ask
 from ._report import (
     BulkTemperature,
     Calibration,
     Comparison,
     Curve,
+    Damage,
     Fit,
+    Report,
     RoughContact,
     Subsurface,
     Temperatures,
@@ -22,11 +24,42 @@ from ._report import (
 )
 
 if TYPE_CHECKING:
-    from ._ask import Data, Family, Number, Range, Texts
+    from ._ask import Data, Family, File, Number, Numbers, Range, Texts
+    from ._case import Case
 
 
-class Tasks(Asking):
+class Tasks:
     """What a case can be asked besides its solution."""
+
+    def patch(
+        self,
+        *,
+        strict: bool = True,
+        warn: bool = True,
+    ) -> Report:
+        """Find the contact alone: its patch and its pressure.
+
+        Parameters
+        ----------
+        strict : bool, default True
+            Whether to raise `NotConverged`; else look at ``converged``.
+        warn : bool, default True
+            Whether to issue the warnings of the result.
+
+        Returns
+        -------
+        Report
+            Results of a task: the documented JSON as attributes, tables as data sets.
+
+        Raises
+        ------
+        CaseError
+            If something is wrong with the case or an argument.
+        NotConverged
+            If the result has not converged; it has the result.
+        """
+        request: dict[str, object] = {}
+        return ask(Report, "patch", self, request, strict=strict, warn=warn)
 
     def curve(
         self,
@@ -70,11 +103,11 @@ class Tasks(Asking):
             Vary the lateral force on the wheel. Numbers are in N.
         moment_z : (float, float) or str, optional
             Vary the spin moment on the wheel, such as "0..20 N m". Numbers are in N m.
-        over : mapping, optional
-            Draw one curve for each value of a field, such as kinematics.speed="10 m/s,20 m/s" or
-            kinematics.speed="5..50 m/s:10"; three numbers or more make a map, and two fields make
-            one of the largest force over both.
-        points : int, optional
+        over : mapping of fields to their values, optional
+            Draw one curve for each value of a field, such as 10, 20 and 30 m/s of
+            kinematics.speed. At least three numbers make a map over the creepage and the field,
+            two fields one of the largest force over both.
+        points : int, default 41
             Number of points of each curve.
         spacing : {"refined", "even"}, optional
             Spacing of the points; by default refined over a creepage and even over a force
@@ -84,12 +117,19 @@ class Tasks(Asking):
         warn : bool, default True
             Whether to issue the warnings of the result.
 
+        Returns
+        -------
+        Curve
+            Creep curves: forces along a path of creepages, for one case or several. With
+            ``points`` along ``point``, and along ``over`` (and ``over_2``) where there are several
+            curves; with a ``map``.
+
         Raises
         ------
         CaseError
             If something is wrong with the case or an argument.
         NotConverged
-            If the result has not converged; the exception has it.
+            If the result has not converged; it has the result.
         """
         request: dict[str, object] = {
             "creepage_x": creepage_x,
@@ -105,25 +145,25 @@ class Tasks(Asking):
             "points": points,
             "spacing": spacing,
         }
-        return self._ask(Curve, "curve", request, strict=strict, warn=warn)
+        return ask(Curve, "curve", self, request, strict=strict, warn=warn)
 
     def roughness(
         self,
         *,
-        surface: Data | None = None,
-        second: Data | None = None,
+        surface: File | None = None,
+        second: File | None = None,
         synthetic: Texts | None = None,
-        form: Texts | None = None,
-        cutoff: Texts | None = None,
-        unit: Texts | None = None,
-        spacing: Texts | None = None,
+        form: Literal["plane", "cylinder", "sphere", "none"] | None = None,
+        cutoff: Number | None = None,
+        unit: str | None = None,
+        spacing: Number | None = None,
         fill_holes: bool = False,
         square_cells: bool = False,
-        cells: Texts | None = None,
-        seed: Texts | None = None,
-        pressure: Texts | None = None,
-        friction: Texts | None = None,
-        hardness: Texts | None = None,
+        cells: int | None = None,
+        seed: int | None = None,
+        pressure: Numbers | None = None,
+        friction: Number | None = None,
+        hardness: Number | None = None,
         strict: bool = False,
         warn: bool = True,
     ) -> RoughContact:
@@ -131,48 +171,57 @@ class Tasks(Asking):
 
         Parameters
         ----------
-        surface : path or mapping, optional
+        surface : path, optional
             Surface or profile of one body, or of both together (.csv, .npy, .x3p, .xyz).
-        second : path or mapping, optional
+        second : path, optional
             Surface of the other body, on the same lattice: their heights are added.
-        synthetic : str or float, optional
+        synthetic : str or sequence of str, optional
             Make a self-affine surface, such as rms_height="1 um",hurst=0.8,longest="100 um",
             shortest="5 um",seed=1; also rms_slope and roll_off.
-        form : str or float, optional
-            Form to remove from a measured surface; by default a plane.
-        cutoff : str or float, optional
+        form : {"plane", "cylinder", "sphere", "none"}, optional
+            Form to remove from a measured surface; by default a plane ("plane": a tilted plane;
+            "cylinder": a circular cylinder in any direction; "sphere": a sphere; "none": nothing).
+        cutoff : float or str, optional
             Remove waves longer than this from a measured surface, such as "0.8 mm" (λc of the
-            Gaussian filter, ISO 16610).
-        unit : str or float, optional
+            Gaussian filter, ISO 16610). Numbers are in m.
+        unit : str, optional
             Unit of the heights of an .npy file, of all lengths of an .xyz file, such as um.
-        spacing : str or float, optional
-            Spacing of the points of an .npy file or of heights alone, such as "1 um".
-        fill_holes : bool, optional
+        spacing : float or str, optional
+            Spacing of the points of an .npy file or of heights alone, such as "1 um". Numbers are
+            in m.
+        fill_holes : bool, default False
             Fill points without a height smoothly.
-        square_cells : bool, optional
+        square_cells : bool, default False
             Resample a surface whose cells are not square.
-        cells : str or float, optional
+        cells : int, optional
             Cells along x of the resampled or synthetic surface.
-        seed : str or float, optional
+        seed : int, optional
             Seed of a surface generated from a profile.
-        pressure : str or float, optional
+        pressure : float or str, or several, optional
             Mean pressures: a range (six pressures) or a list; by default those of the case, of a
-            surface given here without a case 0.2..1.2 GPa.
-        friction : str or float, optional
+            surface given here without a case 0.2..1.2 GPa. Numbers are in Pa.
+        friction : float or str, optional
             Coefficient of friction; by default that of the case.
-        hardness : str or float, optional
+        hardness : float or str, optional
             Hardness of the softer body, such as "2.5 GPa"; by default the bodies are elastic.
+            Numbers are in Pa.
         strict : bool, default False
             Whether to raise `NotConverged`; else look at ``converged``.
         warn : bool, default True
             Whether to issue the warnings of the result.
+
+        Returns
+        -------
+        RoughContact
+            A rough surface, its contact and its k_c. With ``fields`` over x and y, ``spectrum``,
+            ``loads`` and ``curves``.
 
         Raises
         ------
         CaseError
             If something is wrong with the case or an argument.
         NotConverged
-            If the result has not converged; the exception has it.
+            If the result has not converged; it has the result.
         """
         request: dict[str, object] = {
             "surface": surface,
@@ -190,7 +239,7 @@ class Tasks(Asking):
             "friction": friction,
             "hardness": hardness,
         }
-        return self._ask(RoughContact, "roughness", request, strict=strict, warn=warn)
+        return ask(RoughContact, "roughness", self, request, strict=strict, warn=warn)
 
     def compare(
         self,
@@ -207,15 +256,21 @@ class Tasks(Asking):
         warn : bool, default True
             Whether to issue the warnings of the result.
 
+        Returns
+        -------
+        Comparison
+            A case by all methods. With ``methods`` along ``model``: forces, power, temperature
+            rise, times in s.
+
         Raises
         ------
         CaseError
             If something is wrong with the case or an argument.
         NotConverged
-            If the result has not converged; the exception has it.
+            If the result has not converged; it has the result.
         """
         request: dict[str, object] = {}
-        return self._ask(Comparison, "compare", request, strict=strict, warn=warn)
+        return ask(Comparison, "compare", self, request, strict=strict, warn=warn)
 
     def temperature(
         self,
@@ -242,19 +297,25 @@ class Tasks(Asking):
             Numbers are in m.
         wake : float or str, optional
             Length of the wake; by default twice the length of the contact. Numbers are in m.
-        points : int, optional
+        points : int, default 201
             Number of points of each line.
         strict : bool, default True
             Whether to raise `NotConverged`; else look at ``converged``.
         warn : bool, default True
             Whether to issue the warnings of the result.
 
+        Returns
+        -------
+        Temperatures
+            Temperatures of wheel and rail below a point, and along its row with the wake. With
+            ``profile`` over the depth and ``rows`` over depth and x, in °C.
+
         Raises
         ------
         CaseError
             If something is wrong with the case or an argument.
         NotConverged
-            If the result has not converged; the exception has it.
+            If the result has not converged; it has the result.
 
         References
         ----------
@@ -267,7 +328,7 @@ class Tasks(Asking):
             "wake": wake,
             "points": points,
         }
-        return self._ask(Temperatures, "temperature", request, strict=strict, warn=warn)
+        return ask(Temperatures, "temperature", self, request, strict=strict, warn=warn)
 
     def subsurface(
         self,
@@ -290,18 +351,24 @@ class Tasks(Asking):
             Mises. Numbers are in m.
         points : path or mapping, optional
             Table of points (CSV) at which stresses are wanted, too: columns x [mm], y [mm] and
-            depth [mm].
+            depth [mm]. Columns of a mapping without a unit: x in m, y in m, depth in m.
         strict : bool, default True
             Whether to raise `NotConverged`; else look at ``converged``.
         warn : bool, default True
             Whether to issue the warnings of the result.
+
+        Returns
+        -------
+        Subsurface
+            Stresses in wheel or rail below the contact. With ``largest``, ``profile`` and
+            ``volume`` in Pa, and `at` for any point.
 
         Raises
         ------
         CaseError
             If something is wrong with the case or an argument.
         NotConverged
-            If the result has not converged; the exception has it.
+            If the result has not converged; it has the result.
 
         References
         ----------
@@ -312,7 +379,7 @@ class Tasks(Asking):
             "y": y,
             "points": points,
         }
-        return self._ask(Subsurface, "subsurface", request, strict=strict, warn=warn)
+        return ask(Subsurface, "subsurface", self, request, strict=strict, warn=warn)
 
     def wear(
         self,
@@ -329,12 +396,19 @@ class Tasks(Asking):
         warn : bool, default True
             Whether to issue the warnings of the result.
 
+        Returns
+        -------
+        Wear
+            Wear, fatigue and melting of one passage of the wheel. ``wear``, ``melting``,
+            ``fatigue_index``, ``crack_damage``, ``shakedown`` and ``t_gamma``; ``profile`` over y
+            and ``cells``. ``wear`` and ``melting`` are None where the method has no fields.
+
         Raises
         ------
         CaseError
             If something is wrong with the case or an argument.
         NotConverged
-            If the result has not converged; the exception has it.
+            If the result has not converged; it has the result.
 
         References
         ----------
@@ -343,7 +417,7 @@ class Tasks(Asking):
         Johnson and Jefferis (1963).
         """
         request: dict[str, object] = {}
-        return self._ask(Wear, "wear", request, strict=strict, warn=warn)
+        return ask(Wear, "wear", self, request, strict=strict, warn=warn)
 
     def bulk_temperature(
         self,
@@ -360,15 +434,21 @@ class Tasks(Asking):
         warn : bool, default True
             Whether to issue the warnings of the result.
 
+        Returns
+        -------
+        BulkTemperature
+            The bulk temperature of the wheel in the long run. ``temperature.wheel`` (°C), and the
+            balance of heat in ``heat`` (W).
+
         Raises
         ------
         CaseError
             If something is wrong with the case or an argument.
         NotConverged
-            If the result has not converged; the exception has it.
+            If the result has not converged; it has the result.
         """
         request: dict[str, object] = {}
-        return self._ask(BulkTemperature, "bulk", request, strict=strict, warn=warn)
+        return ask(BulkTemperature, "bulk", self, request, strict=strict, warn=warn)
 
     def calibrate(
         self,
@@ -384,31 +464,39 @@ class Tasks(Asking):
 
         Parameters
         ----------
-        direct : bool, optional
+        direct : bool, default False
             Calibrate for this very patch instead of interpolating the table, and compare both.
-        displacements : path, or several, optional
+        displacements : path or mapping, or several, optional
             Displacements of a finite-element model to fit to (CSV with columns x, y, traction_x,
-            displacement_x, …); several files count together.
-        cells : int, optional
+            displacement_x, …); several files count together. Columns of a mapping without a unit:
+            x in m, y in m, traction_x in Pa, traction_y in Pa, displacement_x in m, displacement_y
+            in m.
+        cells : int, default 20
             Cells across the patch on which layer and half-space are compared.
         strict : bool, default True
             Whether to raise `NotConverged`; else look at ``converged``.
         warn : bool, default True
             Whether to issue the warnings of the result.
 
+        Returns
+        -------
+        Calibration
+            Stiffnesses of the elastic layer for a patch. With how far the layer is from the half-
+            space, and the ``case`` with them.
+
         Raises
         ------
         CaseError
             If something is wrong with the case or an argument.
         NotConverged
-            If the result has not converged; the exception has it.
+            If the result has not converged; it has the result.
         """
         request: dict[str, object] = {
             "direct": direct,
             "displacements": displacements,
             "cells": cells,
         }
-        return self._ask(Calibration, "calibrate", request, strict=strict, warn=warn)
+        return ask(Calibration, "calibrate", self, request, strict=strict, warn=warn)
 
     def fit(
         self,
@@ -424,30 +512,37 @@ class Tasks(Asking):
 
         Parameters
         ----------
-        parameters : str or float
+        parameters : str or sequence of str
             Parameters to fit, such as "friction.coefficient,contact_law.stiffness";
             "contact_law.roughness" is the r.m.s. height of both surfaces together, in place of the
             stiffness.
         data : path or mapping
             Measured points (CSV): creepage_x, creepage_y or spin [1/m], force_ratio (-Fx/N over
             creepage_x, -Fy/N over creepage_y) or force_ratio_x, force_ratio_y, and where they
-            differ from the case speed [m/s], load [kN]; standard_deviation where known.
-        gamma : float or str, optional
+            differ from the case speed [m/s], load [kN]; standard_deviation where known. Columns of
+            a mapping without a unit: spin in 1/m, speed in m/s, load in N.
+        gamma : float or str, default 0.45
             γ, for "contact_law.roughness": the rough surfaces approach by γ times that height when
             the pressure grows e-fold (Persson 2007).
-        max_steps : int, optional
+        max_steps : int, default 100
             Maximum number of steps of the fit.
         strict : bool, default True
             Whether to raise `NotConverged`; else look at ``converged``.
         warn : bool, default True
             Whether to issue the warnings of the result.
 
+        Returns
+        -------
+        Fit
+            Parameters that fit measured creep curves. With their confidence, ``points`` along
+            ``point``, and the ``case`` with them.
+
         Raises
         ------
         CaseError
             If something is wrong with the case or an argument.
         NotConverged
-            If the result has not converged; the exception has it.
+            If the result has not converged; it has the result.
         """
         request: dict[str, object] = {
             "parameters": parameters,
@@ -455,7 +550,7 @@ class Tasks(Asking):
             "gamma": gamma,
             "max_steps": max_steps,
         }
-        return self._ask(Fit, "fit", request, strict=strict, warn=warn)
+        return ask(Fit, "fit", self, request, strict=strict, warn=warn)
 
     def wheelset(
         self,
@@ -469,24 +564,77 @@ class Tasks(Asking):
 
         Parameters
         ----------
-        lateral_position : (float, float) or str, optional
+        lateral_position : (float, float) or str, default "-8..8 mm"
             First and last lateral position of the wheelset. Numbers are in m.
-        points : int, optional
+        points : int, default 33
             Number of positions.
         strict : bool, default True
             Whether to raise `NotConverged`; else look at ``converged``.
         warn : bool, default True
             Whether to issue the warnings of the result.
 
+        Returns
+        -------
+        Wheelset
+            The contacts of a wheelset over its lateral position, and its equivalent conicity. With
+            ``contacts`` of both wheels, and ``conicity``.
+
         Raises
         ------
         CaseError
             If something is wrong with the case or an argument.
         NotConverged
-            If the result has not converged; the exception has it.
+            If the result has not converged; it has the result.
         """
         request: dict[str, object] = {
             "lateral_position": lateral_position,
             "points": points,
         }
-        return self._ask(Wheelset, "wheelset", request, strict=strict, warn=warn)
+        return ask(Wheelset, "wheelset", self, request, strict=strict, warn=warn)
+
+
+def damage(
+    run: File,
+    case: Case | None = None,
+    *,
+    strict: bool = False,
+    warn: bool = True,
+) -> Damage:
+    """Compute the damage over a run: energy, fatigue and wear across the profile.
+
+    Parameters
+    ----------
+    run : path
+        Table of `sweep` with a column distance or time (.csv or .parquet), or a study of such
+        states (.toml), which is solved.
+    case : Case, optional
+        The case with the laws in the section [damage]; by default that of the study, which its
+        table keeps.
+    strict : bool, default False
+        Whether to raise `NotConverged`; else look at ``converged``.
+    warn : bool, default True
+        Whether to issue the warnings of the result.
+
+    Returns
+    -------
+    Damage
+        Damage over a run: energy, fatigue and wear. ``energy`` (J), ``t_gamma``, ``fatigue``,
+        ``archard``, ``energy_wear``; with ``profile`` over y and ``run`` over the distance.
+        States without a solution or a friction power are left out.
+
+    Raises
+    ------
+    CaseError
+        If something is wrong with the case or an argument.
+    NotConverged
+        If the result has not converged; it has the result.
+
+    References
+    ----------
+    Fatigue: Ekberg, Kabo and Andersson (2002). Wear: Archard (1953) with coefficients of
+    Jendel (2002); Braghin, Lewis, Dwyer-Joyce and Bruni (2006).
+    """
+    request: dict[str, object] = {
+        "run": run,
+    }
+    return ask(Damage, "damage", case, request, strict=strict, warn=warn)

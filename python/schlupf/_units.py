@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from ._errors import CaseError, quoted
 
-if TYPE_CHECKING:
-    from ._fields import Field
+
+class Measured(Protocol):
+    """What has an SI unit."""
+
+    @property
+    def units(self) -> str: ...
 
 
 def refused(field: str, message: str) -> CaseError:
@@ -46,7 +50,7 @@ def magnitude(value: Any, units: str, name: str) -> Any:
         ) from None
 
 
-def plain(value: Any, field: Field, name: str) -> Any:
+def plain(value: Any, field: Measured, name: str) -> Any:
     """Numbers or arrays in the SI unit of a field, from quantities and data arrays with units."""
     if is_quantity(value):
         return magnitude(value, field.units, name)

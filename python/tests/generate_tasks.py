@@ -2,35 +2,20 @@
 
 from __future__ import annotations
 
+import inspect
 import json
 import re
 from pathlib import Path
 from textwrap import fill
 from typing import Any
 
+import schlupf
 from schlupf import _core
+from schlupf._report import Report
 
 FILE = Path(__file__).parents[1] / "schlupf/_tasks.py"
 
-#: What a task gives; its name in Python where that is another one.
-RESULTS = {
-    "curve": "Curve",
-    "roughness": "RoughContact",
-    "compare": "Comparison",
-    "temperature": "Temperatures",
-    "subsurface": "Subsurface",
-    "wear": "Wear",
-    "bulk": "BulkTemperature",
-    "calibrate": "Calibration",
-    "fit": "Fit",
-    "wheelset": "Wheelset",
-}
-METHODS = {"bulk": "bulk_temperature"}
-
-#: Those with a status for each of several results.
-LENIENT = ("curve", "roughness", "compare")
-
-HEAD = '''"""The methods of a case that ask for more than its solution.
+HEAD = '''"""Tasks.
 
 Made of the tasks of the library by tests/generate_tasks.py.
 """
@@ -39,45 +24,45 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Literal
 
-from ._ask import Asking
+from ._ask import ask
 from ._report import (
     {results},
 )
 
 if TYPE_CHECKING:
-    from ._ask import Data, Family, Number, Range, Texts
+    from ._ask import {types}
+    from ._case import Case
 
 
-class Tasks(Asking):
+class Tasks:
     """What a case can be asked besides its solution."""
 '''
 
-#: What the documentation calls them.
-KINDS = {
-    "Number": "float or str",
-    "Range": "(float, float) or str",
-    "Family": "mapping",
-    "Data": "path or mapping",
-    "Data | list[Data]": "path, or several",
-    "Texts": "str or float",
-}
-
+#: Types of the fields of each kind, and what the documentation calls them.
 TYPES = {
-    "flag": "bool",
-    "count": "int",
-    "number": "Number",
-    "range": "Range",
-    "family": "Family",
-    "file": "Data",
-    "text": "Texts",
+    "flag": ("bool", "bool"),
+    "count": ("int", "int"),
+    "number": ("Number", "float or str"),
+    "numbers": ("Numbers", "float or str, or several"),
+    "range": ("Range", "(float, float) or str"),
+    "family": ("Family", "mapping of fields to their values"),
+    "file": ("File", "path"),
+    "table": ("Data", "path or mapping"),
+    "list": ("Texts", "str or sequence of str"),
+    "text": ("str", "str"),
 }
 
 
 def annotation(field: dict[str, Any]) -> str:
     if field["kind"] == "choice":
         return f"Literal[{', '.join(json.dumps(name) for name, _ in field['choices'])}]"
-    kind = TYPES[field["kind"]]
-    return f"{kind} | list[{kind}]" if field["is_several"] and kind == "Data" else kind
+    kind, _ = TYPES[field["kind"]]
+    return f"{kind} | list[{kind}]" if is_list(field) else kind
+
+
+def is_list(field: dict[str, Any]) -> bool:
+    """Whether it is one value or a list of them."""
+    return field["is_several"] and field["kind"] != "family"
 
 
 def default(field: dict[str, Any]) -> str | None:
@@ -99,60 +84,101 @@ def argument(field: dict[str, Any]) -> str:
     return f"{field['name']}: {kind}{' | None' if value == 'None' else ''} = {value}"
 
 
+def paragraph(text: str, indent: int) -> str:
+    margin = " " * indent
+    text = re.sub(r"\s+", " ", text).strip()
+    return fill(text, 91, initial_indent=margin, subsequent_indent=margin)
+
+
 def parameter(field: dict[str, Any]) -> list[str]:
     unit = f" Numbers are in {field['units']}." if field["units"] else ""
+    columns = ", ".join(f"{name} in {unit}" for name, unit in field["columns"] if unit)
+    columns = f" Columns of a mapping without a unit: {columns}." if columns else ""
     choices = "; ".join(f'"{name}": {doc}' for name, doc in field["choices"])
     choices = f" ({choices})" if choices else ""
-    doc = re.sub(r"\s+", " ", field["doc"])
-    doc = doc.removesuffix(".") + choices + "." + unit
-    optional = ", optional" if default(field) is not None else ""
-    kind = KINDS.get(annotation(field), annotation(field))
+    doc = field["doc"].removesuffix(".") + choices + "." + unit + columns
     if field["kind"] == "choice":
         kind = "{" + ", ".join(f'"{name}"' for name, _ in field["choices"]) + "}"
-    head = f"        {field['name']} : {kind}{optional}"
-    return [head, fill(doc, 99, initial_indent=" " * 12, subsequent_indent=" " * 12)]
+    else:
+        kind = TYPES[field["kind"]][1] + (", or several" if is_list(field) else "")
+    value = default(field)
+    kind += "" if value is None else ", optional" if value == "None" else f", default {value}"
+    return [f"{field['name']} : {kind}", paragraph(doc, 4)]
 
 
-def method(task: dict[str, Any]) -> str:
-    name, result = task["name"], RESULTS[task["name"]]
-    needed = [field for field in task["fields"] if field["is_needed"]]
-    others = [field for field in task["fields"] if not field["is_needed"]]
-    lines = [f"    def {METHODS.get(name, name)}(", "        self,"]
-    lines += [f"        {argument(field)}," for field in needed]
-    lines += ["        *,"]
-    lines += [f"        {argument(field)}," for field in others]
-    strict = name not in LENIENT
-    lines += [f"        strict: bool = {strict},", "        warn: bool = True,"]
-    lines += [f"    ) -> {result}:"]
-    about = fill(f'"""{task["about"]}.', 99, initial_indent=" " * 8, subsequent_indent=" " * 8)
-    lines += [about, ""]
-    lines += ["        Parameters", "        ----------"]
-    for field in needed + others:
+def returned(result: type[Report]) -> list[str]:
+    doc = inspect.getdoc(result) or ""
+    return ["Returns", "-------", result.__name__, paragraph(doc, 4), ""]
+
+
+RAISES = """\
+Raises
+------
+CaseError
+    If something is wrong with the case or an argument.
+NotConverged
+    If the result has not converged; it has the result."""
+
+
+def documentation(task: dict[str, Any], fields: list[dict[str, Any]]) -> list[str]:
+    lines = [paragraph(f'"""{task["about"]}.', 0), "", "Parameters", "----------"]
+    for field in fields:
         lines += parameter(field)
-    lines += [f"        strict : bool, default {strict}"]
-    lines += ["            Whether to raise `NotConverged`; else look at ``converged``."]
-    lines += ["        warn : bool, default True"]
-    lines += ["            Whether to issue the warnings of the result.", ""]
-    lines += ["        Raises", "        ------", "        CaseError"]
-    lines += ["            If something is wrong with the case or an argument."]
-    lines += ["        NotConverged"]
-    lines += ["            If the result has not converged; the exception has it."]
+    if task["is_of_argument"]:
+        lines += ["case : Case, optional", paragraph(f"The case {task['case']}.", 4)]
+    lines += [f"strict : bool, default {not task['has_several']}"]
+    lines += ["    Whether to raise `NotConverged`; else look at ``converged``."]
+    lines += ["warn : bool, default True", "    Whether to issue the warnings of the result.", ""]
+    lines += [*returned(result_of(task)), *RAISES.splitlines()]
     if task["sources"]:
-        lines += ["", "        References", "        ----------"]
-        lines += [fill(task["sources"], 99, initial_indent=" " * 8, subsequent_indent=" " * 8)]
-    lines += ['        """', "        request: dict[str, object] = {"]
-    lines += [f'            "{field["name"]}": {field["name"]},' for field in needed + others]
-    lines += ["        }"]
-    if not task["fields"]:
-        lines[-2:] = ["        request: dict[str, object] = {}"]
-    lines += [f'        return self._ask({result}, "{name}", request, strict=strict, warn=warn)']
-    return "\n".join(lines) + "\n"
+        lines += ["", "References", "----------", paragraph(task["sources"], 0)]
+    return [*lines, '"""']
+
+
+def result_of(task: dict[str, Any]) -> type[Report]:
+    return Report.OF_TASKS.get(task["name"], Report)
+
+
+def function(task: dict[str, Any]) -> list[str]:
+    """A method of a case, or a function for a task that is about an argument."""
+    fields = sorted(task["fields"], key=lambda field: not field["is_needed"])
+    needed = [argument(field) for field in fields if field["is_needed"]]
+    others = [argument(field) for field in fields if not field["is_needed"]]
+    others += [f"strict: bool = {not task['has_several']}", "warn: bool = True"]
+    result, case = result_of(task).__name__, "case" if task["is_of_argument"] else "self"
+    first = [*needed, "case: Case | None = None"] if task["is_of_argument"] else ["self", *needed]
+    lines = [f"def {task['function']}("]
+    lines += [f"    {each}," for each in (*first, "*", *others)]
+    lines += [f") -> {result}:"]
+    text = "\n".join(documentation(task, fields))
+    lines += [f"    {line}" if line else "" for line in text.splitlines()]
+    lines += ["    request: dict[str, object] = {"]
+    lines += [f'        "{field["name"]}": {field["name"]},' for field in fields]
+    lines += ["    }"]
+    if not fields:
+        lines[-2:] = ["    request: dict[str, object] = {}"]
+    asked = f'{result}, "{task["name"]}", {case}, request'
+    return [*lines, f"    return ask({asked}, strict=strict, warn=warn)"]
+
+
+def indented(lines: list[str], indent: str) -> str:
+    text = "\n".join(lines)
+    return "\n".join(indent + line if line else "" for line in text.splitlines()) + "\n"
 
 
 def source() -> str:
-    tasks = [task for task in _core.tasks() if task["name"] in RESULTS]
-    head = HEAD.replace("{results}", ",\n    ".join(sorted(RESULTS.values())))
-    return head + "\n" + "\n".join(map(method, tasks))
+    # A case has these itself.
+    tasks = [task for task in _core.tasks() if task["function"] not in vars(schlupf.Case)]
+    unknown = set(Report.OF_TASKS) - {task["name"] for task in tasks}
+    assert not unknown, f"there are no tasks {unknown}"
+    text = "\n".join(indented(function(t), "    ") for t in tasks if not t["is_of_argument"])
+    alone = [function(task) for task in tasks if task["is_of_argument"]]
+    text += "".join("\n\n" + indented(lines, "") for lines in alone)
+    results = sorted({result_of(task).__name__ for task in tasks})
+    types = sorted({kind for kind, _ in TYPES.values() if re.search(rf"\b{kind}\b", text)})
+    types = [kind for kind in types if kind[0].isupper()]
+    head = HEAD.replace("{results}", ",\n    ".join(results))
+    return head.replace("{types}", ", ".join(types)) + "\n" + text
 
 
 if __name__ == "__main__":

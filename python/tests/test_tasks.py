@@ -61,7 +61,7 @@ def test_the_total_creepage_varies_in_a_direction():
 @pytest.mark.parametrize(
     ("arguments", "error", "part"),
     [
-        ({}, ValueError, "a curve needs"),
+        ({}, schlupf.CaseError, "one of creepage_x, .* or moment_z must be given"),
         ({"creepage": (0, 0.1)}, ValueError, "must be given together with direction"),
         ({"creepage_x": (0, 0.1), "points": 1}, ValueError, "must be a whole number between 2 and"),
         ({"creepage_x": (0.1, 0.1)}, ValueError, "must differ from its start"),
@@ -87,7 +87,7 @@ def test_the_total_creepage_varies_in_a_direction():
         (
             {"force_x": (0, 1.0), "force_y": (0, 1.0)},
             ValueError,
-            "force_y must not be given together with force_x",
+            "force_x must not be given together with force_y",
         ),
         ({"force_x": (0, "-20 m")}, schlupf.CaseError, "force_x .* must be a force"),
         ({"force_y": (0, "-90 kN")}, schlupf.CaseError, "force_y cannot be"),
@@ -115,6 +115,28 @@ def test_temperatures_below_the_surface_and_in_the_wake():
         (name,) = arguments
         with pytest.raises(schlupf.CaseError, match=f"{name} .* must be"):
             case.temperature(**arguments)
+
+
+def test_the_contact_alone_has_its_cells():
+    """Hertz 1882: the largest pressure is 3/2 of the mean; so it is for such a function."""
+    found = SMALL.patch()
+    assert type(found) is schlupf.Report
+    (contact,) = found.contacts
+    assert contact.normal.peak_pressure == pytest.approx(1.5 * contact.mean_pressure)
+    (cells,) = found.tables["cells"]
+    assert cells["pressure"].attrs["units"] == "Pa" and cells.sizes["row"] == contact.cells
+    area = 4.0 * contact.normal.semi_axis_x * contact.normal.semi_axis_y / 100.0
+    assert float(cells["pressure"].sum()) * area == pytest.approx(contact.normal.load)
+    assert float(cells["covered"].sum()) * area == pytest.approx(contact.area)
+    assert "pressure_across" in found.drawings()
+
+    def pressure(x, y):
+        return 1e9 * np.sqrt(np.maximum(0.0, 1.0 - (x / 6e-3) ** 2 - (y / 4e-3) ** 2))
+
+    extent = ((-6e-3, 6e-3), (-4e-3, 4e-3))
+    (contact,) = SMALL.with_laws(pressure=pressure, extent=extent).patch(warn=False).contacts
+    assert contact.area == pytest.approx(np.pi * 24e-6, rel=0.01)
+    assert contact.mean_pressure == pytest.approx(1e9 / 1.5, rel=0.01)
 
 
 def test_the_bulk_temperature_needs_cooling():
@@ -204,6 +226,33 @@ def test_a_rough_contact():
         plt.close("all")
     with pytest.raises(ValueError, match="there is no surface: name one with surface"):
         SMALL.roughness()
+
+
+def test_numbers_and_quantities_stand_for_text_with_units():
+    pint = pytest.importorskip("pint")
+    unit = pint.UnitRegistry()
+    surface = ["rms_height=1 um", "longest=100 um", "shortest=30 um"]
+    arguments = {"synthetic": surface, "cells": 64, "friction": 0.3, "warn": False}
+    pressures = [[4e8, 8e8], ["400 MPa", "0.8 GPa"], [0.4 * unit.GPa, 800 * unit.MPa]]
+    found = [SMALL.roughness(pressure=each, hardness=20e9, **arguments) for each in pressures]
+    for other in found[1:]:
+        np.testing.assert_allclose(other.loads["mean_gap"], found[0].loads["mean_gap"], rtol=1e-12)
+    with pytest.raises(schlupf.CaseError, match="hardness must be given in Pa"):
+        SMALL.roughness(hardness=1 * unit.mm, **arguments)
+    place = {"x": [0.0, 1e-3], "y": [0.0, 0.0], "depth": 1e-3 * np.ones(2)}
+    case = SMALL.with_(subsurface={"layers": 3, "margin": "1 mm"})
+    stresses = case.subsurface(points=place, warn=False)
+    assert len(stresses.points["x"]) == 2
+
+
+def test_a_flag_is_true_or_false_and_nothing_else_is_one():
+    assert SMALL.calibrate(direct=np.bool_(False), cells=10).converged
+    with pytest.raises(schlupf.CaseError, match='direct must be true or false, but is "yes"'):
+        SMALL.calibrate(direct="yes")
+    with pytest.raises(schlupf.CaseError, match='cells must be a whole number .* but is "false"'):
+        SMALL.calibrate(cells=False)
+    with pytest.raises(schlupf.CaseError, match="displacements must not be given together with"):
+        SMALL.calibrate(direct=True, displacements="displacements.csv")
 
 
 def test_curves_over_numbers_have_a_map():

@@ -99,8 +99,8 @@ pub struct Effective {
     pub value: String,
     /// Where it was given.
     pub place: Place,
-    /// The only command that uses it, if one alone does.
-    pub command: Option<&'static str>,
+    /// The tasks that alone use it; none where all may.
+    pub tasks: &'static [&'static str],
 }
 
 impl CaseFile {
@@ -483,7 +483,7 @@ impl Case {
                 path: field.path,
                 value: settings.shown(field.path),
                 place: settings.place(field.path),
-                command: section.command,
+                tasks: section.tasks,
             })
             .filter(|effective| !effective.value.is_empty())
             .collect()

@@ -54,5 +54,6 @@ pub use roughness_request::{GivenByOption, RoughnessRequest};
 pub use schema::schema;
 pub use setting::{Refusal, Setting};
 pub use subsurface::SubsurfaceRequest;
+pub use tables::{CREEP_COLUMNS, DISPLACEMENT_COLUMNS, POINT_COLUMNS, TableColumn};
 pub use tables::{Displacements, Records, read_displacements, read_points};
 pub use template::{template, template_with};

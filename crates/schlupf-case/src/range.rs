@@ -1,6 +1,6 @@
 //! Ranges of a field and directions, as the command line gives them.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::document::{Content, Value};
 use crate::error::CaseError;
@@ -36,14 +36,14 @@ pub fn depths(option: &str, text: &str) -> Result<[f64; 2], CaseError> {
     Err(CaseError::new("", message, place))
 }
 
-/// A length (in m) of any sign that an option gives for something.
-pub fn position(option: &str, what: &str, text: &str) -> Result<f64, CaseError> {
-    single(option, what, text, &length_field(Requirement::Magnitude(LONGEST)))
+/// A length (in m) of any sign that an option gives.
+pub fn position(option: &str, text: &str) -> Result<f64, CaseError> {
+    single(option, option, text, &length_field(Requirement::Magnitude(LONGEST)))
 }
 
-/// A length (in m) that is not negative, which an option gives for something.
-pub fn length(option: &str, what: &str, text: &str) -> Result<f64, CaseError> {
-    single(option, what, text, &length_field(Requirement::Between(0.0, LONGEST)))
+/// A length (in m) that is not negative, which an option gives.
+pub fn length(option: &str, text: &str) -> Result<f64, CaseError> {
+    single(option, option, text, &length_field(Requirement::Between(0.0, LONGEST)))
 }
 
 /// Pressures (in Pa): a range START..END, of which six even steps are taken, or a list `P1,P2,…`.
@@ -51,6 +51,7 @@ pub fn length(option: &str, what: &str, text: &str) -> Result<f64, CaseError> {
 pub fn pressures(option: &str, text: &str) -> Result<Vec<f64>, CaseError> {
     const STEPS: u32 = 5;
     let field = alone("pressure", &Measure::PRESSURE, Requirement::Between(1.0, 1e14));
+    let field = Field { usual: Some(Requirement::Between(1e5, 1e11)), ..field };
     if text.contains("..") {
         let [start, end] = range_of(option, &field, text)?;
         let step = (end - start) / f64::from(STEPS);
@@ -61,7 +62,7 @@ pub fn pressures(option: &str, text: &str) -> Result<Vec<f64>, CaseError> {
     let read = |part: &&str| {
         let with_unit = format!("{part} {unit}");
         let text = if part.parse::<f64>().is_ok() { with_unit.trim_end() } else { part };
-        single(option, "each pressure", text, &field)
+        single(option, &format!("each value of {option}"), text, &field)
     };
     parts.iter().map(read).collect()
 }
@@ -74,8 +75,10 @@ const fn alone(path: &'static str, measure: &'static Measure, requirement: Requi
     Field::new(path, Kind::Quantity(measure), requirement, Default::Nothing, "")
 }
 
+/// Lengths in a contact and around it.
 const fn length_field(requirement: Requirement) -> Field {
-    alone("length", &Measure::LENGTH, requirement)
+    let field = alone("length", &Measure::LENGTH, requirement);
+    Field { usual: Some(Requirement::Magnitude(0.1)), ..field }
 }
 
 fn single(option: &str, what: &str, text: &str, field: &Field) -> Result<f64, CaseError> {
@@ -89,7 +92,8 @@ fn range_of(option: &str, field: &Field, text: &str) -> Result<[f64; 2], CaseErr
     let path = field.path;
     let place = Place::Override { option: option.into(), text: text.to_owned() };
     let unit = field.kind.unit();
-    let example = if unit.is_empty() { "0..0.05".to_owned() } else { format!("\"0..2 {unit}\"") };
+    let example = format!("\"0..2 {}\"", field.units_of(2.0).first().unwrap_or(&unit));
+    let example = if unit.is_empty() { "0..0.05".to_owned() } else { example };
     let form = || {
         format!("{option} must be a range START..END, such as {example}, but is {}", quoted(text))
     };
@@ -105,8 +109,16 @@ fn range_of(option: &str, field: &Field, text: &str) -> Result<[f64; 2], CaseErr
             CaseError::new(path, refusal.message(what), place.clone()).help(refusal.help)
         })
     };
+    // A start without unit has that of the end, which is looked at first.
+    let end = read("the end of the range", end).map_err(|error| match end.parse() {
+        Ok(number) if !unit.is_empty() => {
+            let units = field.units_of(number).into_iter();
+            let ranges: Vec<_> = units.map(|unit| format!("\"{text} {unit}\"")).collect();
+            error.help(Some(format!("such as {}", ranges.join(" or "))))
+        }
+        _ => error,
+    })?;
     let start = read("the start of the range", if is_bare { &start_with_unit } else { start })?;
-    let end = read("the end of the range", end)?;
     if start == end {
         let value = format!("{} {unit}", fields::readable(start));
         let message = format!(
@@ -168,7 +180,7 @@ fn as_given(range: &str) -> Option<([f64; 2], &str)> {
 /// The angle (in rad) that an option gives for a direction.
 pub fn direction(option: &str, text: &str) -> Result<f64, CaseError> {
     let field = alone("direction", &Measure::ANGLE, Requirement::Magnitude(TAU));
-    single(option, "the direction", text, &field)
+    single(option, option, text, &Field { usual: Some(Requirement::Magnitude(FRAC_PI_2)), ..field })
 }
 
 fn number(field: &Field, text: &str) -> Result<f64, Refusal> {
@@ -230,6 +242,8 @@ mod tests {
         assert!(message("0..2 1/m").contains("write the number alone"));
         let message = |text| spin(text).unwrap_err().to_string();
         assert!(message("0..2").contains("the unit is missing"), "{}", message("0..2"));
+        let help = range("--force-x", "kinematics.force_x", "0..-20").unwrap_err().help;
+        assert_eq!(help.as_deref(), Some("such as \"0..-20 N\" or \"0..-20 kN\""));
         assert!(message("0 1/m..2 m").contains("`m` is the unit of a length"));
         assert!(message("1 m..2 1/m").contains("the start of the range must be an inverse length"));
         assert!(range("--x", "no.field", "0..1").is_err());
@@ -237,8 +251,8 @@ mod tests {
 
     #[test]
     fn lengths_and_depths_have_units_and_signs() {
-        assert_relative_eq!(position("--x", "x", "-3 mm").unwrap(), -3e-3);
-        assert_relative_eq!(length("--wake", "the wake", "5 cm").unwrap(), 0.05);
+        assert_relative_eq!(position("--x", "-3 mm").unwrap(), -3e-3);
+        assert_relative_eq!(length("--wake", "5 cm").unwrap(), 0.05);
         assert_eq!(depths("--depth", "0..2mm"), Ok([0.0, 2e-3]));
         assert_eq!(depths("--depth", "0.25 mm..0.5 mm"), Ok([0.25e-3, 0.5e-3]));
         let message = |text| depths("--depth", text).unwrap_err().to_string();
@@ -246,11 +260,12 @@ mod tests {
         assert!(message("-1mm..1mm").contains("between 0 and 1000 m"), "{}", message("-1mm..1mm"));
         assert!(message("0..2").contains("the unit is missing"));
         assert!(message("1mm..1mm").contains("must differ from its start"));
-        assert!(message("2mm").contains("such as \"0..2 m\""), "{}", message("2mm"));
-        let message = length("--wake", "the wake", "-1 mm").unwrap_err().to_string();
-        assert!(message.contains("the wake must be between 0 and 1000 m, but is \"-1 mm\""));
-        let message = position("--x", "x", "3").unwrap_err().to_string();
-        assert!(message.starts_with("--x 3: x must be a length with its unit"), "{message}");
+        assert!(message("2mm").contains("such as \"0..2 mm\""), "{}", message("2mm"));
+        let message = length("--wake", "-1 mm").unwrap_err().to_string();
+        assert!(message.contains("--wake must be between 0 and 1000 m, but is \"-1 mm\""));
+        let error = position("--x", "3").unwrap_err();
+        assert!(error.to_string().starts_with("--x 3: --x must be a length with its unit"));
+        assert_eq!(error.help.as_deref(), Some("such as 3 mm or 3 µm"));
     }
 
     #[test]
@@ -265,7 +280,7 @@ mod tests {
         assert_eq!(read("200 MPa, 500 MPa, 1 GPa"), [2e8, 5e8, 1e9]);
         assert_eq!(read("200,500 MPa"), [2e8, 5e8]);
         let message = |text| pressures("--pressure", text).unwrap_err().to_string();
-        assert!(message("1").contains("--pressure 1: each pressure must be a pressure"));
+        assert!(message("1").contains("--pressure 1: each value of --pressure must be a pressure"));
         assert!(message("1 mm").contains("`mm` is the unit of a length"));
         assert!(message("1 GPa,,2 GPa").contains("but is \"\""), "{}", message("1 GPa,,2 GPa"));
         assert!(message("0..1 GPa").contains("the start of the range must be between 1"));
@@ -276,7 +291,9 @@ mod tests {
         assert_relative_eq!(direction("--direction", "30deg").unwrap(), TAU / 12.0);
         assert_relative_eq!(direction("--direction", "-0.5 rad").unwrap(), -0.5);
         let message = |text| direction("--direction", text).unwrap_err().to_string();
-        assert!(message("30").contains("the direction must be an angle with its unit"));
+        assert!(message("30").contains("--direction must be an angle with its unit"));
+        let help = direction("--direction", "30").unwrap_err().help;
+        assert_eq!(help.as_deref(), Some("such as 30 deg or 30 mrad"));
         assert!(message("400 deg").contains("at most ±6.28319 rad"));
     }
 }

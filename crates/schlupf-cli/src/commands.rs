@@ -67,15 +67,17 @@ pub fn check(arguments: &CheckArguments) -> Result<u8, Failure> {
     let given: Vec<Option<String>> = given.map(|field| section(field.path)).collect();
     // Defaults of a section for another command would only be in the way.
     let is_of_other =
-        |field: &Effective| field.command.is_some() && !given.contains(&section(field.path));
+        |field: &Effective| !field.tasks.is_empty() && !given.contains(&section(field.path));
     for field in effective.into_iter().filter(|field| !is_of_other(field)) {
         let origin = match field.place {
             Place::Default => "  (default)",
             Place::Override { .. } => "  (--set)",
             Place::Text { .. } | Place::File { .. } => "",
         };
+        let tasks: Vec<String> = field.tasks.iter().map(|name| format!("schlupf {name}")).collect();
+        let is_for_all = tasks.is_empty();
         let command =
-            field.command.map_or_else(String::new, |name| format!("  (schlupf {name} only)"));
+            if is_for_all { String::new() } else { format!("  ({} only)", tasks.join(", ")) };
         // Writing to a string cannot fail.
         let _ = writeln!(text, "  {:40} {}{origin}{command}", field.path, field.value);
     }

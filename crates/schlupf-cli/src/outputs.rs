@@ -63,7 +63,7 @@ pub fn check(outputs: &[Output], directory: Option<&Directory>) -> Result<(), Fa
         }
         let location = location(path)?;
         if let Some(other) = taken.iter().find(|other| other.path == location) {
-            return Err(shared(option, path, &other.option));
+            return Err(shared(option, path, &format!("that of {}", other.option)));
         }
         // Several outputs may go to /dev/null.
         if !is_special(path) {
@@ -74,7 +74,7 @@ pub fn check(outputs: &[Output], directory: Option<&Directory>) -> Result<(), Fa
     // A directory can be made neither in place of a file nor below one.
     let location = resolved(path);
     match taken.iter().find(|other| location.starts_with(&other.path)) {
-        Some(other) => Err(shared(option, path, &other.option)),
+        Some(other) => Err(shared(option, path, &format!("that of {}", other.option))),
         None => Ok(()),
     }
 }
@@ -108,9 +108,7 @@ fn all_files(outputs: &[Output], directory: Option<&Directory>) -> Vec<Output> {
 
 fn shared(option: &str, path: &Path, other: &str) -> Failure {
     let path = path.display();
-    Failure::Arguments(format!(
-        "{option} must name a file of its own, but {path} is also that of {other}"
-    ))
+    Failure::Arguments(format!("{option} must write files of its own, but {path} is also {other}"))
 }
 
 fn refuse_stdout(option: &str, what: &str, path: &Path) -> Result<(), Failure> {
@@ -127,13 +125,11 @@ fn refuse_stdout(option: &str, what: &str, path: &Path) -> Result<(), Failure> {
 impl Input {
     /// The case file and what it names: files that nothing may overwrite.
     pub fn of_case(arguments: &CaseArguments, case: &CaseFile) -> Vec<Self> {
-        let input = |what: &str, path: &Path| Self {
-            what: what.to_owned(),
-            path: path.to_owned(),
-            except: None,
-        };
-        let file = arguments.case.iter().map(|path| input("the case file", path));
-        file.chain(case.files().iter().map(|(field, path)| input(field, path))).collect()
+        let input = |what: String, path: &Path| Self { what, path: path.to_owned(), except: None };
+        let file = arguments.case.iter().map(|path| input("the case file".to_owned(), path));
+        let named = case.files();
+        let named = named.iter().map(|(field, path)| input(format!("that of {field}"), path));
+        file.chain(named).collect()
     }
 
     /// Whether an option would write over it: over the name it was given by, or what that links to.

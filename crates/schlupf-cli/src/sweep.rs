@@ -77,7 +77,7 @@ pub fn sweep(arguments: &Sweep) -> Result<u8, Failure> {
 pub fn merge(arguments: &Merge) -> Result<u8, Failure> {
     check(&arguments.output)?;
     let input = |path: &PathBuf| Input {
-        what: "the tables to merge".to_owned(),
+        what: "one of the tables to merge".to_owned(),
         path: path.clone(),
         except: None,
     };

@@ -108,7 +108,7 @@ pub fn table(arguments: &Table) -> Result<u8, Failure> {
 /// A table made before, which must not be written over.
 fn read(path: &Path, arguments: &Table, cells: usize) -> Result<StoredTable, Failure> {
     let outputs = [Output { option: OUTPUT.to_owned(), path: arguments.output.clone() }];
-    let input = Input { what: "--from".to_owned(), path: path.to_owned(), except: None };
+    let input = Input { what: "that of --from".to_owned(), path: path.to_owned(), except: None };
     outputs::refuse_inputs(&outputs, None, &[input])?;
     let bytes = std::fs::read(path).map_err(|cause| Failure::file(path, cause))?;
     let refused =

@@ -2,13 +2,17 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::builder::PossibleValuesParser;
-use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, ValueHint, value_parser};
+use clap::builder::{PossibleValue, PossibleValuesParser};
+use clap::parser::ValueSource;
+use clap::{
+    Arg, ArgAction, ArgGroup, ArgMatches, Args, Command, FromArgMatches, ValueHint, value_parser,
+};
 use schlupf::Status;
+use schlupf_case::fields::Choice;
 use schlupf_case::{CaseFile, InputFile};
 use schlupf_tasks::output::Report;
 use schlupf_tasks::output::report::OwnFile;
-use schlupf_tasks::request::{Field, Form, Need};
+use schlupf_tasks::request::{Field, Form, Need, Rule};
 use schlupf_tasks::task::{CaseArgument, Found, Scratch};
 use schlupf_tasks::{Asked, Entry, Face, Given, Value, Wanted};
 
@@ -24,31 +28,46 @@ const SET: &str = "--set";
 const CASE: &str = "case";
 const OVERRIDES: &str = "set";
 
-/// The command of a task.
+/// The command of a task. What holds between its fields is in its usage, too.
 pub fn command(task: &Entry) -> Command {
     let (named, positional): (Vec<Field>, Vec<Field>) =
         (task.fields)().into_iter().partition(|field| !field.is_positional);
     let command = Command::new(task.name);
     let command = command.args(positional.iter().map(argument)).args(case(task.case));
     let command = command.args(named.iter().map(argument));
+    let command = task.rules.iter().fold(command, with_rule);
     let command = command.args((task.own_files)().iter().map(own_file));
     // Arguments that are added bring the comment of their type along.
     OutputArguments::augment_args(command).about(task.about)
 }
 
+/// The command with a rule between its arguments.
+fn with_rule(command: Command, rule: &Rule) -> Command {
+    match *rule {
+        Rule::AnyOf(names) => {
+            let group = ArgGroup::new(format!("<{}>", names.join("|"))).args(names);
+            command.group(group.required(true).multiple(true))
+        }
+        Rule::Apart(ones, others) => ones.iter().fold(command, |command, one| {
+            let others = others.iter().filter(|other| *other != one);
+            command.mut_arg(one, |argument| argument.conflicts_with_all(others))
+        }),
+        Rule::With(ones, others) => {
+            let all = format!("<{}>", others.join("|"));
+            let command = command.group(ArgGroup::new(all.clone()).args(others).multiple(true));
+            ones.iter().fold(command, |command, one| {
+                command.mut_arg(one, |argument| argument.requires(all.clone()))
+            })
+        }
+    }
+}
+
 /// The arguments of the case.
 fn case(how: CaseArgument) -> [Arg; 2] {
-    let case = Arg::new(CASE).value_parser(value_parser!(PathBuf)).value_hint(ValueHint::FilePath);
-    let case = match how {
-        CaseArgument::Positional => case.value_name("CASE").help(
-            "Case file (TOML), `-` for standard input; by default a steel wheel braking on a steel \
-             rail",
-        ),
-        CaseArgument::Option => case
-            .long(CASE)
-            .value_name("CASE")
-            .help("Case file of the bodies [default: steel wheel and rail]"),
-    };
+    let help = format!("Case file (TOML, `-` for standard input) {}", how.doc());
+    let case = Arg::new(CASE).value_name("CASE").help(help);
+    let case = case.value_parser(value_parser!(PathBuf)).value_hint(ValueHint::FilePath);
+    let case = if let CaseArgument::Option(_) = how { case.long(CASE) } else { case };
     let set = Arg::new(OVERRIDES)
         .long(OVERRIDES)
         .value_name("SECTION.FIELD=VALUE")
@@ -57,32 +76,40 @@ fn case(how: CaseArgument) -> [Arg; 2] {
     [case, set]
 }
 
+/// How a field of the case is given with its values.
+const FAMILY: &str = "written as kinematics.speed=\"10 m/s,20 m/s\" or, at even steps, \
+                      kinematics.speed=\"5..50 m/s:10\"";
+
 /// The argument of a field.
 fn argument(field: &Field) -> Arg {
     let help = field.doc.strip_suffix('.').unwrap_or(field.doc);
-    let is_needed = field.need == Need::Once && field.default.is_none();
-    let argument = Arg::new(field.name).help(help).value_name(field.form.placeholder());
-    let argument = if field.is_positional { argument } else { argument.long(field.long()) };
+    let is_family = matches!(field.form, Form::Family);
+    let help = if is_family { format!("{help}; {FAMILY}") } else { help.to_owned() };
+    let argument = Arg::new(field.name).help(help).required(field.is_needed());
+    let argument = if field.is_positional {
+        argument.value_name(field.name.to_uppercase())
+    } else {
+        argument.value_name(field.form.placeholder()).long(field.long())
+    };
     let argument = match &field.default {
         Some(default) => argument.default_value(default.clone()),
         None => argument,
     };
-    match field.form {
-        Form::Flag => argument.action(ArgAction::SetTrue),
-        Form::File => {
-            let argument = argument.value_parser(value_parser!(PathBuf));
-            argument.value_hint(ValueHint::FilePath).required(is_needed).action(action(field))
-        }
-        Form::Choice(choices) => {
-            let names = choices.iter().map(|(name, _)| *name);
-            argument.value_parser(PossibleValuesParser::new(names)).required(is_needed)
-        }
-        _ => argument.allow_hyphen_values(true).required(is_needed).action(action(field)),
+    if field.form.is_flag() {
+        return argument.action(ArgAction::SetTrue);
     }
-}
-
-fn action(field: &Field) -> ArgAction {
-    if field.need == Need::Several { ArgAction::Append } else { ArgAction::Set }
+    let is_several = field.need == Need::Several;
+    let argument = argument.action(if is_several { ArgAction::Append } else { ArgAction::Set });
+    let choices = field.form.choices();
+    if field.form.is_file() {
+        argument.value_parser(value_parser!(PathBuf)).value_hint(ValueHint::FilePath)
+    } else if choices.is_empty() {
+        let argument = argument.allow_hyphen_values(field.form.is_signed());
+        argument.allow_negative_numbers(true)
+    } else {
+        let value = |choice: &Choice| PossibleValue::new(choice.name).help(choice.doc);
+        argument.value_parser(PossibleValuesParser::new(choices.iter().map(value)))
+    }
 }
 
 /// The argument of a file that the task writes.
@@ -92,28 +119,21 @@ fn own_file(file: &OwnFile) -> Arg {
 }
 
 /// What was asked for.
-fn asked(task: &Entry, matches: &ArgMatches) -> Asked {
-    let fields = (task.fields)();
-    let mut asked = Asked::new(Face::Command, fields.clone());
-    for field in &fields {
-        if matches.value_source(field.name) != Some(clap::parser::ValueSource::CommandLine) {
-            continue;
+fn asked(task: &Entry, matches: &ArgMatches) -> Result<Asked, Failure> {
+    Asked::new(Face::Command, (task.fields)(), |field| {
+        if matches.value_source(field.name) != Some(ValueSource::CommandLine) {
+            return Ok(Vec::new());
         }
-        match field.form {
-            Form::Flag => asked.give(field.name, Value::Flag(true)),
-            Form::File => {
-                for path in matches.get_many::<PathBuf>(field.name).into_iter().flatten() {
-                    asked.give(field.name, Value::File(InputFile::at(path)));
-                }
-            }
-            _ => {
-                for text in matches.get_many::<String>(field.name).into_iter().flatten() {
-                    asked.give(field.name, Value::Text(text.clone()));
-                }
-            }
-        }
-    }
-    asked
+        Ok(if field.form.is_flag() {
+            vec![Value::Flag(matches.get_flag(field.name))]
+        } else if field.form.is_file() {
+            let paths = matches.get_many::<PathBuf>(field.name).into_iter().flatten();
+            paths.map(|path| Value::File(InputFile::at(path))).collect()
+        } else {
+            let texts = matches.get_many::<String>(field.name).into_iter().flatten();
+            texts.cloned().map(Value::Text).collect()
+        })
+    })
 }
 
 /// A task with all that the command line says of it.
@@ -135,7 +155,7 @@ pub fn run(task: &Entry, matches: &ArgMatches) -> Result<u8, Failure> {
     let job = Job {
         task,
         case: CaseArguments { case: matches.get_one::<PathBuf>(CASE).cloned(), overrides },
-        asked: asked(task, matches),
+        asked: asked(task, matches)?,
         outputs,
         own_files: (task.own_files)().iter().filter_map(own).collect(),
     };
@@ -146,6 +166,7 @@ impl Job<'_> {
     fn run(&self) -> Result<u8, Failure> {
         let progress = Progress::start();
         let (files, directory) = (self.files(), self.directory());
+        let work = (self.task.read)(&self.asked)?;
         outputs::check(&files, directory.as_ref())?;
         let case = read_case(&self.case)?;
         outputs::refuse_inputs(&files, directory.as_ref(), &self.inputs(&case))?;
@@ -159,8 +180,7 @@ impl Job<'_> {
             overrides: (SET, &self.case.overrides),
             scratch: &|| Ok(Box::new(interrupt::scratch()?) as Scratch),
         };
-        let found = (self.task.run)(&given, &self.asked, &self.wanted(), &progress.watch())?;
-        let Found { report, failure } = found;
+        let Found { report, failure } = work(&given, &self.wanted(), &progress.watch())?;
         // A file of an earlier run would look current beside results that cannot be written.
         if failure.is_none() {
             self.write(&*report, &progress)?;
@@ -220,7 +240,7 @@ impl Job<'_> {
             own.find(|file| file.replaces == Some(name)).map(|file| format!("--{}", file.option))
         };
         let files = self.asked.files(case).into_iter().map(|(name, path)| Input {
-            what: self.asked.name(name),
+            what: format!("that of {}", self.asked.name(name)),
             path,
             // A state may be carried on in place.
             except: replacing(name),

@@ -142,7 +142,7 @@ fn forces_alone_fill_no_tables() {
     let outputs = ["--json", "r.json", "--csv", "r.csv", "--vtk", "r.vtk", "--figures", "figures"];
     let run = bench.run(&[&polach[..], &outputs[..]].concat());
     assert_eq!(run.code, Some(0), "{}", run.stderr);
-    for text in ["csv has no rows", "vtk has no cells", "figures has nothing to draw"] {
+    for text in ["--csv: no rows", "--vtk: no cells", "--figures: nothing is drawn"] {
         assert!(run.stderr.contains(text), "{}", run.stderr);
     }
     let result: Value = serde_json::from_str(&bench.read("r.json")).unwrap();

@@ -172,7 +172,7 @@ fn what_did_not_converge_is_written_and_marked() {
 
 /// Arguments after `curve case.toml`, parts of the report.
 const BAD: &[(&[&str], &[&str])] = &[
-    (&[], &["a curve needs --creepage-x, or --creepage-y"]),
+    (&[], &["required", "<--creepage-x <START..END>|--creepage-y <START..END>|"]),
     (&["--creepage-x", "0.05"], &["--creepage-x must be a range START..END", "\"0.05\""]),
     (&["--creepage-x", "0.05..0.05"], &["must differ from its start, but both are 0.05"]),
     (&["--creepage-x", "0..nan"], &["--creepage-x 0..nan: the end", "finite", "NaN"]),
@@ -187,17 +187,17 @@ const BAD: &[(&[&str], &[&str])] = &[
         &["--creepage", "0..2", "--direction", "0 deg"],
         &["--creepage 0..2 --direction 0 deg", "does not at creepage = 1"],
     ),
-    (&["--creepage", "0..0.1"], &["must be given together with --direction"]),
-    (
-        &["--creepage-x", "0..0.1", "--direction", "3 deg"],
-        &["--direction must be given together with --creepage"],
-    ),
+    (&["--creepage", "0..0.1"], &["required", "--direction <ANGLE>"]),
+    (&["--creepage-x", "0..0.1", "--direction", "3 deg"], &["required", "--creepage <START..END>"]),
     (
         &["--force-x", "0..-40 kN", "--over", "normal.load=60 kN,70 kN"],
         &["--force-x 0..-40 kN with normal.load = 60 kN: kinematics.force_x cannot be"],
     ),
-    (&["--creepage", "0..0.1", "--direction", "30"], &["must be an angle", "\"30\""]),
-    (&["--creepage", "0..0.1", "--creepage-x", "0..1"], &["must be given together with"]),
+    (
+        &["--creepage", "0..0.1", "--direction", "30"],
+        &["--direction must be an angle", "\"30\"", "such as 30 deg"],
+    ),
+    (&["--creepage", "0..0.1", "--creepage-x", "0..1"], &["cannot be used with"]),
     (&["--creepage-x", "0..0.1", "--points", "1"], &["--points must be a whole number between 2"]),
     (&["--creepage-x", "0..0.1", "--spacing", "odd"], &["refined, even"]),
     (&["--creepage-x", "0..0.1", "--over", "speed"], &["section.field=value,value,…"]),
@@ -231,11 +231,11 @@ const BAD: &[(&[&str], &[&str])] = &[
     ),
     (
         &["--creepage-x", "0..0.1", "--csv", "p.csv", "--over", "normal.file=p.csv,q.csv"],
-        &["--csv must name a file of its own, but p.csv is also that of --over"],
+        &["--csv must write files of its own, but p.csv is also that of --over"],
     ),
     (
         &["--creepage-x", "0..0.1", "--over", "kinematics.speed=10..20"],
-        &["--over 10..20: the start of the range must be a speed", "the unit is missing"],
+        &["--over 10..20: the end of the range must be a speed", "the unit is missing"],
     ),
     (
         &["--creepage-x", "0..0.1", "--over", "kinematics.speed=10..20 m/s:1"],
@@ -256,9 +256,9 @@ const BAD: &[(&[&str], &[&str])] = &[
         ],
         &["both must be numbers, but friction.model is none"],
     ),
-    (&["--force-x", "0..-10"], &["--force-x 0..-10: ", "the unit is missing"]),
-    (&["--force-x", "0..1 kN", "--spin", "0..1 1/m"], &["must not be given together with"]),
-    (&["--force-x", "0..1 kN", "--force-y", "0..1 kN"], &["must not be given together with"]),
+    (&["--force-x", "0..-10"], &["--force-x 0..-10: ", "unit is missing", "or \"0..-10 kN\""]),
+    (&["--force-x", "0..1 kN", "--spin", "0..1 1/m"], &["cannot be used with"]),
+    (&["--force-x", "0..1 kN", "--force-y", "0..1 kN"], &["cannot be used with"]),
     (&["--moment-z", "1..1 N m"], &["must differ from its start, but both are 1 N m"]),
     (
         &["--traction-coefficient", "0..0.9"],
@@ -279,7 +279,7 @@ const BAD: &[(&[&str], &[&str])] = &[
         ],
         &["but --force-x prescribes the force"],
     ),
-    (&["--creepage-x", "0..0.1", "--csv", "case.toml"], &["is also that of the case file"]),
+    (&["--creepage-x", "0..0.1", "--csv", "case.toml"], &["is also the case file"]),
     (&["--creepage-x", "0..0.1", "--csv", "-"], &["--csv must name a file"]),
 ];
 

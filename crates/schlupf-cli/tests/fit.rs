@@ -277,8 +277,8 @@ fn bad_requests_are_refused() {
         (BOTH, &["--data", "none.csv"], 2, "cannot be used multiple times"),
         (BOTH, &["--gamma", "0"], 2, "between 0.01 and 10"),
         (BOTH, &["--max-steps", "0"], 2, "--max-steps"),
-        (BOTH, &["--csv", "data.csv"], 2, "--csv must name a file of its own"),
-        (BOTH, &["--write-case", "case.toml"], 2, "also that of the case file"),
+        (BOTH, &["--csv", "data.csv"], 2, "--csv must write files of its own"),
+        (BOTH, &["--write-case", "case.toml"], 2, "also the case file"),
         (BOTH, &["--set", "friction.coefficient=5"], 2, "must start a fit between"),
     ];
     for (parameters, more, code, part) in rows {

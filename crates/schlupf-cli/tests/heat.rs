@@ -172,5 +172,5 @@ fn what_has_no_bulk_temperature_is_refused() {
         assert_eq!(bench.list(), ["case.toml"]);
     }
     let (_, run) = bulk(&format!("{BRAKING}{COOLING}"), &["--json", "case.toml"]);
-    assert!(run.stderr.contains("is also that of the case file"), "{}", run.stderr);
+    assert!(run.stderr.contains("is also the case file"), "{}", run.stderr);
 }

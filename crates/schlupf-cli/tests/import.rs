@@ -93,7 +93,7 @@ fn existing_files_stay() {
     bench.write("own.toml", &bench.read("one.inp"));
     let run = bench.run(&["import", "own.toml", "--force"]);
     assert_eq!(run.code, Some(2), "{}", run.stderr);
-    assert!(run.stderr.contains("own.toml is also that of the input file"), "{}", run.stderr);
+    assert!(run.stderr.contains("own.toml is also the input file"), "{}", run.stderr);
 }
 
 /// A table that a case needs is written beside it.

@@ -165,12 +165,16 @@ const BAD: &[(&[&str], &[&str])] = &[
     ),
     (
         &[QUICK, "--pressure", "1"],
-        &["--pressure 1: each pressure must be a pressure", "unit is missing"],
+        &["--pressure 1: each value of --pressure must be a pressure", "unit is missing"],
     ),
     (&[QUICK, "--friction", "-1"], &["--friction -1: friction.coefficient must be between"]),
     (
         &[QUICK, "--hardness", "0.5 GPa"],
         &["--hardness 0.5 GPa: --hardness must be above the largest"],
+    ),
+    (
+        &["line.csv", "--spacing", "1"],
+        &["--spacing 1: --spacing must be a length", "\"1\": the unit is missing"],
     ),
     (&[QUICK, "--form", "plane"], &["--form"]),
     (&[QUICK, "--second", "xx.csv"], &["and --second is \"xx.csv\" (--second xx.csv)"]),
@@ -186,10 +190,10 @@ const BAD: &[(&[&str], &[&str])] = &[
         &["line.csv", "--cutoff", "1 m"],
         &["--cutoff 1 m: --cutoff must be between 2e-6 and 9.9e-5 m"],
     ),
-    (&["line.csv", "--form", "cone"], &["--form cone: --form must be one of"]),
+    (&["line.csv", "--form", "cone"], &["'cone' for '--form <NAME>'", "cylinder, sphere, none"]),
     (
         &["line.csv", "--heights", "line.csv"],
-        &["must name a file of its own, but line.csv is also that of SURFACE"],
+        &["must write files of its own, but line.csv is also that of SURFACE"],
     ),
 ];
 

@@ -222,7 +222,7 @@ fn no_two_outputs_share_a_file() {
         all.extend(arguments);
         let run = bench.run(&all);
         assert_eq!(run.code, Some(2), "{}", run.stderr);
-        assert!(run.stderr.contains("a file of its own"), "{}", run.stderr);
+        assert!(run.stderr.contains("files of its own"), "{}", run.stderr);
     }
     assert_eq!(bench.read("case.toml"), SMALL);
 }

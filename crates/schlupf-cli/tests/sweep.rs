@@ -242,7 +242,7 @@ fn wrong_arguments_are_refused() {
     };
     refused(&["--output", "table.txt"], ".csv or .parquet");
     refused(&["--output", "t.csv", "--shard", "3/2"], "I from 1 to N");
-    refused(&["--output", "case.toml"], "--output must name a file of its own");
+    refused(&["--output", "case.toml"], "--output must write files of its own");
     bench.write("other.csv", "a,b\n1,2\n");
     refused(&["--output", "other.csv"], "no table of a study");
     let failing = "case = \"case.toml\"\n[vary]\n\"kinematics.creepage_x\" = [1.5]\n";

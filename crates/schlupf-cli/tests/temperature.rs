@@ -146,7 +146,7 @@ const BAD: &[(&[&str], &[&str])] = &[
     (&["--wake", "-1 mm"], &["--wake must be between 0 and 1000 m", "\"-1 mm\""]),
     (&["--wake", "nan m"], &["--wake must be between", "nan m"]),
     (&["--points", "1"], &["--points must be a whole number between 2 and 10000"]),
-    (&["--csv", "case.toml"], &["is also that of the case file"]),
+    (&["--csv", "case.toml"], &["is also the case file"]),
 ];
 
 #[test]

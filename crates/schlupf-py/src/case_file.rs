@@ -89,14 +89,14 @@ impl CaseFile {
         checked(py, schlupf_case::CaseFile::from_path(&path, Overrides::NONE))
     }
 
-    /// The same with other fields.
+    /// This case with other fields.
     fn with_fields(&self, py: Python<'_>, assignments: Vec<String>) -> PyResult<Self> {
         let file = self.file.with(ARGUMENT, &assignments);
         let file = file.map_err(|errors| errors::of_case(py, &errors))?;
         Ok(Self { file, functions: self.functions.clone_ref(py) })
     }
 
-    /// The same with functions in place of its friction law and its heat partition, and with a
+    /// This case with functions in place of its friction law and its heat partition, and with a
     /// pressure (in Pa) at places x and y (in m), rows along x, scaled to a load (in N) if there is
     /// one.
     #[pyo3(signature = (friction, partition, pressure, load))]

@@ -67,7 +67,7 @@ impl<'a> Conditions<'a> {
         self.values.iter().map(|values| Entry::Number(values[k])).collect()
     }
 
-    /// The same in place of earlier ones.
+    /// Puts those entries in place of earlier ones.
     fn put(&self, k: usize, entries: &mut [Entry]) {
         for (entry, values) in entries.iter_mut().zip(&self.values) {
             *entry = Entry::Number(values[k]);

@@ -17,7 +17,7 @@ pub struct Functions {
 }
 
 impl Functions {
-    /// The same functions.
+    /// These functions once more.
     pub fn clone_ref(&self, py: Python<'_>) -> Self {
         let clone = |law: &Option<Py<PyAny>>| law.as_ref().map(|law| law.clone_ref(py));
         Self { friction: clone(&self.friction), partition: clone(&self.partition) }

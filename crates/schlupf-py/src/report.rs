@@ -28,7 +28,7 @@ impl Report {
         Self { report }
     }
 
-    /// The same as what it is.
+    /// It as a report of one kind, if it is of that.
     fn of<T: 'static>(&self) -> Option<&T> {
         (&*self.report as &dyn Any).downcast_ref()
     }
@@ -46,7 +46,7 @@ impl Report {
         self.report.summary().to_string()
     }
 
-    /// The same by lines: see [`lines`].
+    /// The summary by lines: see [`lines`].
     fn lines<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
         lines(py, &self.report.summary())
     }

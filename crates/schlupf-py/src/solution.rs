@@ -37,7 +37,7 @@ impl Solution {
         self.report.summary().to_string()
     }
 
-    /// The same by lines: see [`records::lines`].
+    /// The summary by lines: see [`records::lines`].
     fn lines<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
         records::lines(py, &self.report.summary())
     }

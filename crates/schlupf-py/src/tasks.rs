@@ -6,8 +6,9 @@ use std::sync::Arc;
 
 use pyo3::exceptions::{PyKeyError, PyTypeError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyList, PyString};
+use pyo3::types::{PyDict, PyList, PyString};
 use schlupf::Status;
+use schlupf_case::fields::Kind;
 use schlupf_case::{CaseError, CaseErrors, CaseFile as Case, Folder, InputFile, Overrides, Place};
 use schlupf_tasks::request::{Field, Form, Need};
 use schlupf_tasks::task::Found;
@@ -18,27 +19,22 @@ use crate::errors;
 use crate::report::Report;
 use crate::study::raised;
 
-/// Does a task: its name, its case (by default the standard one), what it is asked, whether its
-/// figures are wanted, and its own files that are wanted, with where they are going to lie. Ctrl-C
-/// stops it.
+/// Does a task: its name, its case (by default the standard one) with the folder that its files lie
+/// in, and what it is asked. Ctrl-C stops it.
 #[pyfunction]
-#[pyo3(signature = (name, case, request, figures=false, files=Vec::new()))]
 pub fn run(
     py: Python<'_>,
     name: &str,
     case: Option<PyRef<'_, CaseFile>>,
+    folder: PathBuf,
     request: &Bound<'_, PyDict>,
-    figures: bool,
-    files: Vec<(String, PathBuf)>,
 ) -> PyResult<Report> {
     let task = schlupf_tasks::find(name).ok_or_else(|| PyKeyError::new_err(name.to_owned()))?;
-    let asked = asked(task, request)?;
-    let own = |(format, path): (String, PathBuf)| {
-        let mut own = (task.own_files)().iter();
-        own.find(|file| file.format == format).map(|file| (file.format, path))
-    };
-    let files = files.into_iter().filter_map(own).collect();
-    let wanted = Wanted { figures, table: false, files };
+    let work = (task.read)(&asked(task, request)?).map_err(|error| failed(py, error))?;
+    // What is part of a result is there, whether it is asked for later or not.
+    let parts = (task.own_files)().iter().filter(|file| file.is_part);
+    let files = parts.map(|file| (file.format, folder.join(file.option))).collect();
+    let wanted = Wanted { files, ..Wanted::default() };
     let is_default = case.is_none();
     let case = match case {
         Some(case) => case,
@@ -46,7 +42,7 @@ pub fn run(
     };
     let found = case.run(py, &Arc::default(), |case, watch| {
         let given = Given { is_default, scratch: &study::scratch, ..Given::of(case) };
-        (task.run)(&given, &asked, &wanted, watch)
+        work(&given, &wanted, watch)
     })?;
     match found {
         // That it has not converged explains more.
@@ -54,11 +50,18 @@ pub fn run(
             Err(errors::of_case(py, &errors))
         }
         Ok(found) => Ok(Report::new(found.report)),
-        Err(TaskError::Case(errors)) => Err(errors::of_case(py, &errors)),
-        Err(TaskError::Study(error)) => Err(raised(py, error)),
-        Err(TaskError::Request(message)) => {
+        Err(error) => Err(failed(py, error)),
+    }
+}
+
+/// Why a task cannot be done, as an exception.
+fn failed(py: Python<'_>, error: TaskError) -> PyErr {
+    match error {
+        TaskError::Case(errors) => errors::of_case(py, &errors),
+        TaskError::Study(error) => raised(py, error),
+        TaskError::Request(message) => {
             let place = Place::File { name: String::new() };
-            Err(errors::of_case(py, &CaseError::new("", message, place).into()))
+            errors::of_case(py, &CaseError::new("", message, place).into())
         }
     }
 }
@@ -71,27 +74,21 @@ fn default_case(py: Python<'_>) -> PyResult<Case> {
 
 /// The request that a dictionary makes; what is `None` in it is left out.
 fn asked(task: &Entry, request: &Bound<'_, PyDict>) -> PyResult<Asked> {
-    let fields = (task.fields)();
-    let mut asked = Asked::new(Face::Functions, fields.clone());
-    for field in &fields {
-        if let Some(value) = request.get_item(field.name)?.filter(|value| !value.is_none()) {
-            asked.give(field.name, converted(field, &value)?);
-        }
-    }
-    Ok(asked)
+    Asked::new(Face::Functions, (task.fields)(), |field| {
+        let value = request.get_item(field.name)?.filter(|value| !value.is_none());
+        value.map(|value| converted(field, &value)).into_iter().collect()
+    })
 }
 
 /// A value of Python.
 fn converted(field: &Field, value: &Bound<'_, PyAny>) -> PyResult<Value> {
-    if field.form == Form::Flag || value.is_instance_of::<PyBool>() {
-        return Ok(Value::Flag(value.is_truthy()?));
+    // NumPy's booleans, too.
+    if let Ok(flag) = value.extract::<bool>() {
+        return Ok(Value::Flag(flag));
     }
-    if field.form == Form::File && field.need != Need::Several {
-        return file(value);
-    }
-    if field.form == Form::File
-        && (value.is_instance_of::<PyString>() || value.hasattr("__fspath__")?)
-    {
+    let is_path = value.is_instance_of::<PyString>() || value.hasattr("__fspath__")?;
+    let is_one = is_path || value.extract::<(String, Vec<u8>)>().is_ok();
+    if field.form.is_file() && (field.need != Need::Several || is_one) {
         return file(value);
     }
     if let Ok(text) = value.extract::<String>() {
@@ -107,7 +104,7 @@ fn converted(field: &Field, value: &Bound<'_, PyAny>) -> PyResult<Value> {
             field.name
         )));
     };
-    let parts = parts.map(|part| converted(&field.clone(), &part?));
+    let parts = parts.map(|part| converted(field, &part?));
     Ok(Value::List(parts.collect::<PyResult<_>>()?))
 }
 
@@ -120,15 +117,20 @@ fn file(value: &Bound<'_, PyAny>) -> PyResult<Value> {
     Ok(Value::File(InputFile::at(&value.extract::<PathBuf>()?)))
 }
 
-/// All tasks: name, what it does, and fields.
+/// All tasks: name, function, what it does, sources, what the case is, whether it is of an argument
+/// and has several results, and fields.
 #[pyfunction]
 pub fn tasks(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
     let tasks = PyList::empty(py);
     for task in TASKS {
         let entry = PyDict::new(py);
         entry.set_item("name", task.name)?;
+        entry.set_item("function", task.function)?;
         entry.set_item("about", task.about)?;
         entry.set_item("sources", task.sources)?;
+        entry.set_item("case", task.case.doc())?;
+        entry.set_item("is_of_argument", task.is_of_argument())?;
+        entry.set_item("has_several", task.has_several)?;
         let fields = PyList::empty(py);
         for field in (task.fields)() {
             fields.append(described(py, &field)?)?;
@@ -139,18 +141,21 @@ pub fn tasks(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
     Ok(tasks)
 }
 
-/// A field: name, kind, how often it is given, default as text, unit (SI), choices, meaning.
+/// A field: name, kind, how often it is given, default as text, unit (SI), choices, columns of a
+/// table with their units, meaning.
 fn described<'py>(py: Python<'py>, field: &Field) -> PyResult<Bound<'py, PyDict>> {
     let entry = PyDict::new(py);
     entry.set_item("name", field.name)?;
     entry.set_item("kind", kind(field.form))?;
     entry.set_item("is_several", field.need == Need::Several)?;
-    let is_needed = field.need == Need::Once && field.default.is_none() && field.form != Form::Flag;
-    entry.set_item("is_needed", is_needed)?;
+    entry.set_item("is_needed", field.is_needed())?;
     entry.set_item("default", field.default.as_deref())?;
     entry.set_item("units", field.form.unit())?;
-    let choices = if let Form::Choice(choices) = field.form { choices } else { &[] };
-    entry.set_item("choices", choices.to_vec())?;
+    let choices = field.form.choices().iter().map(|choice| (choice.name, choice.doc));
+    entry.set_item("choices", choices.collect::<Vec<_>>())?;
+    let columns = if let Form::File(columns) = field.form { columns } else { &[] };
+    let columns = columns.iter().map(|column| (column.name, column.unit()));
+    entry.set_item("columns", columns.collect::<Vec<_>>())?;
     entry.set_item("doc", field.doc)?;
     Ok(entry)
 }
@@ -163,7 +168,17 @@ fn kind(form: Form) -> &'static str {
         Form::Depths | Form::Range(_) => "range",
         Form::Choice(_) => "choice",
         Form::Family => "family",
-        Form::File => "file",
-        Form::Text(_) => "text",
+        Form::File([]) => "file",
+        Form::File(_) => "table",
+        Form::List(_) => "list",
+        Form::OfCase(_) => match form.of_case() {
+            Some(Kind::Flag) => "flag",
+            Some(Kind::Count) => "count",
+            Some(Kind::Number | Kind::Quantity(_)) => "number",
+            Some(Kind::Quantities(_) | Kind::Numbers) => "numbers",
+            Some(Kind::Choice(_)) => "choice",
+            Some(Kind::Path) => "file",
+            Some(Kind::NumberOr(_) | Kind::Text) | None => "text",
+        },
     }
 }

@@ -6,7 +6,7 @@ use schlupf::{Error, Watch};
 use schlupf_case::CaseErrors;
 
 use crate::request::Nothing;
-use crate::task::{Found, Given, Task, Wanted};
+use crate::task::{CaseArgument, Found, Given, Task, Wanted};
 use crate::{Notice, TaskError, messages};
 
 /// `bulk`: the section `[cooling]` of the case says what cools the wheel.
@@ -14,8 +14,11 @@ pub struct Bulk;
 
 impl Task for Bulk {
     const NAME: &'static str = "bulk";
+    const FUNCTION: &'static str = "bulk_temperature";
     const ABOUT: &'static str =
         "Compute the long-term bulk temperature of the wheel from its heat balance";
+    const CASE: CaseArgument =
+        CaseArgument::Positional("with what cools the wheel in the section [cooling]");
     type Request = Nothing;
     type Report = BulkReport;
 

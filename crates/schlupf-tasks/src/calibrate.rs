@@ -16,9 +16,11 @@ use schlupf::material::Material;
 use schlupf::message::Message;
 use schlupf::normal::{NormalContact, Pressure};
 use schlupf::{Error, Quantity, Status, Warning, Watch};
-use schlupf_case::{CaseErrors, CaseFile, Displacements, InputFile, read_displacements};
+use schlupf_case::{
+    CaseErrors, CaseFile, DISPLACEMENT_COLUMNS, Displacements, InputFile, read_displacements,
+};
 
-use crate::request::{Form, request};
+use crate::request::{Kind, Rule, request};
 use crate::task::{Found, Given, Task, Wanted};
 use crate::{Notice, TaskError, messages};
 
@@ -26,12 +28,13 @@ request! {
     /// What to calibrate the layer to.
     Request {
         /// Calibrate for this very patch instead of interpolating the table, and compare both.
-        direct: bool = Form::Flag;
+        direct: bool = Kind::flag();
         /// Displacements of a finite-element model to fit to (CSV with columns x, y, traction_x,
         /// displacement_x, …); several files count together.
-        displacements: Vec<InputFile> = Form::File;
+        displacements: Vec<InputFile> = Kind::table(&DISPLACEMENT_COLUMNS);
         /// Cells across the patch on which layer and half-space are compared.
-        cells: usize = Form::Count([10, 80]), default(CalibrationOptions::default().cells);
+        cells: usize = Kind::count(10, 80), default(CalibrationOptions::default().cells);
+        => &[Rule::Apart(&["displacements"], &["direct"])]
     }
 }
 
@@ -51,7 +54,6 @@ impl Task for Calibrate {
         wanted: &Wanted,
         watch: Watch,
     ) -> Result<Found<CalibrationReport>, TaskError> {
-        request.asked.require_one_of(&["direct", "displacements"])?;
         let name = request.asked.name("displacements");
         let files = request.displacements.iter();
         let displacements = files.map(|file| read_displacements(&name, file));

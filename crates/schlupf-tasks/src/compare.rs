@@ -28,6 +28,7 @@ impl Task for Compare {
     const NAME: &'static str = "compare";
     const ABOUT: &'static str =
         "Solve a case by all methods and compare forces, temperatures and times";
+    const HAS_SEVERAL: bool = true;
     type Request = Nothing;
     type Report = Comparison;
 

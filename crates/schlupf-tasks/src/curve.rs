@@ -2,64 +2,80 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::output::creep_curve::{CurveFamily, FieldValue, Member as Found};
+use crate::output::creep_curve::{CurveFamily, FieldValue, Member};
 use schlupf::creep_curve::{
     self, CreepCurve, Creepages, MAX_POINTS, Path, Sampling, Spacing, VariedForce,
 };
 use schlupf::{Problem, Quantity, Watch, parallel};
+use schlupf_case::fields::Choice;
 use schlupf_case::{Case, Family, FieldNames, quantity_field};
 
 use crate::TaskError;
-use crate::request::{Form, request};
-use crate::task::{Found as Done, Given, Task, Wanted};
+use crate::request::{Kind, Rule, request};
+use crate::task::{Found, Given, Task, Wanted};
 
 request! {
     /// Which curves: what varies along each, what is another for each, and where the points are.
     Request {
         /// Vary the longitudinal creepage, such as 0..0.05; several creepages vary together.
-        creepage_x: Option<[f64; 2]> = Form::Range(Quantity::CreepageX);
+        creepage_x: Option<[f64; 2]> = Kind::range(Quantity::CreepageX);
         /// Vary the lateral creepage.
-        creepage_y: Option<[f64; 2]> = Form::Range(Quantity::CreepageY);
+        creepage_y: Option<[f64; 2]> = Kind::range(Quantity::CreepageY);
         /// Vary the spin creepage, such as "0..2 1/m".
-        spin: Option<[f64; 2]> = Form::Range(Quantity::Spin);
+        spin: Option<[f64; 2]> = Kind::range(Quantity::Spin);
         /// Vary the total creepage in a direction, in place of both creepages.
-        creepage: Option<[f64; 2]> = Form::Range(Quantity::CreepageX);
+        creepage: Option<[f64; 2]> = Kind::range(Quantity::CreepageX);
         /// Direction of the total creepage, from longitudinal (0 deg) to lateral (90 deg).
-        direction: Option<f64> = Form::Angle;
+        direction: Option<f64> = Kind::angle();
         /// Vary the longitudinal force on the wheel, such as "0..-20 kN" (negative in braking), in
         /// place of all creepages: its creepage is found.
-        force_x: Option<[f64; 2]> = Form::Range(Quantity::ForceX);
+        force_x: Option<[f64; 2]> = Kind::range(Quantity::ForceX);
         /// Vary the same over the load, such as 0..0.25 (positive in braking).
-        traction_coefficient: Option<[f64; 2]> = Form::Range(Quantity::ForceOverLoad);
+        traction_coefficient: Option<[f64; 2]> = Kind::range(Quantity::ForceOverLoad);
         /// Vary the lateral force on the wheel.
-        force_y: Option<[f64; 2]> = Form::Range(Quantity::ForceY);
+        force_y: Option<[f64; 2]> = Kind::range(Quantity::ForceY);
         /// Vary the spin moment on the wheel, such as "0..20 N m".
-        moment_z: Option<[f64; 2]> = Form::Range(Quantity::MomentZ);
-        /// Draw one curve for each value of a field, such as kinematics.speed="10 m/s,20 m/s" or
-        /// kinematics.speed="5..50 m/s:10"; three numbers or more make a map, and two fields make
-        /// one of the largest force over both.
-        over: Vec<Family> = Form::Family;
+        moment_z: Option<[f64; 2]> = Kind::range(Quantity::MomentZ);
+        /// Draw one curve for each value of a field, such as 10, 20 and 30 m/s of kinematics.speed.
+        /// At least three numbers make a map over the creepage and the field, two fields one of
+        /// the largest force over both.
+        over: Vec<Family> = Kind::family();
         /// Number of points of each curve.
-        points: usize = Form::Count([2, MAX_POINTS]), default(Sampling::default().points);
+        points: usize = Kind::count(2, MAX_POINTS), default(Sampling::default().points);
         /// Spacing of the points; by default refined over a creepage and even over a force.
-        spacing: Option<&'static str> = Form::Choice(&SPACINGS);
+        spacing: Option<&'static str> = Kind::choice(&SPACINGS);
+        => RULES
     }
 }
 
 const REFINED: &str = "refined";
 
 /// How the points of a curve are spaced.
-const SPACINGS: [(&str, &str); 2] =
-    [(REFINED, "finer near zero creepage"), ("even", "equal steps")];
+const SPACINGS: [Choice; 2] = [
+    Choice { name: REFINED, doc: "finer near zero creepage" },
+    Choice { name: "even", doc: "equal steps" },
+];
 
-const CREEPAGES: [&str; 4] = ["creepage_x", "creepage_y", "spin", "creepage"];
+/// What may vary along a curve: creepages, then forces.
+const VARIED: &[&str] = &[
+    "creepage_x",
+    "creepage_y",
+    "spin",
+    "creepage",
+    "force_x",
+    "traction_coefficient",
+    "force_y",
+    "moment_z",
+];
+const CREEPAGES: &[&str] = VARIED.split_at(4).0;
+const FORCES: &[&str] = VARIED.split_at(4).1;
 
-/// Forces that a curve may vary.
-const FORCES: [(&str, VariedForce); 4] = [
-    ("force_x", VariedForce::X),
-    ("traction_coefficient", VariedForce::OverLoad),
-    ("force_y", VariedForce::Y),
-    ("moment_z", VariedForce::MomentZ),
+const RULES: &[Rule] = &[
+    Rule::AnyOf(VARIED),
+    Rule::Apart(FORCES, VARIED),
+    Rule::Apart(&["creepage"], &["creepage_x", "creepage_y"]),
+    Rule::With(&["creepage"], &["direction"]),
+    Rule::With(&["direction"], &["creepage"]),
 ];
 
 /// `curve`.
@@ -68,6 +84,7 @@ pub struct Curve;
 impl Task for Curve {
     const NAME: &'static str = "curve";
     const ABOUT: &'static str = "Compute creep curves: forces against creepage";
+    const HAS_SEVERAL: bool = true;
     type Request = Request;
     type Report = CurveFamily;
 
@@ -76,8 +93,7 @@ impl Task for Curve {
         request: Request,
         _wanted: &Wanted,
         watch: Watch,
-    ) -> Result<Done<CurveFamily>, TaskError> {
-        request.check_varied()?;
+    ) -> Result<Found<CurveFamily>, TaskError> {
         let case = of.case.pose(watch)?;
         let members = request.members(&case, watch)?;
         members.iter().try_for_each(|member| request.check(member))?;
@@ -87,7 +103,7 @@ impl Task for Curve {
 
 /// One curve to compute.
 #[derive(Debug)]
-struct Member {
+struct Planned {
     values: Vec<FieldValue>,
     case: Case,
     path: Path,
@@ -98,51 +114,35 @@ impl Request {
     fn trace(
         &self,
         title: String,
-        members: &[Member],
+        members: &[Planned],
         watch: Watch,
     ) -> Result<CurveFamily, TaskError> {
         let sampling = self.sampling();
         let done: Vec<AtomicUsize> = members.iter().map(|_| AtomicUsize::new(0)).collect();
         let total = members.len() * sampling.points;
         let each = members.iter().zip(&done).collect();
-        let found = parallel::try_map(each, |(member, own): (&Member, &AtomicUsize)| {
-            let found = member.found(&sampling, &|progress| {
+        let found = parallel::try_map(each, |(member, own): (&Planned, &AtomicUsize)| {
+            let traced = member.member(&sampling, &|progress| {
                 own.store(progress.done, Ordering::Relaxed);
                 let done = done.iter().map(|done| done.load(Ordering::Relaxed)).sum();
                 watch(progress.of(done, total))
             });
-            found.map_err(|error| self.failure(&member.case, &member.values, &error))
+            traced.map_err(|error| self.failure(&member.case, &member.values, &error))
         })?;
         let over = self.over.iter().map(|family| family.field.to_owned()).collect();
         Ok(CurveFamily::new(title, over, sampling, found))
     }
 
-    /// Requires creepages or one force.
-    fn check_varied(&self) -> Result<(), TaskError> {
-        let asked = &self.asked;
-        let forces = FORCES.map(|(name, _)| name);
-        if !CREEPAGES.iter().chain(&forces).any(|name| asked.has(name)) {
-            let names: Vec<String> =
-                CREEPAGES.iter().chain(&forces).map(|name| asked.name(name)).collect();
-            let [first, rest @ ..] = &names[..] else { return Ok(()) };
-            let message = format!("a curve needs {first}, or {}", rest.join(", "));
-            return Err(TaskError::Request(message));
-        }
-        asked.require_one_of(&forces)?;
-        for force in forces {
-            CREEPAGES.iter().try_for_each(|creepage| asked.require_one_of(&[creepage, force]))?;
-        }
-        asked.require_with(&["creepage"], "direction")?;
-        asked.require_with(&["direction"], "creepage")?;
-        asked.require_one_of(&["creepage", "creepage_x"])?;
-        Ok(asked.require_one_of(&["creepage", "creepage_y"])?)
-    }
-
     /// The force that varies, with its name and its range.
     fn force(&self) -> Option<(&'static str, VariedForce, [f64; 2])> {
-        let ranges = [self.force_x, self.traction_coefficient, self.force_y, self.moment_z];
-        let mut forces = FORCES.into_iter().zip(ranges);
-        forces.find_map(|((name, force), range)| Some((name, force, range?)))
+        let ranges = [
+            (VariedForce::X, self.force_x),
+            (VariedForce::OverLoad, self.traction_coefficient),
+            (VariedForce::Y, self.force_y),
+            (VariedForce::MomentZ, self.moment_z),
+        ];
+        let mut forces = FORCES.iter().zip(ranges);
+        forces.find_map(|(name, (force, range))| Some((*name, force, range?)))
     }
 
     /// The total creepage and its direction, if it varies.
@@ -158,7 +158,7 @@ impl Request {
     }
 
     /// One, or one for each value of the family, or for each pair of values of two.
-    fn members(&self, case: &Case, watch: Watch) -> Result<Vec<Member>, TaskError> {
+    fn members(&self, case: &Case, watch: Watch) -> Result<Vec<Planned>, TaskError> {
         self.check_fields()?;
         let mut cases = vec![(Vec::new(), case.clone())];
         for family in &self.over {
@@ -177,7 +177,7 @@ impl Request {
             let path = self.path(&case);
             let path = path.map_err(|error| self.failure(&case, &values, &error))?;
             let case = self.in_place_of_forces(case);
-            Ok(Member { values, case, path })
+            Ok(Planned { values, case, path })
         };
         let members = cases.into_iter().map(member).collect::<Result<Vec<_>, TaskError>>()?;
         self.check_map(&members)?;
@@ -207,7 +207,7 @@ impl Request {
     }
 
     /// Refuses two fields that do not make a map.
-    fn check_map(&self, members: &[Member]) -> Result<(), TaskError> {
+    fn check_map(&self, members: &[Planned]) -> Result<(), TaskError> {
         let over = self.asked.name("over");
         if self.over.len() < 2 {
             return Ok(());
@@ -221,7 +221,7 @@ impl Request {
             return Err(TaskError::Request(reason));
         }
         for (k, family) in self.over.iter().enumerate() {
-            let is_number = |member: &Member| member.values[k].number.is_some();
+            let is_number = |member: &Planned| member.values[k].number.is_some();
             if !members.iter().all(is_number) {
                 let reason = format!(
                     "{over} varies two fields for a map, so both must be numbers, but {} is none",
@@ -241,11 +241,12 @@ impl Request {
         Ok(())
     }
 
-    fn check(&self, member: &Member) -> Result<(), TaskError> {
-        const OF_WHEEL: [&str; 5] = ["creepage_y", "spin", "creepage", "force_y", "moment_z"];
-        let Member { values, case, path } = member;
+    fn check(&self, member: &Planned) -> Result<(), TaskError> {
+        let Planned { values, case, path } = member;
         case.require_steady("a creep curve is")?;
-        let other = OF_WHEEL.into_iter().find(|name| self.asked.has(name));
+        let force = self.force().filter(|(_, force, _)| force.creepage() != Quantity::CreepageX);
+        let creepage = CREEPAGES[1..].iter().copied().find(|name| self.asked.has(name));
+        let other = creepage.or(force.map(|(name, ..)| name));
         if let (Some(_), Some(name)) = (&case.wheel, other) {
             let [name, creepage_x] = [name, "creepage_x"].map(|name| self.asked.name(name));
             return Err(TaskError::Request(format!(
@@ -287,12 +288,7 @@ impl Request {
     fn failure(&self, case: &Case, values: &[FieldValue], error: &schlupf::Error) -> TaskError {
         let field = quantity_field(error.quantity());
         if self.in_place_of(field).is_some() {
-            let names: Vec<&str> = CREEPAGES
-                .into_iter()
-                .chain(["direction"])
-                .chain(FORCES.map(|(name, _)| name))
-                .collect();
-            let given = self.asked.given(&names);
+            let given = self.asked.given(&[CREEPAGES, &["direction"], FORCES].concat());
             let of_curve = self.over.iter().zip(values);
             let of_curve =
                 of_curve.map(|(family, value)| format!("{} = {}", family.field, value.text));
@@ -340,12 +336,12 @@ impl Request {
     }
 }
 
-impl Member {
-    fn found(&self, sampling: &Sampling, watch: Watch) -> Result<Found, schlupf::Error> {
+impl Planned {
+    fn member(&self, sampling: &Sampling, watch: Watch) -> Result<Member, schlupf::Error> {
         let curve = self.trace(sampling, watch)?;
         let of_curve = curve.warnings.iter().map(|w| w.message(&FieldNames::CASE));
         let warnings = self.case.notices.iter().cloned().chain(of_curve).collect();
-        Ok(Found { values: self.values.clone(), warnings, curve })
+        Ok(Member { values: self.values.clone(), warnings, curve })
     }
 
     fn trace(&self, sampling: &Sampling, watch: Watch) -> Result<CreepCurve, schlupf::Error> {

@@ -12,10 +12,11 @@ use schlupf::method::FastMethod;
 use schlupf::{Error, Method, Quantity, Watch};
 use schlupf_case::identification::{field, parameters, read_data};
 use schlupf_case::{
-    Case, CaseError, CaseErrors, CaseFile, Cause, FieldNames, Folder, InputFile, Overrides, Place,
+    CREEP_COLUMNS, Case, CaseError, CaseErrors, CaseFile, Cause, FieldNames, Folder, InputFile,
+    Overrides, Place,
 };
 
-use crate::request::{Form, request};
+use crate::request::{Kind, request};
 use crate::task::{Found, Given, Task, Wanted};
 use crate::{Notice, TaskError, messages};
 
@@ -25,16 +26,16 @@ request! {
         /// Parameters to fit, such as "friction.coefficient,contact_law.stiffness";
         /// "contact_law.roughness" is the r.m.s. height of both surfaces together, in place of the
         /// stiffness.
-        parameters: String = Form::Text("SECTION.FIELD,…"), option("fit");
+        parameters: String = Kind::list("SECTION.FIELD,…"), option("fit");
         /// Measured points (CSV): creepage_x, creepage_y or spin [1/m], force_ratio (-Fx/N over
         /// creepage_x, -Fy/N over creepage_y) or force_ratio_x, force_ratio_y, and where they
         /// differ from the case speed [m/s], load [kN]; standard_deviation where known.
-        data: InputFile = Form::File;
+        data: InputFile = Kind::table(&CREEP_COLUMNS);
         /// γ, for "contact_law.roughness": the rough surfaces approach by γ times that height when
         /// the pressure grows e-fold (Persson 2007).
-        gamma: f64 = Form::Number([0.01, 10.0]), default(DEFAULT_GAMMA);
+        gamma: f64 = Kind::number(0.01, 10.0), default(DEFAULT_GAMMA);
         /// Maximum number of steps of the fit.
-        max_steps: usize = Form::Count([1, 1_000_000]), default(100);
+        max_steps: usize = Kind::count(1, 1_000_000), default(100);
     }
 }
 

@@ -1,20 +1,23 @@
 //! What a case can be asked, from the case to a report: the part that all faces share.
 //!
 //! A [`Task`] has a name, a request and a report. [`TASKS`] lists them: a face gives values to the
-//! fields of a request, calls [`Entry::run`](task::Entry::run), and renders the report, which
-//! knows its own summary, JSON, tables, figures and files. A new task is one file and one line
-//! there. Tasks read no arguments and write no files.
+//! fields of a request, has it read ([`Entry::read`](task::Entry::read)) and done for a case, and
+//! renders the report, which knows its own summary, JSON, tables, figures and files. A new task is
+//! one file and one line there. Tasks read no arguments and write no files.
 //!
 //! ```
 //! use schlupf_case::{CaseFile, Folder, Overrides};
-//! use schlupf_tasks::{Asked, Face, Given, Value, Wanted, find};
+//! use schlupf_tasks::{Asked, Face, Given, TaskError, Value, Wanted, find};
 //!
 //! let text = "kinematics.creepage_x = 0.002\ngrid = { cells_x = 10, cells_y = 10 }";
 //! let case = CaseFile::from_str(text, "a case", Folder::new(""), Overrides::NONE)?;
 //! let task = find("subsurface").ok_or("no such task")?;
-//! let mut asked = Asked::new(Face::Functions, (task.fields)());
-//! asked.give("x", Value::Text("-1 mm".to_owned()));
-//! let found = (task.run)(&Given::of(&case), &asked, &Wanted::default(), &schlupf::unwatched)?;
+//! let asked = Asked::new(Face::Functions, (task.fields)(), |field| match field.name {
+//!     "x" => Ok(vec![Value::Text("-1 mm".to_owned())]),
+//!     _ => Ok::<_, TaskError>(vec![]),
+//! })?;
+//! let work = (task.read)(&asked)?;
+//! let found = work(&Given::of(&case), &Wanted::default(), &schlupf::unwatched)?;
 //! assert!(found.report.summary().to_string().contains("von Mises"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -26,19 +29,20 @@ mod notice;
 pub mod output;
 pub mod request;
 pub mod task;
+pub mod contact_law;
+pub mod solve;
+mod patch;
+mod curve;
+mod roughness;
+mod compare;
+mod temperature;
+mod subsurface;
+mod wear;
 mod bulk;
 mod calibrate;
-mod compare;
-pub mod contact_law;
-mod curve;
 mod fit;
-mod roughness;
-pub mod solve;
-pub mod states;
-mod subsurface;
-mod temperature;
-mod wear;
 mod wheelset;
+pub mod states;
 #[cfg(feature = "study")]
 pub mod study;
 
@@ -54,6 +58,7 @@ use schlupf_case::FieldNames;
 /// All tasks, in the order of help.
 pub const TASKS: &[Entry] = &[
     Entry::of::<solve::Solve>(),
+    Entry::of::<patch::ContactPatch>(),
     Entry::of::<curve::Curve>(),
     Entry::of::<roughness::Roughness>(),
     Entry::of::<compare::Compare>(),

@@ -19,13 +19,13 @@ messages! {
     /// An output has nothing in it, because the method gives no fields.
     "empty-output" EmptyOutput {
         /// Which one.
-        output: &'static str,
+        output: String,
         /// What is missing.
         what: &'static str,
         /// Name of the method.
         method: &'static str,
     } "solver.method", |subject, words| {
-        format!("the output {output} has {what}: solver.method = {method:?} gives no fields")
+        format!("{output}: {what}, because solver.method = {method:?} gives no fields")
     };
 
     /// Loads of the data are far from that of the case.

@@ -1,16 +1,19 @@
 //! What a task is asked: fields, read from what a face gives for them.
 //!
-//! A task defines its request with the macro `request!`: name, type, form and meaning of each
-//! field. Options of the command, arguments in Python and their documentation follow from that, and
-//! every face has its values read and checked here.
+//! A task defines its request with the macro `request!`: name, type, kind and meaning of each
+//! field, and the rules that hold between them. Options of the command, arguments in Python and
+//! their documentation follow from that, and every face has its values read and checked here.
+
+mod form;
+mod kind;
 
 use std::fmt::{Display, Write};
 use std::path::PathBuf;
 
-use schlupf::Quantity;
-use schlupf::message::quoted;
-use schlupf_case::{CaseError, CaseFile, Family, InputFile, Place, fields, quantity_field};
-use schlupf_case::{depths, direction, length, position, range};
+use schlupf_case::{CaseError, CaseFile, Family, Place};
+
+pub use form::{Form, Value};
+pub use kind::{FieldType, Kind, Need};
 
 /// A field of a request.
 #[derive(Debug, Clone)]
@@ -31,101 +34,26 @@ pub struct Field {
     pub doc: &'static str,
 }
 
-/// How often a field is given.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Need {
-    /// Once, unless it has a default.
-    Once,
-    /// Once, or not at all.
-    Optional,
-    /// As often as one likes.
-    Several,
-}
-
-/// What may stand in a field. Numbers without unit from Python are in SI units.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Form {
-    /// Whether or not.
-    Flag,
-    /// A whole number between two.
-    Count([usize; 2]),
-    /// A dimensionless number between two.
-    Number([f64; 2]),
-    /// A length of any sign.
-    Position,
-    /// A length that is not negative.
-    Length,
-    /// Start and end of lengths that increase from zero or above.
-    Depths,
-    /// An angle.
-    Angle,
-    /// Start and end of what gives a quantity in a case.
-    Range(Quantity),
-    /// One of several names, with their meanings.
-    Choice(&'static [(&'static str, &'static str)]),
-    /// A field of the case with values, `section.field=value,…`.
-    Family,
-    /// A file that is read.
-    File,
-    /// Text, with what stands for it in help.
-    Text(&'static str),
-}
-
-impl Form {
-    /// The unit of its numbers; empty where they are dimensionless or there are none.
-    pub fn unit(self) -> &'static str {
-        match self {
-            Self::Position | Self::Length | Self::Depths => "m",
-            Self::Angle => "rad",
-            Self::Range(quantity) => {
-                fields::find(quantity_field(quantity)).map_or("", |field| field.kind.unit())
-            }
-            _ => "",
-        }
-    }
-
-    /// Whether it has a start and an end.
-    pub fn is_range(self) -> bool {
-        matches!(self, Self::Depths | Self::Range(_))
-    }
-
-    /// What stands for it in help.
-    pub fn placeholder(self) -> &'static str {
-        match self {
-            Self::Flag => "",
-            Self::Count(_) => "N",
-            Self::Number(_) => "NUMBER",
-            Self::Position | Self::Length => "LENGTH",
-            Self::Depths | Self::Range(_) => "START..END",
-            Self::Angle => "ANGLE",
-            Self::Choice(_) => "NAME",
-            Self::Family => "SECTION.FIELD=VALUE,…",
-            Self::File => "FILE",
-            Self::Text(placeholder) => placeholder,
-        }
-    }
-}
-
 impl Field {
-    /// One with a name, a type and a meaning.
-    pub fn new<T: FromValues>(name: &'static str, form: Form, doc: &'static str) -> Self {
-        let (need, default) = (T::NEED, None);
+    /// One with a name, a kind and a meaning.
+    pub fn new<T: FieldType>(name: &'static str, kind: &Kind<T::Value>, doc: &'static str) -> Self {
+        let (form, need, default) = (kind.form, T::NEED, None);
         Self { name, form, need, default, is_positional: false, option: None, doc }
     }
 
-    /// The same with what it is when left out.
+    /// Says what it is when left out.
     #[must_use]
     pub fn default(self, default: impl Display) -> Self {
         Self { default: Some(default.to_string()), ..self }
     }
 
-    /// The same, needing no name.
+    /// Lets it stand without its name.
     #[must_use]
     pub fn positional(self) -> Self {
         Self { is_positional: true, ..self }
     }
 
-    /// The same with another name of the option.
+    /// Gives the option another name.
     #[must_use]
     pub fn option(self, option: &'static str) -> Self {
         Self { option: Some(option), ..self }
@@ -135,6 +63,22 @@ impl Field {
     pub fn long(&self) -> String {
         self.option.unwrap_or(self.name).replace('_', "-")
     }
+
+    /// Whether it must be given.
+    pub fn is_needed(&self) -> bool {
+        self.need == Need::Once && self.default.is_none() && !self.form.is_flag()
+    }
+}
+
+/// What holds between the fields of a request.
+#[derive(Debug, Clone, Copy)]
+pub enum Rule {
+    /// At least one of them is given.
+    AnyOf(&'static [&'static str]),
+    /// None of the first is given together with another one of the second.
+    Apart(&'static [&'static str], &'static [&'static str]),
+    /// Each of the first is given together with one of the second.
+    With(&'static [&'static str], &'static [&'static str]),
 }
 
 /// Where a request comes from, which decides what messages call its fields.
@@ -146,58 +90,33 @@ pub enum Face {
     Functions,
 }
 
-/// A value that a face gives.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Value {
-    /// Text, with a unit where the field has one.
-    Text(String),
-    /// A number in SI units.
-    Number(f64),
-    /// Whether or not.
-    Flag(bool),
-    /// Several values: start and end, or those of a field that is given several times.
-    List(Vec<Value>),
-    /// A file.
-    File(InputFile),
-}
-
-impl Value {
-    /// As text, numbers with a unit.
-    fn text(&self, form: Form) -> String {
-        match self {
-            Self::Text(text) => text.clone(),
-            Self::Number(number) => format!("{number} {}", form.unit()).trim_end().to_owned(),
-            Self::Flag(flag) => flag.to_string(),
-            Self::File(file) => file.path().display().to_string(),
-            Self::List(parts) => {
-                let parts: Vec<String> = parts.iter().map(|part| part.text(form)).collect();
-                parts.join(if form.is_range() { ".." } else { "," })
-            }
-        }
-    }
-}
-
 /// What a face gives for the fields of a request.
 #[derive(Debug, Clone)]
 pub struct Asked {
     face: Face,
-    fields: Vec<Field>,
-    values: Vec<(&'static str, Value)>,
+    fields: Vec<(Field, Vec<Value>)>,
 }
 
 impl Asked {
-    /// Nothing yet.
-    pub fn new(face: Face, fields: Vec<Field>) -> Self {
-        Self { face, fields, values: Vec::new() }
-    }
-
-    /// Gives a value to a field; an unknown one is left out, and so is a flag that is not raised.
-    pub fn give(&mut self, name: &str, value: Value) {
-        if value == Value::Flag(false) {
-            return;
-        }
-        let name = self.fields.iter().find(|field| field.name == name).map(|field| field.name);
-        self.values.extend(name.map(|name| (name, value)));
+    /// Asks a face for the values of each field. A flag that is not raised has none.
+    ///
+    /// # Errors
+    /// Those of the face.
+    pub fn new<E>(
+        face: Face,
+        fields: Vec<Field>,
+        values: impl Fn(&Field) -> Result<Vec<Value>, E>,
+    ) -> Result<Self, E> {
+        let given = |field: Field| {
+            let mut values = values(&field)?;
+            values.retain(|value| *value != Value::Flag(false) || !field.form.is_flag());
+            if let ([Value::List(parts)], Need::Several) = (&values[..], field.need) {
+                values = parts.clone();
+            }
+            Ok((field, values))
+        };
+        let fields = fields.into_iter().map(given).collect::<Result<_, E>>()?;
+        Ok(Self { face, fields })
     }
 
     /// Where it comes from.
@@ -205,83 +124,114 @@ impl Asked {
         self.face
     }
 
+    fn find(&self, name: &str) -> Option<(&Field, &[Value])> {
+        let (field, values) = self.fields.iter().find(|(field, _)| field.name == name)?;
+        Some((field, values))
+    }
+
     /// What messages call a field.
     pub fn name(&self, name: &str) -> String {
-        let field = self.fields.iter().find(|field| field.name == name);
-        match (self.face, field) {
-            (Face::Command, Some(field)) if field.is_positional => name.to_uppercase(),
-            (Face::Command, Some(field)) => format!("--{}", field.long()),
+        match (self.face, self.find(name)) {
+            (Face::Command, Some((field, _))) if field.is_positional => name.to_uppercase(),
+            (Face::Command, Some((field, _))) => self.output(&field.long()),
             _ => name.to_owned(),
         }
     }
 
-    fn form(&self, name: &str) -> Option<Form> {
-        self.fields.iter().find(|field| field.name == name).map(|field| field.form)
+    /// What messages call an output, or another option that is no field.
+    pub fn output(&self, option: &str) -> String {
+        match self.face {
+            Face::Command => format!("--{option}"),
+            Face::Functions => option.to_owned(),
+        }
     }
 
     /// Whether a field is given.
     pub fn has(&self, name: &str) -> bool {
-        self.values.iter().any(|(given, _)| *given == name)
+        self.find(name).is_some_and(|(_, values)| !values.is_empty())
+    }
+
+    /// The value of a field as it was given.
+    pub fn text(&self, name: &str) -> Option<String> {
+        let (field, values) = self.find(name)?;
+        values.last().map(|value| value.text(field.form))
     }
 
     /// Those of some fields that are given, as they were.
     pub fn given(&self, names: &[&str]) -> String {
         let mut text = String::new();
-        for (name, value) in self.values.iter().filter(|(name, _)| names.contains(name)) {
-            let value = value.text(self.form(name).unwrap_or(Form::Flag));
-            // Writing to a string cannot fail.
-            let _ = write!(text, " {} {value}", self.name(name));
+        for name in names {
+            if let Some(value) = self.text(name) {
+                // Writing to a string cannot fail.
+                let _ = write!(text, " {} {value}", self.name(name));
+            }
         }
-        text.trim_start().to_owned()
+        text.trim().to_owned()
     }
 
     /// An error about a field.
     pub fn refuse(&self, name: &str, message: String) -> CaseError {
-        let value = self.values.iter().find(|(given, _)| *given == name);
-        let form = self.form(name).unwrap_or(Form::Flag);
-        let text = value.map_or_else(String::new, |(_, value)| value.text(form));
-        CaseError::new("", message, Place::Override { option: self.name(name).into(), text })
+        let (option, text) = (self.name(name).into(), self.text(name).unwrap_or_default());
+        CaseError::new("", message, Place::Override { option, text })
     }
 
-    /// Requires that at most one of some fields is given.
+    /// Requires the rules to hold.
     ///
     /// # Errors
-    /// Two of them.
-    pub fn require_one_of(&self, names: &[&str]) -> Result<(), CaseError> {
-        let given: Vec<&&str> = names.iter().filter(|name| self.has(name)).collect();
-        let [first, second, ..] = given[..] else { return Ok(()) };
-        let [one, other] = [first, second].map(|name| self.name(name));
-        Err(self.refuse(second, format!("{other} must not be given together with {one}")))
-    }
-
-    /// Requires another field where some fields are given.
-    ///
-    /// # Errors
-    /// One of them without it.
-    pub fn require_with(&self, names: &[&str], other: &str) -> Result<(), CaseError> {
-        let alone = names.iter().find(|name| self.has(name) && !self.has(other));
-        alone.map_or(Ok(()), |name| {
-            let [own, other] = [name, other].map(|name| self.name(name));
-            Err(self.refuse(name, format!("{own} must be given together with {other}")))
+    /// The first one that is broken.
+    pub fn check(&self, rules: &[Rule]) -> Result<(), CaseError> {
+        rules.iter().try_for_each(|rule| match *rule {
+            Rule::AnyOf(names) if names.iter().any(|name| self.has(name)) => Ok(()),
+            Rule::AnyOf(names) => {
+                let message = format!("one of {} must be given", self.any_of(names));
+                Err(CaseError::new("", message, Place::File { name: String::new() }))
+            }
+            Rule::Apart(ones, others) => {
+                ones.iter().filter(|one| self.has(one)).try_for_each(|one| {
+                    let other = others.iter().find(|other| *other != one && self.has(other));
+                    other.map_or(Ok(()), |other| {
+                        let names = [one, other].map(|name| self.name(name));
+                        let message =
+                            format!("{} must not be given together with {}", names[0], names[1]);
+                        Err(self.refuse(one, message))
+                    })
+                })
+            }
+            Rule::With(ones, others) => {
+                let alone = ones.iter().find(|one| self.has(one));
+                match alone.filter(|_| !others.iter().any(|other| self.has(other))) {
+                    Some(one) => {
+                        let (own, others) = (self.name(one), self.any_of(others));
+                        let message = format!("{own} must be given together with {others}");
+                        Err(self.refuse(one, message))
+                    }
+                    None => Ok(()),
+                }
+            }
         })
+    }
+
+    /// `a, b or c`.
+    fn any_of(&self, names: &[&str]) -> String {
+        let names: Vec<String> = names.iter().map(|name| self.name(name)).collect();
+        match &names[..] {
+            [first @ .., last] if !first.is_empty() => format!("{} or {last}", first.join(", ")),
+            _ => names.concat(),
+        }
     }
 
     /// The files that are read, with the fields that name them; a family may name files of a case.
     pub fn files(&self, case: &CaseFile) -> Vec<(&'static str, PathBuf)> {
         let mut files = Vec::new();
-        for (name, value) in &self.values {
-            let parts = if let Value::List(parts) = value {
-                parts.as_slice()
-            } else {
-                std::slice::from_ref(value)
-            };
-            for part in parts {
-                match part {
-                    Value::File(file) => files.push((*name, file.path())),
-                    Value::Text(text) if self.form(name) == Some(Form::Family) => {
+        for (field, values) in &self.fields {
+            for value in values {
+                match value {
+                    Value::File(file) => files.push((field.name, file.path())),
+                    Value::Text(text) if matches!(field.form, Form::Family) => {
                         // What is wrong with it is told when it is read.
-                        let named = Family::parse(*name, text).map(|family| family.files(case));
-                        files.extend(named.into_iter().flatten().map(|path| (*name, path)));
+                        let named = Family::parse(field.name, text);
+                        let named = named.map(|family| family.files(case));
+                        files.extend(named.into_iter().flatten().map(|path| (field.name, path)));
                     }
                     _ => {}
                 }
@@ -294,34 +244,32 @@ impl Asked {
     ///
     /// # Errors
     /// One that is missing, or that cannot stand there.
-    pub fn read<T: FromValues>(&self, name: &str) -> Result<T, CaseError> {
-        let Some(field) = self.fields.iter().find(|field| field.name == name) else {
-            return Err(self.refuse(name, format!("there is no field {}", quoted(name))));
-        };
-        let own = self.name(name);
-        let given = self.values.iter().filter(|(given, _)| *given == name);
-        let default = field.default.as_ref().map(|text| Value::Text(text.clone()));
-        let mut values: Vec<&Value> = given.map(|(_, value)| value).collect();
-        values.extend(default.iter().filter(|_| !self.has(name)));
-        if let ([Value::List(parts)], Need::Several) = (&values[..], field.need) {
-            values = parts.iter().collect();
+    pub fn read<T: FieldType>(&self, name: &str, kind: &Kind<T::Value>) -> Result<T, CaseError> {
+        let (own, found) = (self.name(name), self.find(name));
+        let mut values = found.map_or_else(Vec::new, |(_, values)| values.to_vec());
+        if values.is_empty() {
+            let default = found.and_then(|(field, _)| field.default.clone()).map(Value::Text);
+            let lowered = matches!(kind.form, Form::Flag).then_some(Value::Flag(false));
+            values.extend(default.or(lowered));
         }
-        if values.is_empty() && field.need == Need::Once && field.form != Form::Flag {
-            return Err(self.refuse(name, format!("{own} must be given")));
-        }
-        T::from_values(&values, field, &own)
+        let values = values.iter().map(|value| (kind.read)(&own, value));
+        let values = values.collect::<Result<Vec<_>, _>>()?;
+        T::of(values).ok_or_else(|| self.refuse(name, format!("{own} must be given")))
     }
 }
 
 /// A request of a task.
-pub trait Request: Sized {
+pub trait Request: Sized + Send + 'static {
+    /// What holds between its fields.
+    const RULES: &'static [Rule] = &[];
+
     /// Its fields, in the order of help and signatures.
     fn fields() -> Vec<Field>;
 
     /// Reads it.
     ///
     /// # Errors
-    /// A field that is missing, or with a value that cannot stand there.
+    /// A field that is missing, or with a value that cannot stand there, and a rule that is broken.
     fn read(asked: &Asked) -> Result<Self, CaseError>;
 }
 
@@ -338,165 +286,33 @@ impl Request for Nothing {
     }
 }
 
-/// The type of a field.
-pub trait FromValues: Sized {
-    /// How often it is given.
-    const NEED: Need;
-
-    /// Reads it.
-    ///
-    /// # Errors
-    /// A value that cannot stand there.
-    fn from_values(values: &[&Value], field: &Field, name: &str) -> Result<Self, CaseError>;
-}
-
-/// The type of one value of a field.
-trait FromValue: Sized {
-    fn from_value(value: &Value, field: &Field, name: &str) -> Result<Self, CaseError>;
-}
-
-impl<T: FromValue> FromValues for Option<T> {
-    const NEED: Need = Need::Optional;
-
-    fn from_values(values: &[&Value], field: &Field, name: &str) -> Result<Self, CaseError> {
-        values.last().map(|value| T::from_value(value, field, name)).transpose()
-    }
-}
-
-impl<T: FromValue> FromValues for Vec<T> {
-    const NEED: Need = Need::Several;
-
-    fn from_values(values: &[&Value], field: &Field, name: &str) -> Result<Self, CaseError> {
-        values.iter().map(|value| T::from_value(value, field, name)).collect()
-    }
-}
-
-/// Types of fields that are given once.
-macro_rules! once {
-    ($($type:ty),*) => {
-        $(impl FromValues for $type {
-            const NEED: Need = Need::Once;
-
-            fn from_values(values: &[&Value], field: &Field, name: &str) -> Result<Self, CaseError> {
-                let default = Value::Flag(false);
-                Self::from_value(values.last().unwrap_or(&&default), field, name)
-            }
-        })*
-    };
-}
-
-once!(bool, usize, f64, [f64; 2], &'static str, String, InputFile, Family);
-
-fn wrong(name: &str, text: &str, requirement: &str) -> CaseError {
-    let place = Place::Override { option: name.to_owned().into(), text: text.to_owned() };
-    CaseError::new("", format!("{name} must be {requirement}, but is {}", quoted(text)), place)
-}
-
-impl FromValue for bool {
-    fn from_value(value: &Value, field: &Field, name: &str) -> Result<Self, CaseError> {
-        match value {
-            Value::Flag(flag) => Ok(*flag),
-            other => Err(wrong(name, &other.text(field.form), "true or false")),
-        }
-    }
-}
-
-impl FromValue for usize {
-    fn from_value(value: &Value, field: &Field, name: &str) -> Result<Self, CaseError> {
-        let Form::Count([least, most]) = field.form else { return Ok(0) };
-        let text = value.text(field.form);
-        let count = text.trim().parse().ok().filter(|count| (least..=most).contains(count));
-        let between = || format!("a whole number between {least} and {most}");
-        count.ok_or_else(|| wrong(name, &text, &between()))
-    }
-}
-
-impl FromValue for f64 {
-    fn from_value(value: &Value, field: &Field, name: &str) -> Result<Self, CaseError> {
-        let text = value.text(field.form);
-        match field.form {
-            Form::Position => position(name, name, &text),
-            Form::Length => length(name, name, &text),
-            Form::Angle => direction(name, &text),
-            Form::Number([least, most]) => {
-                let number = text.trim().parse().ok();
-                let number = number.filter(|number| (least..=most).contains(number));
-                number.ok_or_else(|| {
-                    wrong(name, &text, &format!("a number between {least} and {most}"))
-                })
-            }
-            _ => Ok(0.0),
-        }
-    }
-}
-
-impl FromValue for [f64; 2] {
-    fn from_value(value: &Value, field: &Field, name: &str) -> Result<Self, CaseError> {
-        let text = value.text(field.form);
-        match field.form {
-            Form::Range(quantity) => range(name, quantity_field(quantity), &text),
-            _ => depths(name, &text),
-        }
-    }
-}
-
-impl FromValue for &'static str {
-    fn from_value(value: &Value, field: &Field, name: &str) -> Result<Self, CaseError> {
-        let Form::Choice(choices) = field.form else { return Ok("") };
-        let text = value.text(field.form);
-        let found = choices.iter().find(|(choice, _)| *choice == text);
-        found.map(|(choice, _)| *choice).ok_or_else(|| {
-            let names: Vec<String> = choices.iter().map(|(name, _)| format!("{name:?}")).collect();
-            wrong(name, &text, &format!("one of {}", names.join(", ")))
-        })
-    }
-}
-
-impl FromValue for String {
-    fn from_value(value: &Value, field: &Field, _name: &str) -> Result<Self, CaseError> {
-        Ok(value.text(field.form))
-    }
-}
-
-impl FromValue for InputFile {
-    fn from_value(value: &Value, field: &Field, name: &str) -> Result<Self, CaseError> {
-        match value {
-            Value::File(file) => Ok(file.clone()),
-            other => Err(wrong(name, &other.text(field.form), "a file")),
-        }
-    }
-}
-
-impl FromValue for Family {
-    fn from_value(value: &Value, field: &Field, name: &str) -> Result<Self, CaseError> {
-        Self::parse(name, &value.text(field.form))
-    }
-}
-
-/// Defines the request of a task: name, type, [`Form`] and meaning of its fields, and what else
-/// there is to say of them.
+/// Defines the request of a task: name, type, [`Kind`] and meaning of its fields, what else there
+/// is to say of them, and the rules between them.
 macro_rules! request {
     ($(#[$about:meta])* $name:ident {
         $(
-            $(#[doc = $doc:literal])+ $field:ident: $type:ty = $form:expr
+            $(#[doc = $doc:literal])+ $field:ident: $type:ty = $kind:expr
                 $(, $attribute:ident($($value:expr)?))*;
         )*
+        $(=> $rules:expr)?
     }) => {
         $(#[$about])*
         #[derive(Debug, Clone)]
+        #[allow(dead_code, reason = "a task may look at some fields as they were given")]
         pub struct $name {
             $($(#[doc = $doc])+ pub $field: $type,)*
             /// As it was given.
-            #[allow(dead_code, reason = "not every task speaks of its fields")]
             pub asked: $crate::request::Asked,
         }
 
         impl $crate::request::Request for $name {
+            $(const RULES: &'static [$crate::request::Rule] = $rules;)?
+
             fn fields() -> Vec<$crate::request::Field> {
                 vec![$(
                     $crate::request::Field::new::<$type>(
                         stringify!($field),
-                        $form,
+                        &$kind,
                         concat!($($doc),+).trim_ascii(),
                     )$(.$attribute($($value)?))*
                 ),*]
@@ -505,10 +321,75 @@ macro_rules! request {
             fn read(
                 asked: &$crate::request::Asked,
             ) -> Result<Self, schlupf_case::CaseError> {
-                Ok(Self { $($field: asked.read(stringify!($field))?,)* asked: asked.clone() })
+                asked.check(Self::RULES)?;
+                Ok(Self {
+                    $($field: asked.read::<$type>(stringify!($field), &$kind)?,)*
+                    asked: asked.clone(),
+                })
             }
         }
     };
 }
 
 pub(crate) use request;
+
+#[cfg(test)]
+mod tests {
+    use schlupf_case::fields;
+
+    use super::*;
+    use crate::TASKS;
+
+    /// What a rule or a form names exists, and there are defaults only of what may be left out.
+    #[test]
+    fn fields_rules_and_paths_fit_together() {
+        for task in TASKS {
+            let fields = (task.fields)();
+            for rule in task.rules {
+                let (Rule::AnyOf(ones) | Rule::Apart(ones, _) | Rule::With(ones, _)) = rule;
+                let others =
+                    if let Rule::Apart(_, all) | Rule::With(_, all) = rule { all } else { ones };
+                for name in ones.iter().chain(*others) {
+                    assert!(
+                        fields.iter().any(|field| field.name == *name),
+                        "{}: {name}",
+                        task.name
+                    );
+                }
+            }
+            for field in fields {
+                if let Form::OfCase(path) = field.form {
+                    assert!(fields::find(path).is_some(), "{}: {path}", task.name);
+                }
+            }
+        }
+    }
+
+    /// What the sections of a case call tasks are tasks.
+    #[cfg(feature = "study")]
+    #[test]
+    fn sections_are_for_tasks_that_exist() {
+        for name in fields::SECTIONS.iter().flat_map(|section| section.tasks) {
+            assert!(crate::find(name).is_some(), "{name}");
+        }
+    }
+
+    /// A flag that is not raised is not given; no other field takes one for nothing.
+    #[test]
+    fn a_flag_is_nothing_for_a_flag_alone() {
+        let task = crate::find("calibrate").unwrap();
+        let asked = |name: &'static str| {
+            let given = move |field: &Field| {
+                let lowered = (field.name == name).then_some(Value::Flag(false));
+                Ok::<_, CaseError>(lowered.into_iter().collect())
+            };
+            Asked::new(Face::Functions, (task.fields)(), given).unwrap()
+        };
+        assert!(!asked("direct").has("direct"));
+        assert!((task.read)(&asked("direct")).is_ok());
+        let refused = (task.read)(&asked("cells")).err().unwrap().to_string();
+        assert!(
+            refused.contains("cells must be a whole number between 10 and 80, but is \"false\"")
+        );
+    }
+}

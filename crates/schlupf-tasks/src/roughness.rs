@@ -12,8 +12,9 @@ use schlupf_case::surface::{RoughSurface, SurfaceOrigin};
 use schlupf_case::{CaseErrors, InputFile, RoughnessRequest, caveats};
 
 use crate::TaskError;
-use crate::request::{Form, request};
+use crate::request::{Kind, Rule, request};
 use crate::task::{CaseArgument, Found, Given, Task, Wanted};
+use fields::OF_SURFACE;
 
 mod fields;
 
@@ -21,38 +22,42 @@ request! {
     /// Which surface to press; without a file and without `synthetic` that of the case.
     Request {
         /// Surface or profile of one body, or of both together (.csv, .npy, .x3p, .xyz).
-        surface: Option<InputFile> = Form::File, positional();
+        surface: Option<InputFile> = Kind::file_of_case("contact_law.roughness.file"), positional();
         /// Surface of the other body, on the same lattice: their heights are added.
-        second: Option<InputFile> = Form::File;
+        second: Option<InputFile> = Kind::file_of_case("contact_law.roughness.second_file");
         /// Make a self-affine surface, such as rms_height="1 um",hurst=0.8,longest="100 um",
         /// shortest="5 um",seed=1; also rms_slope and roll_off.
-        synthetic: Option<String> = Form::Text("KEY=VALUE,…");
+        synthetic: Option<String> = Kind::list("KEY=VALUE,…");
         /// Form to remove from a measured surface; by default a plane.
-        form: Option<String> = Form::Text("plane|cylinder|sphere|none");
+        form: Option<String> = Kind::of_case("contact_law.roughness.form");
         /// Remove waves longer than this from a measured surface, such as "0.8 mm" (λc of the
         /// Gaussian filter, ISO 16610).
-        cutoff: Option<String> = Form::Text("LENGTH");
+        cutoff: Option<String> = Kind::of_case("contact_law.roughness.cutoff_wavelength");
         /// Unit of the heights of an .npy file, of all lengths of an .xyz file, such as um.
-        unit: Option<String> = Form::Text("UNIT");
+        unit: Option<String> = Kind::of_case("contact_law.roughness.unit");
         /// Spacing of the points of an .npy file or of heights alone, such as "1 um".
-        spacing: Option<String> = Form::Text("LENGTH");
+        spacing: Option<String> = Kind::of_case("contact_law.roughness.spacing");
         /// Fill points without a height smoothly.
-        fill_holes: bool = Form::Flag;
+        fill_holes: Option<String> = Kind::of_case("contact_law.roughness.fill_holes");
         /// Resample a surface whose cells are not square.
-        square_cells: bool = Form::Flag;
+        square_cells: Option<String> = Kind::of_case("contact_law.roughness.square_cells");
         /// Cells along x of the resampled or synthetic surface.
-        cells: Option<String> = Form::Text("N");
+        cells: Option<String> = Kind::of_case("contact_law.roughness.cells");
         /// Seed of a surface generated from a profile.
-        seed: Option<String> = Form::Text("N");
+        seed: Option<String> = Kind::of_case("contact_law.roughness.seed");
         /// Mean pressures: a range (six pressures) or a list; by default those of the case, of a
         /// surface given here without a case 0.2..1.2 GPa.
-        pressure: Option<String> = Form::Text("START..END|P,P,…");
+        pressure: Option<String> = Kind::of_case("contact_law.roughness.pressures");
         /// Coefficient of friction; by default that of the case.
-        friction: Option<String> = Form::Text("MU");
+        friction: Option<String> = Kind::of_case("friction.coefficient");
         /// Hardness of the softer body, such as "2.5 GPa"; by default the bodies are elastic.
-        hardness: Option<String> = Form::Text("PRESSURE");
+        hardness: Option<String> = Kind::of_case("contact_law.roughness.hardness");
+        => RULES
     }
 }
+
+const RULES: &[Rule] =
+    &[Rule::Apart(&["synthetic"], &["surface"]), Rule::With(OF_SURFACE, &["surface", "synthetic"])];
 
 /// `roughness`: the case has the bodies.
 pub struct Roughness;
@@ -61,7 +66,9 @@ impl Task for Roughness {
     const NAME: &'static str = "roughness";
     const ABOUT: &'static str =
         "Compute k_c from rough surfaces, with statistics, contact area and tangential curves";
-    const CASE: CaseArgument = CaseArgument::Option;
+    const CASE: CaseArgument =
+        CaseArgument::Option("of the bodies; by default steel wheel and rail");
+    const HAS_SEVERAL: bool = true;
     type Request = Request;
     type Report = RoughnessReport;
 

@@ -11,7 +11,7 @@ use schlupf::{Error, Method, Quantity, Solution, Watch};
 use schlupf_case::{Case, CaseError, CaseFile, Cause, FieldNames, InputFile, Rolling};
 
 use crate::output::{Report, figures};
-use crate::request::{Asked, Form, request};
+use crate::request::{Asked, Kind, request};
 use crate::task::{Found, Given, Task, Wanted};
 use crate::{Notice, TaskError, contact_law, messages};
 
@@ -19,7 +19,7 @@ request! {
     /// What to start from.
     Request {
         /// Start from a state that an earlier run has written.
-        initial_state: Option<InputFile> = Form::File;
+        initial_state: Option<InputFile> = Kind::file();
     }
 }
 
@@ -46,7 +46,7 @@ impl Task for Solve {
         let rolling = case.rolling(state)?;
         let report = solve(&case, rolling, watch);
         let mut report = report.map_err(|error| request.explain(&case, &error))?;
-        report.warnings.extend(empty(&report.solution, wanted));
+        report.warnings.extend(request.empty(&report.solution, wanted));
         Ok(report.into())
     }
 
@@ -58,22 +58,26 @@ impl Task for Solve {
     }
 }
 
-/// Which of the outputs that are wanted have nothing in them.
-fn empty(solution: &Solution, wanted: &Wanted) -> Vec<Message> {
-    if solution.method.has_fields() {
-        return Vec::new();
-    }
-    let given = [
-        ("csv", "no rows", wanted.table),
-        ("vtk", "no cells", wanted.file(SolutionReport::VTK).is_some()),
-        ("figures", "nothing to draw", wanted.figures),
-    ];
-    let given = given.into_iter().filter(|(.., is_wanted)| *is_wanted);
-    let method = solution.method.name();
-    given.map(|(output, what, _)| Notice::EmptyOutput { output, what, method }.into()).collect()
-}
-
 impl Request {
+    /// Which of the outputs that are wanted have nothing in them.
+    fn empty(&self, solution: &Solution, wanted: &Wanted) -> Vec<Message> {
+        if solution.method.has_fields() {
+            return Vec::new();
+        }
+        let given = [
+            ("csv", "no rows are written", wanted.table),
+            ("vtk", "no cells are written", wanted.file(SolutionReport::VTK).is_some()),
+            ("figures", "nothing is drawn", wanted.figures),
+        ];
+        let given = given.into_iter().filter(|(.., is_wanted)| *is_wanted);
+        let method = solution.method.name();
+        let notice = |(output, what, _)| {
+            let output = self.asked.output(output);
+            Notice::EmptyOutput { output, what, method }.into()
+        };
+        given.map(notice).collect()
+    }
+
     fn state(&self, file: &InputFile) -> Result<State, CaseError> {
         let refused =
             |cause, message| CaseError { cause, ..self.asked.refuse(INITIAL_STATE, message) };

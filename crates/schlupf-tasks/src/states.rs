@@ -169,8 +169,8 @@ impl StateSolver {
         Self { file, fields, as_asked: false, base: None, posed: None }
     }
 
-    /// The same; solutions have all that the case asks for, such as derivatives, and the state of
-    /// the material.
+    /// Has solutions contain all that the case asks for, such as derivatives, and the state of the
+    /// material.
     #[must_use]
     pub fn as_asked(self) -> Self {
         Self { as_asked: true, ..self }

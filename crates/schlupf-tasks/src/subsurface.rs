@@ -5,9 +5,9 @@ use schlupf::error::MethodPurpose;
 use schlupf::grid::Grid;
 use schlupf::subsurface::{Measure, PointStress, SubsurfaceStress};
 use schlupf::{Error, Solution, Watch};
-use schlupf_case::{Case, CaseErrors, InputFile, SubsurfaceRequest, read_points};
+use schlupf_case::{Case, CaseErrors, InputFile, POINT_COLUMNS, SubsurfaceRequest, read_points};
 
-use crate::request::{Form, request};
+use crate::request::{Kind, request};
 use crate::solve::solve;
 use crate::task::{Found, Given, Task, Wanted};
 use crate::{Notice, TaskError, messages};
@@ -17,13 +17,13 @@ request! {
     Request {
         /// Position of the profile along rolling, such as "-3 mm"; by default that of the largest
         /// stress of von Mises.
-        x: Option<f64> = Form::Position;
+        x: Option<f64> = Kind::position();
         /// Position of the profile across rolling; by default that of the largest stress of von
         /// Mises.
-        y: Option<f64> = Form::Position;
+        y: Option<f64> = Kind::position();
         /// Table of points (CSV) at which stresses are wanted, too: columns x [mm], y [mm] and
         /// depth [mm].
-        points: Option<InputFile> = Form::File;
+        points: Option<InputFile> = Kind::table(&POINT_COLUMNS);
     }
 }
 

@@ -8,18 +8,25 @@ use schlupf_case::{CaseErrors, CaseFile};
 
 use crate::TaskError;
 use crate::output::report::{OwnFile, Report};
-use crate::request::{Asked, Field, Request};
+use crate::request::{Asked, Field, Request, Rule};
 
 /// Something that a case can be asked: one name and one request for all faces.
 pub trait Task {
     /// Its name: the command, and the function in Python.
     const NAME: &'static str;
+    /// The function in Python, where that has another name.
+    const FUNCTION: &'static str = Self::NAME;
     /// What it does, in an imperative sentence without full stop.
     const ABOUT: &'static str;
     /// Publications that it rests on, for its documentation.
     const SOURCES: &'static str = "";
-    /// How a command names the case.
-    const CASE: CaseArgument = CaseArgument::Positional;
+    /// How a command names the case, and which one that is.
+    const CASE: CaseArgument = CaseArgument::Positional(
+        "of a rolling contact; by default a steel wheel braking on a steel rail",
+    );
+    /// Whether what it finds has several results with a status each, so that functions return it
+    /// although some have not converged.
+    const HAS_SEVERAL: bool = false;
     /// What it is asked.
     type Request: Request;
     /// What it finds.
@@ -42,13 +49,22 @@ pub trait Task {
     }
 }
 
-/// How a command names the case.
+/// How a command names the case, and which one that is, to follow "a case".
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CaseArgument {
     /// By its path alone.
-    Positional,
+    Positional(&'static str),
     /// By an option: the task is about something else first.
-    Option,
+    Option(&'static str),
+}
+
+impl CaseArgument {
+    /// Which one it is.
+    pub fn doc(self) -> &'static str {
+        match self {
+            Self::Positional(doc) | Self::Option(doc) => doc,
+        }
+    }
 }
 
 /// The case of a task.
@@ -115,43 +131,61 @@ impl<R> From<R> for Found<R> {
 pub struct Entry {
     /// [`Task::NAME`].
     pub name: &'static str,
+    /// [`Task::FUNCTION`].
+    pub function: &'static str,
     /// [`Task::ABOUT`].
     pub about: &'static str,
     /// [`Task::SOURCES`].
     pub sources: &'static str,
     /// [`Task::CASE`].
     pub case: CaseArgument,
+    /// [`Task::HAS_SEVERAL`].
+    pub has_several: bool,
     /// The fields of its request.
     pub fields: fn() -> Vec<Field>,
+    /// What holds between them.
+    pub rules: &'static [Rule],
     /// The files of its own that it can write.
     pub own_files: fn() -> &'static [OwnFile],
     /// Names of all figures that it can draw.
     pub all_figures: fn() -> Vec<String>,
     /// [`Task::figure_names`].
     pub figure_names: fn(&CaseFile, &Asked) -> Vec<String>,
-    /// Reads the request and does it.
-    pub run: Run,
+    /// Reads the request: what is wrong with it is known before the case is read.
+    pub read: fn(&Asked) -> Result<Work, TaskError>,
 }
 
-/// [`Task::run`] with a request that is read first.
-type Run = fn(&Given, &Asked, &Wanted, Watch) -> Result<Found<dyn Report>, TaskError>;
+/// [`Task::run`] with a request that was read.
+pub type Work =
+    Box<dyn FnOnce(&Given, &Wanted, Watch) -> Result<Found<dyn Report>, TaskError> + Send>;
 
 impl Entry {
     pub(crate) const fn of<T: Task>() -> Self {
         Self {
             name: T::NAME,
+            function: T::FUNCTION,
             about: T::ABOUT,
             sources: T::SOURCES,
             case: T::CASE,
+            has_several: T::HAS_SEVERAL,
             fields: T::Request::fields,
+            rules: T::Request::RULES,
             own_files: T::Report::own_files,
             all_figures: T::Report::figure_names,
             figure_names: T::figure_names,
-            run: |of, asked, wanted, watch| {
+            read: |asked| {
                 let request = T::Request::read(asked)?;
-                let Found { report, failure } = T::run(of, request, wanted, watch)?;
-                Ok(Found { report: report as Box<dyn Report>, failure })
+                Ok(Box::new(|of, wanted, watch| {
+                    let Found { report, failure } = T::run(of, request, wanted, watch)?;
+                    Ok(Found { report: report as Box<dyn Report>, failure })
+                }))
             },
         }
+    }
+
+    /// Whether it is about what must be given first, besides which the case is optional: a function
+    /// of its own in Python, not one of the case.
+    pub fn is_of_argument(&self) -> bool {
+        (self.fields)().iter().any(|field| field.is_positional && field.is_needed())
     }
 }

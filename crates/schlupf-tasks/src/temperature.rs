@@ -1,12 +1,12 @@
 //! Temperatures below the surface and in the wake.
 
-use crate::output::temperature::{Request as Positions, Temperatures};
+use crate::output::temperature::{Positions, Temperatures};
 use schlupf::creep_curve::MAX_POINTS;
 use schlupf::temperature_field::{Side, TemperatureField};
 use schlupf::{Error, Problem, Solution, Watch};
 use schlupf_case::CaseErrors;
 
-use crate::request::{Form, request};
+use crate::request::{Kind, request};
 use crate::task::{Found, Given, Task, Wanted};
 use crate::{Notice, TaskError, messages};
 
@@ -14,15 +14,15 @@ request! {
     /// Where to look; what is left out follows from the solution.
     Request {
         /// Position along rolling, such as "-3 mm"; by default that of the hottest point.
-        x: Option<f64> = Form::Position;
+        x: Option<f64> = Kind::position();
         /// Position across rolling; by default that of the hottest point.
-        y: Option<f64> = Form::Position;
+        y: Option<f64> = Kind::position();
         /// Depths of the profile, such as "0..2 mm"; by default as far as heat has penetrated.
-        depth: Option<[f64; 2]> = Form::Depths;
+        depth: Option<[f64; 2]> = Kind::depths();
         /// Length of the wake; by default twice the length of the contact.
-        wake: Option<f64> = Form::Length;
+        wake: Option<f64> = Kind::length();
         /// Number of points of each line.
-        points: usize = Form::Count([2, MAX_POINTS]), default(201);
+        points: usize = Kind::count(2, MAX_POINTS), default(201);
     }
 }
 

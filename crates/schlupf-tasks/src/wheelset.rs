@@ -11,9 +11,9 @@ use schlupf::{Quantity, Watch, parallel};
 use schlupf_case::{CaseError, CaseErrors, CaseFile, Cause, FieldNames, Place};
 
 use crate::notice::{Notice, millimetres};
-use crate::request::{Form, request};
+use crate::request::{Kind, request};
 use crate::solve::of_wheel;
-use crate::task::{Found, Given, Task, Wanted};
+use crate::task::{CaseArgument, Found, Given, Task, Wanted};
 use crate::{TaskError, messages};
 
 /// Amplitudes of the equivalent conicity: the first, the last unless positions go further, and
@@ -31,9 +31,9 @@ request! {
     /// Where to put the wheelset.
     Request {
         /// First and last lateral position of the wheelset.
-        lateral_position: [f64; 2] = Form::Range(Quantity::LateralPosition), default("-8..8 mm");
+        lateral_position: [f64; 2] = Kind::range(Quantity::LateralPosition), default("-8..8 mm");
         /// Number of positions.
-        points: usize = Form::Count([2, MAX_POINTS]), default(33);
+        points: usize = Kind::count(2, MAX_POINTS), default(33);
     }
 }
 
@@ -44,6 +44,8 @@ impl Task for Wheelset {
     const NAME: &'static str = "wheelset";
     const ABOUT: &'static str =
         "Find the contacts of a wheelset over its lateral position, and its equivalent conicity";
+    const CASE: CaseArgument =
+        CaseArgument::Positional("with normal.model = \"wheel-rail\" and both profiles");
     type Request = Request;
     type Report = WheelsetReport;
 

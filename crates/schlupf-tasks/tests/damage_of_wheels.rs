@@ -8,8 +8,9 @@ use schlupf::damage::{Laws, RunDamage};
 use schlupf::unwatched;
 use schlupf_case::{CaseFile, Folder, InputFile, Overrides};
 use schlupf_tasks::output::damage::DamageReport;
+use schlupf_tasks::request::Field;
 use schlupf_tasks::study::scratch;
-use schlupf_tasks::{Asked, Face, Given, Value, Wanted, find};
+use schlupf_tasks::{Asked, Face, Given, TaskError, Value, Wanted, find};
 
 /// The right wheel on its flange, where the vertical force is far from the normal ones.
 const WHEEL: &str = r#"
@@ -43,12 +44,13 @@ fn damage(folder: &Path, case: &str, states: &str) -> RunDamage {
     let study = "case = \"case.toml\"\n[states]\nfile = \"states.csv\"\n";
     fs::write(folder.join("run.toml"), study).unwrap();
     let task = find("damage").unwrap();
-    let mut asked = Asked::new(Face::Functions, (task.fields)());
-    asked.give("run", Value::File(InputFile::at(&folder.join("run.toml"))));
+    let run = Value::File(InputFile::at(&folder.join("run.toml")));
+    let run = |_: &Field| Ok::<_, TaskError>(vec![run.clone()]);
+    let work = (task.read)(&Asked::new(Face::Functions, (task.fields)(), run).unwrap()).unwrap();
     let text = CaseFile::default_text();
     let case = CaseFile::from_str(&text, "default", Folder::new(""), Overrides::NONE).unwrap();
     let given = Given { is_default: true, scratch: &scratch, ..Given::of(&case) };
-    let found = (task.run)(&given, &asked, &Wanted::default(), &unwatched).unwrap();
+    let found = work(&given, &Wanted::default(), &unwatched).unwrap();
     let report: &dyn Any = &*found.report;
     report.downcast_ref::<DamageReport>().unwrap().damage.clone()
 }

@@ -12,7 +12,7 @@ use crate::interface::friction::memory::FrictionMemory;
 use crate::interface::friction::{Friction, FrictionResponse, FrictionState};
 use crate::interface::third_body::ThirdBodyLayer;
 use crate::kinematics::{Kinematics, ReferencePoint};
-use crate::material::{Body, contact_modulus};
+use crate::material::{Body, Material, contact_modulus};
 use crate::normal::PressureSource;
 use crate::patch::Cell;
 use crate::prescribed_forces::PrescribedForces;
@@ -74,8 +74,7 @@ impl Problem {
 
     /// A warning of a largest pressure (in Pa) that no body can bear.
     pub fn beyond_elastic(&self, pressure: f64) -> Option<Warning> {
-        let modulus = contact_modulus(&self.wheel.material, &self.rail.material);
-        (pressure > YIELDING * modulus).then_some(Warning::BeyondElastic { pressure, modulus })
+        beyond_elastic([&self.wheel.material, &self.rail.material], pressure)
     }
 
     /// Heat partition and conduction of the two bodies at the speeds of `kinematics`.
@@ -154,6 +153,12 @@ impl Problem {
 /// Ratio of the largest pressure to E* above which even steel is no longer elastic: its hardness is
 /// lower.
 const YIELDING: f64 = 0.03;
+
+/// A warning of a largest pressure (in Pa) that no body of one of two materials can bear.
+pub fn beyond_elastic([one, other]: [&Material; 2], pressure: f64) -> Option<Warning> {
+    let modulus = contact_modulus(one, other);
+    (pressure > YIELDING * modulus).then_some(Warning::BeyondElastic { pressure, modulus })
+}
 
 /// Maximum number of cells in one direction across the patch.
 pub const MAX_CELLS: usize = 1024;

@@ -18,8 +18,8 @@ pub struct Section {
     pub quantities: &'static [Quantity],
     /// What it is about.
     pub doc: &'static str,
-    /// The only command that uses it, if one alone does.
-    pub command: Option<&'static str>,
+    /// The tasks that alone use it; none where all may.
+    pub tasks: &'static [&'static str],
     /// Its fields.
     pub fields: &'static [Field],
 }
@@ -253,7 +253,7 @@ impl Field {
             Content::Float(number) if number.is_infinite() => *number,
             content => {
                 let help = content.number().map(|number| {
-                    let units = self.usual_units(measure, number);
+                    let units = self.units_of(number);
                     let texts: Vec<_> =
                         units.iter().map(|unit| format!("\"{number} {unit}\"")).collect();
                     format!("write the unit and quotes, such as {}", texts.join(" or "))
@@ -266,7 +266,10 @@ impl Field {
     }
 
     /// The units with which a number is a usual value; that in SI if there are none.
-    fn usual_units(&self, measure: &Measure, number: f64) -> Vec<&'static str> {
+    pub(crate) fn units_of(&self, number: f64) -> Vec<&'static str> {
+        let (Kind::Quantity(measure) | Kind::Quantities(measure)) = self.kind else {
+            return Vec::new();
+        };
         let is_usual = |unit: &&str| {
             let value = parse_unit(unit, measure).map(|convert| convert.apply(number));
             value.is_ok_and(|value| self.usual.is_some_and(|usual| usual.holds(value)))
@@ -291,7 +294,7 @@ impl Field {
             }
             (QuantityError::NoUnit, Content::Text(text)) => {
                 text.trim().parse().ok().map(|number| {
-                    let units = self.usual_units(measure, number);
+                    let units = self.units_of(number);
                     let texts: Vec<_> =
                         units.iter().map(|unit| format!("{number} {unit}")).collect();
                     format!("such as {}", texts.join(" or "))

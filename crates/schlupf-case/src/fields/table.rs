@@ -1,14 +1,12 @@
 //! The table.
 
 /// A section: its heading, the quantity that all of it gives if it gives one, what it is about, the
-/// only command that uses it if one alone does, and its fields. Each of these has its name, the
+/// tasks that alone use it if not all may, and its fields. Each of these has its name, the
 /// quantities that it gives, its kind, requirement, default and meaning, and what else there is to
 /// say of it.
 macro_rules! section {
-    (@command) => { None };
-    (@command $command:literal) => { Some($command) };
     (
-        $section:ident $heading:literal $([$of:ident])? $about:literal $(for $command:literal)?;
+        $section:ident $heading:literal $([$of:ident])? $about:literal $(for $($task:literal)+)?;
         $(
             $name:literal [$($quantity:ident)*] $kind:expr, $requirement:expr, $default:expr,
             $doc:literal $(, $attribute:ident($($value:expr),*))*;
@@ -18,7 +16,7 @@ macro_rules! section {
             name: $heading,
             quantities: &[$(schlupf::Quantity::$of)?],
             doc: $about,
-            command: section!(@command $($command)?),
+            tasks: &[$($($task),+)?],
             fields: &[$(
                 Field::new(concat!($heading, ".", $name), $kind, $requirement, $default, $doc)
                     .giving(&[$(schlupf::Quantity::$quantity),*])
@@ -166,7 +164,7 @@ const TITLE: Section = Section {
     name: "",
     quantities: &[],
     doc: "",
-    command: None,
+    tasks: &[],
     fields: &[Field::new(
         "title",
         Kind::Text,

@@ -24,7 +24,7 @@ pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<[Vec<f64>; 2], CaseError
             fields::find(field).map_or(Requirement::Finite, |field| field.requirement);
         if let Some(row) = values.iter().position(|value| !requirement.holds(*value)) {
             let (name, value) = (column.name, readable(values[row]));
-            let unit = column.measure.map_or("", |measure| measure.unit);
+            let unit = column.unit();
             let requirement = requirement.text(unit, &FieldNames::CASE);
             let message = format!("{name} must be {requirement}, but is {value} {unit}");
             return Err(columns.error(columns.lines[row], message.trim_end()));

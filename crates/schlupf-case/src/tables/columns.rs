@@ -23,6 +23,13 @@ pub struct Column {
     pub holes: bool,
 }
 
+impl Column {
+    /// The SI unit of its numbers; empty where they are dimensionless.
+    pub fn unit(&self) -> &'static str {
+        self.measure.map_or("", |measure| measure.unit)
+    }
+}
+
 /// What instruments write where they measured nothing, in small letters.
 const HOLES: [&str; 6] = ["", "nan", "bad", "no data", "nodata", "---"];
 

@@ -42,6 +42,17 @@ const GIVEN: [Given; 9] = [
     plain("standard_deviation", Err(DEVIATION)),
 ];
 
+/// The columns of a table of measured points.
+pub const COLUMNS: [Column; GIVEN.len()] = {
+    let mut columns = [GIVEN[0].column; GIVEN.len()];
+    let mut place = 1;
+    while place < GIVEN.len() {
+        columns[place] = GIVEN[place].column;
+        place += 1;
+    }
+    columns
+};
+
 /// Places of the columns in the table.
 const CREEPAGE_X: usize = 0;
 const CREEPAGE_Y: usize = 1;
@@ -60,8 +71,7 @@ pub fn from_csv(
     bytes: Vec<u8>,
     kinematics: &Kinematics,
 ) -> Result<Vec<DataPoint>, CaseError> {
-    let wanted: Vec<Column> = GIVEN.iter().map(|given| given.column).collect();
-    let columns = Columns::read(name, bytes, option, &wanted)?;
+    let columns = Columns::read(name, bytes, option, &COLUMNS)?;
     check_numbers(&columns)?;
     let forces = forces(&columns)?;
     let mut points = Vec::new();
@@ -103,7 +113,7 @@ fn check_numbers(columns: &Columns) -> Result<(), CaseError> {
             continue;
         };
         let (name, value) = (column.name, readable(values[row]));
-        let unit = column.measure.map_or("", |measure| measure.unit);
+        let unit = column.unit();
         let text = requirement.text(unit, &FieldNames::CASE);
         let message = format!("{name} must be {text}, but is {value} {unit}");
         let error = columns.error(columns.lines[row], message.trim_end());

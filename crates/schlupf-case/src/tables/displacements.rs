@@ -13,7 +13,8 @@ const fn column(name: &'static str, measure: &'static Measure, required: bool) -
     Column { name, measure: Some(measure), required, holes: false }
 }
 
-const COLUMNS: [Column; 6] = [
+/// The columns of a table of displacements.
+pub const COLUMNS: [Column; 6] = [
     column("x", &Measure::LENGTH, true),
     column("y", &Measure::LENGTH, true),
     column("traction_x", &Measure::PRESSURE, false),

@@ -17,11 +17,14 @@ mod time;
 mod wear_map;
 
 pub use across::from_csv as variation_from_csv;
-pub use creep_data::from_csv as creep_data_from_csv;
-pub use displacements::{Displacements, read as read_displacements};
+pub use columns::Column as TableColumn;
+pub use creep_data::{COLUMNS as CREEP_COLUMNS, from_csv as creep_data_from_csv};
+pub use displacements::{
+    COLUMNS as DISPLACEMENT_COLUMNS, Displacements, read as read_displacements,
+};
 pub use distance::{from_csv as distance_from_csv, from_npy as distance_from_npy};
 pub use lattice::NpyFile;
-pub use points::read as read_points;
+pub use points::{COLUMNS as POINT_COLUMNS, read as read_points};
 pub use pressure::{from_csv as pressure_from_csv, from_npy as pressure_from_npy};
 pub use records::Records;
 pub use time::{check as check_history, from_csv as history_from_csv};

@@ -10,7 +10,8 @@ const fn length(name: &'static str) -> Column {
     Column { name, measure: Some(&Measure::LENGTH), required: true, holes: false }
 }
 
-const WANTED: [Column; 3] = [length("x"), length("y"), length("depth")];
+/// The columns of a table of points.
+pub const COLUMNS: [Column; 3] = [length("x"), length("y"), length("depth")];
 
 /// Most points of a table: each is a sum over all cells.
 const MOST: usize = 1_000_000;
@@ -27,7 +28,7 @@ pub fn read(option: &str, file: &InputFile) -> Result<Vec<[f64; 3]>, CaseError> 
     let name = file.path().display().to_string();
     let what = "the table of points";
     let bytes = file.read().map_err(|error| CaseError::unreadable("", what, &name, &error))?;
-    let columns = Columns::read(name, bytes, option, &WANTED)?;
+    let columns = Columns::read(name, bytes, option, &COLUMNS)?;
     let error =
         |text: &str| Err(columns.error(columns.header_line, format!("{option} must have {text}")));
     match columns.lines.len() {
@@ -37,7 +38,7 @@ pub fn read(option: &str, file: &InputFile) -> Result<Vec<[f64; 3]>, CaseError> 
         }
         _ => {}
     }
-    for (column, values) in WANTED.iter().zip(&columns.values) {
+    for (column, values) in COLUMNS.iter().zip(&columns.values) {
         let least = if column.name == "depth" { 0.0 } else { -FARTHEST };
         for (value, line) in values.iter().zip(&columns.lines) {
             if (least..=FARTHEST).contains(value) {

@@ -37,7 +37,7 @@ pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<History, CaseError> {
         let stray = values.iter().position(|value| !requirement.holds(*value));
         if let Some(row) = stray {
             let (name, value) = (column.name, readable(values[row]));
-            let unit = column.measure.map_or("", |measure| measure.unit);
+            let unit = column.unit();
             let requirement = requirement.text(unit, &FieldNames::CASE);
             let message = format!("{name} must be {requirement}, but is {value} {unit}");
             let error = columns.error(columns.lines[row], message.trim_end());

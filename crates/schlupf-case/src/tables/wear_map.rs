@@ -28,7 +28,7 @@ pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<WearMap, CaseError> {
     ];
     for ((column, values), requirement) in COLUMNS.iter().zip(&columns.values).zip(requirements) {
         if let Some(row) = values.iter().position(|value| !requirement.holds(*value)) {
-            let unit = column.measure.map_or("", |measure| measure.unit);
+            let unit = column.unit();
             let needed = match requirement {
                 Requirement::Between(_, most) if most < f64::MAX => {
                     requirement.text(unit, &FieldNames::CASE)

@@ -15,7 +15,7 @@ pub mod creep_curve;
 pub mod damage;
 pub mod figures;
 pub mod identification;
-mod json;
+pub(crate) mod json;
 mod number;
 pub mod profiles;
 pub mod report;

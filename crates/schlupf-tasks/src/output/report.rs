@@ -87,11 +87,18 @@ pub struct OwnFile {
     pub doc: &'static str,
     /// The file of the request that it may replace.
     pub replaces: Option<&'static str>,
+    /// Whether functions want it every time, because what they return has what is in it.
+    pub is_part: bool,
 }
 
 impl OwnFile {
     pub(crate) const fn new(format: &'static str, option: &'static str, doc: &'static str) -> Self {
-        Self { format, option, doc, replaces: None }
+        Self { format, option, doc, replaces: None, is_part: false }
+    }
+
+    /// Has functions want it every time.
+    pub(crate) const fn part(self) -> Self {
+        Self { is_part: true, ..self }
     }
 }
 

@@ -1,45 +1,32 @@
 //! The fields of a case that a request gives in their place.
 
 use std::collections::BTreeMap;
+use std::convert::Infallible;
 use std::path::PathBuf;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 use schlupf::Watch;
 use schlupf::message::quoted;
+use schlupf_case::document::without_quotes;
+use schlupf_case::fields::Kind;
 use schlupf_case::{CaseError, FieldNames, Files, GivenByOption, RoughnessRequest, pressures};
 
 use super::Request;
 use crate::TaskError;
-use crate::request::Face;
+use crate::request::{Asked, Face, Field, Form, Request as _};
 use crate::task::Given;
 
 const SECTION: &str = "contact_law.roughness.";
+const PRESSURES: &str = "contact_law.roughness.pressures";
 
 /// Mean pressures where nothing else says any.
 const DEFAULT_PRESSURES: &str = "0.2..1.2 GPa";
 
 /// What is given of a measured surface.
-const OF_SURFACE: [&str; 8] =
-    ["second", "form", "cutoff", "unit", "spacing", "fill_holes", "square_cells", "seed"];
+pub(super) const OF_SURFACE: &[&str] =
+    &["second", "form", "cutoff", "unit", "spacing", "fill_holes", "square_cells", "seed"];
 
-/// Fields of the roughness by the last part of their paths, with what gives them here: the field of
-/// the request, and its option.
-const FIELDS: [(&str, &str, &str); 12] = [
-    ("file", "surface", "SURFACE"),
-    ("second_file", "second", "--second"),
-    ("form", "form", "--form"),
-    ("cutoff_wavelength", "cutoff", "--cutoff"),
-    ("unit", "unit", "--unit"),
-    ("spacing", "spacing", "--spacing"),
-    ("fill_holes", "fill_holes", "--fill-holes"),
-    ("square_cells", "square_cells", "--square-cells"),
-    ("cells", "cells", "--cells"),
-    ("seed", "seed", "--seed"),
-    ("hardness", "hardness", "--hardness"),
-    ("pressures", "pressure", "--pressure"),
-];
-
-/// The same of those that `synthetic` gives, with its keys.
+/// Fields of the roughness, by the last part of their paths, that `synthetic` gives, with its keys.
 const KEYS: [(&str, &str); 7] = [
     ("rms_height", "rms_height"),
     ("rms_slope", "rms_slope"),
@@ -50,16 +37,42 @@ const KEYS: [(&str, &str); 7] = [
     ("seed", "seed"),
 ];
 
-/// What the options call a field of the case.
-fn option(path: &str) -> Option<&'static str> {
-    let field = path.strip_prefix(SECTION)?;
-    FIELDS.iter().find(|(own, ..)| *own == field).map(|(.., option)| *option).or(key(field))
+/// What options call the fields of the case that the request gives.
+static OPTIONS: LazyLock<Names> = LazyLock::new(|| names(Face::Command));
+
+/// What functions call them.
+static ARGUMENTS: LazyLock<Names> = LazyLock::new(|| names(Face::Functions));
+
+/// Paths of fields, and what they are called.
+type Names = Vec<(&'static str, String)>;
+
+fn names(face: Face) -> Names {
+    let of_case = of_case();
+    let none = |_: &Field| Ok::<_, Infallible>(Vec::new());
+    let Ok(asked) = Asked::new(face, Request::fields(), none);
+    of_case.into_iter().map(|(name, path)| (path, asked.name(name))).collect()
 }
 
-/// What functions call it.
-fn argument(path: &str) -> Option<&'static str> {
+/// The fields of the request that stand for one of the case, with its path.
+fn of_case() -> Vec<(&'static str, &'static str)> {
+    let path = |field: Field| match field.form {
+        Form::OfCase(path) => Some((field.name, path)),
+        _ => None,
+    };
+    Request::fields().into_iter().filter_map(path).collect()
+}
+
+fn called(names: &'static Names, path: &str) -> Option<&'static str> {
     let field = path.strip_prefix(SECTION)?;
-    FIELDS.iter().find(|(own, ..)| *own == field).map(|(_, name, _)| *name).or(key(field))
+    let name = names.iter().find(|(own, _)| *own == path);
+    name.map(|(_, name)| name.as_str()).or(key(field))
+}
+
+/// Pressures (in Pa) in ascending order, as in a case file.
+fn array(mut pressures: Vec<f64>) -> String {
+    pressures.sort_by(f64::total_cmp);
+    let each: Vec<String> = pressures.iter().map(|value| format!("\"{value:e} Pa\"")).collect();
+    format!("[{}]", each.join(","))
 }
 
 fn key(field: &str) -> Option<&'static str> {
@@ -76,16 +89,12 @@ impl Request {
     /// What this and the case ask for.
     pub(super) fn of_case(&self, of: &Given, watch: Watch) -> Result<RoughnessRequest, TaskError> {
         let asked = &self.asked;
-        asked.require_one_of(&["surface", "synthetic"])?;
-        if self.synthetic.is_none() {
-            asked.require_with(&OF_SURFACE, "surface")?;
-        }
-        let fields = self.fields(of.is_default)?;
+        let fields = self.of_fields(of.is_default)?;
         let files = self.is_given().then(|| -> Arc<dyn Files> { Arc::new(self.files()) });
         let names = match (self.is_given(), asked.face()) {
             (false, _) => FieldNames::CASE,
-            (true, Face::Command) => FieldNames::of_options(option),
-            (true, Face::Functions) => FieldNames::of_options(argument),
+            (true, Face::Command) => FieldNames::of_options(|path| called(&OPTIONS, path)),
+            (true, Face::Functions) => FieldNames::of_options(|path| called(&ARGUMENTS, path)),
         };
         of.case.rough_contact(&fields, files, names, watch)?.ok_or_else(|| {
             let [surface, synthetic] = ["surface", "synthetic"].map(|name| asked.name(name));
@@ -110,51 +119,28 @@ impl Request {
         named.map(|(name, file)| (name.to_owned(), file.path())).collect()
     }
 
-    /// What a field of it says, as in a case file.
-    fn value(&self, name: &str) -> Option<String> {
-        let flag = |is_given: bool| is_given.then(|| "true".to_owned());
-        let text = |text: &str| format!("{text:?}");
-        match name {
-            "surface" => self.surface.as_ref().map(|_| text(name)),
-            "second" => self.second.as_ref().map(|_| text(name)),
-            "form" => self.form.clone(),
-            "cutoff" => self.cutoff.clone(),
-            "unit" => self.unit.as_deref().map(text),
-            "spacing" => self.spacing.clone(),
-            "fill_holes" => flag(self.fill_holes),
-            "square_cells" => flag(self.square_cells),
-            "cells" => self.cells.clone(),
-            "seed" => self.seed.clone(),
-            "hardness" => self.hardness.clone(),
-            // Its value may be refused, and has a default: see `fields`.
-            _ => None,
-        }
-    }
-
     /// The fields of the case that it gives; pressures, too, where there is no case that has them.
-    fn fields(&self, is_default: bool) -> Result<Vec<GivenByOption>, TaskError> {
+    fn of_fields(&self, is_default: bool) -> Result<Vec<GivenByOption>, TaskError> {
         let mut fields = self.of_synthetic()?;
-        let files = self.files();
-        let mut give = |name: &str, text: String, field: String, value: String| {
-            fields.push(GivenByOption { option: self.asked.name(name).into(), text, field, value });
-        };
-        for (field, name, _) in FIELDS {
-            let Some(value) = self.value(name) else { continue };
-            let text = files.get(name).map(|path| path.display().to_string());
-            let text = text.unwrap_or_else(|| value.trim_matches('"').to_owned());
-            give(name, text, format!("{SECTION}{field}"), value);
-        }
-        if let Some(friction) = &self.friction {
-            let field = "friction.coefficient".to_owned();
-            give("friction", friction.clone(), field, friction.clone());
-        }
         let default = (self.is_given() && is_default).then(|| DEFAULT_PRESSURES.to_owned());
-        if let Some(text) = self.pressure.clone().or(default) {
-            let mut values = pressures(&self.asked.name("pressure"), &text)?;
-            values.sort_by(f64::total_cmp);
-            let array: Vec<String> =
-                values.iter().map(|value| format!("\"{value:e} Pa\"")).collect();
-            give("pressure", text, format!("{SECTION}pressures"), format!("[{}]", array.join(",")));
+        for (name, path) in of_case() {
+            let option = self.asked.name(name);
+            let default = default.clone().filter(|_| path == PRESSURES);
+            let Some(text) = self.asked.text(name).or(default) else { continue };
+            let value = match Form::OfCase(path).of_case() {
+                Some(Kind::Flag) => "true".to_owned(),
+                // Paths need not be text: see `files`.
+                Some(Kind::Path) => format!("{name:?}"),
+                Some(Kind::Text | Kind::Quantity(_)) => format!("{:?}", without_quotes(&text)),
+                Some(Kind::Quantities(_)) => array(pressures(&option, &text)?),
+                _ => text.clone(),
+            };
+            fields.push(GivenByOption {
+                option: option.into(),
+                text,
+                field: path.to_owned(),
+                value,
+            });
         }
         Ok(fields)
     }
@@ -210,9 +196,8 @@ impl Request {
                     self.refused(format!("{own} must give a key once, but has {first} and {text}"))
                 );
             }
-            let mut fields =
-                FIELDS.iter().filter(|(own, ..)| part.field.ends_with(&format!(".{own}")));
-            let twice = fields.find_map(|(_, name, _)| Some((name, self.value(name)?)));
+            let mut fields = of_case().into_iter().filter(|(_, path)| *path == part.field);
+            let twice = fields.find_map(|(name, _)| Some((name, self.asked.text(name)?)));
             if let Some((name, value)) = twice {
                 let (name, value) = (self.asked.name(name), quoted(&value));
                 return Err(self.refused(format!(

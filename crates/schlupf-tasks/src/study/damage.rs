@@ -12,7 +12,7 @@ use schlupf::{Status, Watch};
 use schlupf_case::{CaseErrors, CaseFile, InputFile, Setting};
 
 use crate::TaskError;
-use crate::request::{Form, request};
+use crate::request::{Kind, request};
 use crate::study::batch::MORE_CONTACTS;
 use crate::study::columns::{beside_field, contact_column};
 use crate::study::counts::{Counts, WARNINGS};
@@ -20,7 +20,7 @@ use crate::study::error::StudyError;
 use crate::study::plan::Study;
 use crate::study::run;
 use crate::study::table::{Cells, Contents, Reader};
-use crate::task::{Found, Given, Scratch, Task, Wanted};
+use crate::task::{CaseArgument, Found, Given, Scratch, Task, Wanted};
 
 /// Columns with the place of each state along the run, one of which a run needs.
 const ALONG: [&str; 2] = ["distance", "time"];
@@ -33,7 +33,7 @@ request! {
     Request {
         /// Table of `sweep` with a column distance or time (.csv or .parquet), or a study of such
         /// states (.toml), which is solved.
-        run: InputFile = Form::File, positional();
+        run: InputFile = Kind::file(), positional();
     }
 }
 
@@ -45,6 +45,13 @@ impl Task for Damage {
     const NAME: &'static str = "damage";
     const ABOUT: &'static str =
         "Compute the damage over a run: energy, fatigue and wear across the profile";
+    const SOURCES: &'static str = "Fatigue: Ekberg, Kabo and Andersson (2002). Wear: Archard (1953) with \
+                                   coefficients of Jendel (2002); Braghin, Lewis, Dwyer-Joyce and Bruni \
+                                   (2006).";
+    const CASE: CaseArgument = CaseArgument::Positional(
+        "with the laws in the section [damage]; by default that of the study, which its table keeps",
+    );
+    const HAS_SEVERAL: bool = true;
     type Request = Request;
     type Report = DamageReport;
 

@@ -146,7 +146,7 @@ impl Run {
         Ok(Started::Open(Box::new(run)))
     }
 
-    /// The same for batches of all shares that other machines solve and send as
+    /// Starts a run of batches of all shares that other machines solve and send as
     /// [text](Solved::to_text).
     ///
     /// # Errors

@@ -4,7 +4,7 @@ use schlupf::Status;
 use schlupf::message::Message;
 use schlupf_tasks::output::Report;
 use schlupf_tasks::output::figures::FigureError;
-use schlupf_tasks::output::temperature::{Line, Request, Row, Temperatures};
+use schlupf_tasks::output::temperature::{Line, Positions, Row, Temperatures};
 
 /// A hot wheel (100 °C) on a cold rail, which mix in the contact from x = 6 to −6 mm.
 fn made_up(points: u32) -> Temperatures {
@@ -21,7 +21,7 @@ fn made_up(points: u32) -> Temperatures {
     Temperatures {
         title: "a <hot> wheel".to_owned(),
         status: Status::Converged,
-        request: Request {
+        request: Positions {
             point: [-3e-3, 0.0],
             passage: [6e-3, -6e-3],
             depth: [0.0, 1e-3],

@@ -15,7 +15,7 @@ const TEMPERATURE: Requirement = Between(-273.15, 1e5);
 
 section! {
     DAMAGE "damage"
-        "What turns rolling into fatigue and wear, for `schlupf wear` and `schlupf damage`." for "wear";
+        "What turns rolling into fatigue and wear, for `schlupf wear` and `schlupf damage`." for "wear" "damage";
 
     "shear_yield_stress" [ShearYieldStress] quantity(&Measure::PRESSURE), MODULUS, Text("300 MPa"),
         "k, yield stress in pure shear, for the fatigue index (Ekberg, Kabo and Andersson 2002)",

@@ -114,7 +114,8 @@ impl Report for FitReport {
                 Self::CASE,
                 "write-case",
                 "Write the case with the fitted values, keeping comments and layout",
-            )]
+            )
+            .part()]
         }
     }
 

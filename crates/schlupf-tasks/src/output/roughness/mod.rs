@@ -148,12 +148,14 @@ impl Report for RoughnessReport {
                     Self::PRESSURES,
                     "pressures",
                     "Write the pressures in all cells at the largest mean pressure as .npy in Pa",
-                ),
+                )
+                .part(),
                 OwnFile::new(
                     Self::GAPS,
                     "gaps",
                     "Write the gaps there as .npy in m; a negative gap is the flattened depth",
-                ),
+                )
+                .part(),
             ]
         }
     }

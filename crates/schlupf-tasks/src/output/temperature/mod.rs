@@ -22,7 +22,7 @@ const FIGURE: &str = "temperature";
 
 /// Positions at which temperatures are requested.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Request {
+pub struct Positions {
     /// The point (x, y), in m.
     pub point: [f64; 2],
     /// Positions where its row enters and leaves the contact, x in m.
@@ -90,7 +90,7 @@ pub struct Temperatures {
     /// Whether the solution that they belong to converged.
     pub status: Status,
     /// Their positions.
-    pub request: Request,
+    pub request: Positions,
     /// Bulk temperatures of wheel and rail, in degC.
     pub bulk: [f64; 2],
     /// Below the point, against the depth.
@@ -106,8 +106,8 @@ const AHEAD: f64 = 0.08;
 
 impl Temperatures {
     /// The profile below the point and the rows, from a field.
-    pub fn sample(field: &TemperatureField, request: &Request) -> (Line, Vec<Row>) {
-        let Request { point: [x, y], passage: [entry, exit], depth, wake, points, .. } = *request;
+    pub fn sample(field: &TemperatureField, request: &Positions) -> (Line, Vec<Row>) {
+        let Positions { point: [x, y], passage: [entry, exit], depth, wake, points, .. } = *request;
         let profile = Line::sample(field, evenly(depth, points), |z| [x, y, z]);
         let range = [exit - wake, entry + AHEAD * (entry - exit)];
         let row = |depth: f64| Row {

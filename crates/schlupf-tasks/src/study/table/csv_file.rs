@@ -72,7 +72,7 @@ pub fn read_rows(
     read_some(reader, columns, most, |_| true)
 }
 
-/// The same for some of the columns; the others stay empty.
+/// Reads such rows for some of the columns; the others stay empty.
 fn read_some(
     reader: &mut csv::Reader<impl Read>,
     columns: &[Column],

@@ -244,7 +244,7 @@ impl Reader {
         Ok(Self { contents, source, only: None })
     }
 
-    /// The same for some of the columns: the others stay empty.
+    /// Opens a table for some of its columns: the others stay empty.
     ///
     /// # Errors
     /// Those of [`Self::open`].
