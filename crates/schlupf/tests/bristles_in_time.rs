@@ -10,6 +10,7 @@ use common::{
     at_once, cells, follow, from_state, half_space, layer, problem, rolling, solve, solve_over,
 };
 use schlupf::elasticity::Elasticity;
+use schlupf::elasticity::winkler::Winkler;
 use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
 use schlupf::history::History;
 use schlupf::interface::contact_law::{ContactLaw, Incremental};
@@ -54,6 +55,28 @@ fn the_steady_state_is_the_end_of_marching() {
     let both = hot(bristly(half_space(), 2e8, [0.01, 0.002, 0.3]));
     let off = gap(&at_once(&both, &options), &solve(&both, &options));
     assert!(off < 10.0 * options.tolerance, "{off:e}");
+}
+
+/// Cells of a bedding are solved one by one, however unlike its stiffnesses in x and y are: Newton's
+/// method for all of them together has little left to do.
+#[test]
+fn a_bedding_of_unlike_stiffnesses_is_marched_cell_by_cell() {
+    for stiffness in [[1e12, 1e14], [1e14, 1e12]] {
+        let [x, y] = stiffness;
+        let bedding: Arc<dyn Elasticity> = Arc::new(Winkler::new(x, y).unwrap());
+        for motion in [[1e-3, 0.0, 0.0], [5e-4, 1e-3, 0.4], [3e-4, 2e-3, -0.2]] {
+            for law in [ContactLaw::Coulomb, Incremental::new(5e6).unwrap().into()] {
+                let elasticity = Arc::clone(&bedding);
+                let [xi, eta, spin] = motion;
+                let rolling = problem(rolling(xi, eta, spin));
+                let both = Problem { elasticity, contact_law: law, ..rolling };
+                let (steady, marched) = (at_once(&both, &cells(20)), solve(&both, &cells(20)));
+                assert!(gap(&steady, &marched) < 1e-5, "{stiffness:?} {motion:?} {law:?}");
+                let work = marched.work;
+                assert!(work.newton_iterations <= work.steps, "{stiffness:?} {motion:?} {work:?}");
+            }
+        }
+    }
 }
 
 /// A history of creepages is judged by the largest of them, not by that of the case: it ends where

@@ -36,6 +36,9 @@ impl Step<'_> {
         let response = StepResponse::new(contact, &prescribed);
         law.admit(p, bound);
         let mut step = TimeStepEquilibrium::new(response, law, bound, tracks, largest);
+        if !step.is_coupled() {
+            step.solve_uncoupled(p);
+        }
         let outcome = newton.solve(&mut step, p, limits, watch)?.outcome;
         let moved = step.moved(p, newton.response());
         Ok((outcome, moved))

@@ -18,7 +18,7 @@ use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::passage::pair;
 use crate::rolling::shared::strip::{
     BristleState, Displaced, Interface, Resolvent, StripContact, StripFactors, order, reduced,
-    saturation, through,
+    saturation, solve_alone, through,
 };
 use crate::state::{Places, TrackPoint};
 
@@ -182,6 +182,11 @@ impl<'a> TimeStepEquilibrium<'a> {
         equilibrium
     }
 
+    /// Whether a cell is displaced by the tractions of others.
+    pub fn is_coupled(&self) -> bool {
+        self.response.is_coupled
+    }
+
     /// Sliding at a cell, in m.
     fn sliding(&self, u: &[f64], k: usize) -> [f64; 2] {
         let PathSlip { known, weight, .. } = &self.slips[k];
@@ -195,21 +200,42 @@ impl<'a> TimeStepEquilibrium<'a> {
         [0, 1].map(|c| sliding[2 * k + c] - u[2 * k + c])
     }
 
-    /// The resolvent of a cell at its traction (in Pa) and its sliding.
-    fn resolvent(&self, p: &[f64], u: &[f64], k: usize) -> Resolvent {
-        let track = &self.tracks[k];
-        let compliance = self.gamma / self.law.interface.stiffness();
-        let (bristles, sliding) = match self.law.interface {
+    /// The trial traction of a cell (in Pa) at its traction and its displacement.
+    fn trial(&self, p: &[f64], u: &[f64], k: usize) -> [f64; 2] {
+        let sliding = match self.law.interface {
             ContactLaw::TotalDisplacement(_) => {
                 let change = self.change(u, k);
-                (from([0.0; 2]), [0, 1].map(|c| track.sliding[c] + change[c]))
+                [0, 1].map(|c| self.tracks[k].sliding[c] + change[c])
             }
-            ContactLaw::Coulomb | ContactLaw::Incremental(_) => {
-                (self.slips[k].bristles, self.sliding(u, k))
-            }
+            ContactLaw::Coulomb | ContactLaw::Incremental(_) => self.sliding(u, k),
         };
-        let trial = [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
+        [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c])
+    }
+
+    /// The resolvent of a cell at a trial traction (in Pa).
+    fn resolvent(&self, trial: [f64; 2], k: usize) -> Resolvent {
+        let compliance = self.gamma / self.law.interface.stiffness();
+        let bristles = match self.law.interface {
+            ContactLaw::TotalDisplacement(_) => from([0.0; 2]),
+            ContactLaw::Coulomb | ContactLaw::Incremental(_) => self.slips[k].bristles,
+        };
         Resolvent::at(trial, self.bound[k], &BristleState { compliance, ..bristles })
+    }
+
+    /// The tractions of cells that are not coupled, in place: exactly, cell by cell.
+    pub fn solve_uncoupled(&mut self, p: &mut [f64]) {
+        let nothing = vec![0.0; p.len()];
+        let mut compliance = vec![1.0; p.len()];
+        let ones = compliance.clone();
+        self.response.product(&self.law.contact.calibration, &ones, &mut compliance);
+        for k in 0..self.bound.len() {
+            let sliding = self.trial(&nothing, &nothing, k);
+            let weight = self.gamma * self.weight(k);
+            let stiffening = pair(&compliance, k).map(|own| weight * own);
+            solve_alone(&mut p[2 * k..2 * k + 2], (sliding, stiffening, self.bound[k]), |trial| {
+                self.resolvent(trial, k)
+            });
+        }
     }
 
     /// Weight of the change of a cell in what its law sees, dimensionless.
@@ -297,7 +323,7 @@ impl Equilibrium for TimeStepEquilibrium<'_> {
         self.is_factorised = false;
         for strip in 0..self.law.contact.slaved.kept.len() {
             for k in self.law.contact.slaved.kept[strip].clone() {
-                self.resolvents[k] = self.resolvent(p, u, k);
+                self.resolvents[k] = self.resolvent(self.trial(p, u, k), k);
                 for c in 0..2 {
                     residual[2 * k + c] = p[2 * k + c] - self.resolvents[k].traction[c];
                 }

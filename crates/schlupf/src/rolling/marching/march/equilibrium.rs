@@ -25,8 +25,10 @@ impl March<'_> {
     ) -> Result<(), Error> {
         let bound = self.now.bound(&self.contact.patch);
         let old_traction = self.now.traction.clone();
-        // Tractions go on to change as they did in the last step.
-        add_scaled(&mut self.now.traction, 1.0, &self.trend);
+        // Tractions go on to change as they did in the last step, if that was more than noise.
+        if self.change > self.options.tolerance {
+            add_scaled(&mut self.now.traction, 1.0, &self.trend);
+        }
         self.outcome = Outcome::default();
         let mut control = self.control.take();
         let (time, load) = (self.time, self.contact.normal.load);

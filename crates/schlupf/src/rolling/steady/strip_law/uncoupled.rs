@@ -1,8 +1,7 @@
 //! Cells that are not coupled, solved one after another down the strips.
 
-use crate::rolling::shared::cell::{inverse_2x2, times};
 use crate::rolling::shared::passage::pair;
-use crate::rolling::shared::strip::UpstreamValues;
+use crate::rolling::shared::strip::{UpstreamValues, solve_alone};
 use crate::settings;
 
 use super::StripLaw;
@@ -44,25 +43,13 @@ impl StripLaw {
             let per_length = if slides > 0.0 { slides.recip() } else { self.law.stiffness() };
             settings::rigidity() * self.bound[k] * per_length
         };
-        let [along, across] = compliance.map(|compliance| gamma * own * compliance);
-        let stiffening = [[along, 0.0], [0.0, across]];
-        for _ in 0..f64::MANTISSA_DIGITS {
-            let before = pair(p, k);
-            for c in 0..2 {
-                displacement[2 * k + c] = compliance[c] * before[c];
-            }
-            let moved = self.stencils[k].apply(displacement, k);
-            let trial = [0, 1].map(|c| before[c] + gamma * (self.rigid[2 * k + c] - moved[c]));
-            let resolvent = self.resolvent((trial, gamma), saturation, (k, 0.0));
-            let left = [0, 1].map(|c| before[c] - resolvent.traction[c]);
-            let step = times(&inverse_2x2(resolvent.jacobian(&stiffening)), left);
-            for c in 0..2 {
-                p[2 * k + c] = before[c] - step[c];
-            }
-            if step[0].hypot(step[1]) <= f64::EPSILON * self.bound[k] {
-                break;
-            }
-        }
+        displacement[2 * k..2 * k + 2].fill(0.0);
+        let upstream = self.stencils[k].apply(displacement, k);
+        let sliding = [0, 1].map(|c| gamma * (self.rigid[2 * k + c] - upstream[c]));
+        let stiffening = compliance.map(|compliance| gamma * own * compliance);
+        solve_alone(&mut p[2 * k..2 * k + 2], (sliding, stiffening, self.bound[k]), |trial| {
+            self.resolvent((trial, gamma), saturation, (k, 0.0))
+        });
         for c in 0..2 {
             displacement[2 * k + c] = compliance[c] * p[2 * k + c];
         }
