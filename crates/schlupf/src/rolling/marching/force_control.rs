@@ -35,6 +35,8 @@ pub(super) struct ForceControl {
     slopes: DMatrix<f64>,
     /// Creepages of the last step that ended at its forces, and the slopes before any step.
     reached: DVector<f64>,
+    /// Their change over that step, if it was more than noise.
+    trend: DVector<f64>,
     first_slopes: DMatrix<f64>,
     /// Creepages and missing forces of the trial before.
     before: Option<(DVector<f64>, DVector<f64>)>,
@@ -114,6 +116,7 @@ impl ForceControl {
             creepages: DVector::zeros(count),
             slopes: first_slopes.clone(),
             reached: DVector::zeros(count),
+            trend: DVector::zeros(count),
             first_slopes,
             before: None,
             trials: 0,
@@ -130,12 +133,16 @@ impl ForceControl {
         motion.at(self.place.map(|part| -part))
     }
 
-    /// Prepares a step that ends at a time, in s. After one whose forces no creepage causes the
+    /// Prepares a step that ends at a time, in s: the creepages go on to change. After one whose forces no creepage causes the
     /// search goes on from the last that had its forces.
     pub fn begin(&mut self, history: &History, time: f64) {
         if self.trials >= settings::most_trials() {
             self.creepages.copy_from(&self.reached);
             self.slopes.copy_from(&self.first_slopes);
+        } else {
+            let mut change = self.trend.clone();
+            self.keep_possible(&mut change);
+            self.creepages += change;
         }
         self.prescribed = history.prescribed(time, &self.prescribed);
         (self.before, self.trials) = (None, 0);
@@ -168,6 +175,10 @@ impl ForceControl {
         self.trials += 1;
         if self.missing <= accuracy * size.max(share) {
             self.trials = self.trials.min(settings::most_trials() - 1);
+            self.trend = &self.creepages - &self.reached;
+            if self.trend.norm() <= accuracy * self.creepages.norm() {
+                self.trend.fill(0.0);
+            }
             self.reached.copy_from(&self.creepages);
             return true;
         }
