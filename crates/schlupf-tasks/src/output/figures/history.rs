@@ -3,8 +3,8 @@
 use schlupf::solution::Instant;
 
 use super::color::{BLUE, GREEN, INK, VERMILION};
-use super::marks::{self, HEADING};
-use super::panels::{Curve, Panel, Stack, known};
+use super::marks::Heading;
+use super::panels::{self, Curve, Panel, Stack, known};
 use super::patch::Patch;
 use super::units::{self, Unit};
 
@@ -26,11 +26,9 @@ pub(crate) fn draw(patch: &Patch) -> String {
     let is_range = range[1] > range[0] && range.iter().all(|end| end.is_finite());
     let range = if is_range { range } else { [0.0, 1.0] };
     let label = format!("{} ({})", axis.label, unit.symbol);
-    let stack = Stack { x: range, label: &label, panels, shaded: Vec::new(), shading: "" };
-    let mut drawing = stack.drawing();
-    marks::heading(&mut drawing, patch, axis.title);
-    stack.draw(&mut drawing, HEADING + 40.0);
-    drawing.finish()
+    // It covers both rest and rolling.
+    let heading = Heading { is_rolling: false, ..Heading::of(patch, axis.title) };
+    panels::page(&heading, &[Stack::over(range, label, panels)])
 }
 
 /// What the curves are drawn against.
@@ -118,7 +116,7 @@ fn speed(history: &[Instant], x: &[f64]) -> Option<Panel> {
 
 /// A panel of what is prescribed.
 fn condition(label: String, points: Vec<[f64; 2]>) -> Panel {
-    Panel { label, height: 150.0, curves: vec![Curve::solid(points, INK, "")] }
+    Panel::new(label, 150.0, vec![Curve::solid(points, INK, "")])
 }
 
 /// What comes after a shift at rest.
@@ -147,6 +145,5 @@ fn temperature(history: &[Instant], x: &[f64]) -> Option<Panel> {
     let hot = history.iter().any(|instant| instant.max_rise.is_some_and(|rise| rise != 0.0));
     let curves =
         vec![Curve::solid(points(x, history, |instant| known(instant.max_rise)), GREEN, "")];
-    let label = "largest rise (K)".to_owned();
-    hot.then_some(Panel { label, height: 180.0, curves })
+    hot.then(|| Panel::new("largest rise (K)", 180.0, curves))
 }

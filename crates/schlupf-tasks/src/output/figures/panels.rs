@@ -1,8 +1,10 @@
-//! Curves over a common horizontal axis, in stacked panels.
+//! Curves and marks over a common horizontal axis, in stacked panels: a figure is a heading and a
+//! list of stacks.
 
-use super::color::INK;
+use super::color::{BLUE, INK, MUTED};
 use super::frame::Frame;
-use super::marks::{self, Entry, HEADING, Sample};
+use super::label::{Anchor, TextStyle};
+use super::marks::{self, Entry, HEADING, Heading, Sample, Shape};
 use super::svg::Drawing;
 use super::ticks::round_axis;
 
@@ -20,35 +22,87 @@ pub(crate) struct Curve {
     pub stroke: String,
     /// Its name in the legend, in the markup of labels; empty for none.
     pub text: String,
+    /// Whether it may leave the picture: such a curve does not set the axis.
+    pub is_free: bool,
 }
 
 impl Curve {
-    /// A solid curve.
-    pub(crate) fn solid(points: Vec<[f64; 2]>, color: &str, text: &str) -> Self {
-        let stroke = format!(r#"stroke="{color}" stroke-width="2.2" stroke-linejoin="round""#);
-        Self { points, stroke, text: text.to_owned() }
+    /// A curve with a stroke of its own.
+    pub(crate) fn new(points: Vec<[f64; 2]>, stroke: String, text: &str) -> Self {
+        Self { points, stroke, text: text.to_owned(), is_free: false }
     }
 
-    /// Its largest magnitude.
-    fn largest(&self) -> f64 {
-        let values = self.points.iter().map(|point| point[1].abs());
-        values.filter(|value| value.is_finite()).fold(0.0, f64::max)
+    /// A solid curve.
+    pub(crate) fn solid(points: Vec<[f64; 2]>, color: &str, text: &str) -> Self {
+        Self::new(points, stroke(color, 2.2, ""), text)
     }
 
     /// A wide pale curve, which is seen beneath a solid one, too.
     pub(crate) fn pale(points: Vec<[f64; 2]>, text: &str) -> Self {
-        let stroke = r##"stroke="#c6c6c6" stroke-width="6.5" stroke-linejoin="round""##.to_owned();
-        Self { points, stroke, text: text.to_owned() }
+        Self::new(points, stroke("#c6c6c6", 6.5, ""), text)
     }
 
     /// A dashed curve.
     pub(crate) fn dashed(points: Vec<[f64; 2]>, color: &str, text: &str) -> Self {
-        let stroke = format!(r#"stroke="{color}" stroke-width="1.6" stroke-dasharray="7 4""#);
-        Self { points, stroke, text: text.to_owned() }
+        Self::new(points, stroke(color, 1.6, "7 4"), text)
+    }
+
+    /// The finite values.
+    fn values(&self) -> impl Iterator<Item = f64> {
+        let finite = self.points.iter().filter(|point| point.iter().all(|c| c.is_finite()));
+        finite.map(|point| point[1])
+    }
+
+    /// Its largest magnitude.
+    fn largest(&self) -> f64 {
+        self.values().map(f64::abs).fold(0.0, f64::max)
     }
 }
 
-/// Curves with their own vertical axis.
+/// Depths (in m) across a profile as points in mm and a unit (in m), down to zero at both ends.
+pub(crate) fn across(y: &[f64], depth: &[f64], unit: f64) -> Vec<[f64; 2]> {
+    let half = match *y {
+        [first, second, ..] => 0.5 * (second - first),
+        _ => 1e-4,
+    };
+    let first = y.first().map(|y| [(y - half) / 1e-3, 0.0]);
+    let last = y.last().map(|y| [(y + half) / 1e-3, 0.0]);
+    let points = y.iter().zip(depth).map(|(y, depth)| [y / 1e-3, depth / unit]);
+    first.into_iter().chain(points).chain(last).collect()
+}
+
+/// SVG attributes of a line; solid without a pattern of dashes.
+pub(crate) fn stroke(color: &str, width: f64, dashes: &str) -> String {
+    let dashes =
+        if dashes.is_empty() { String::new() } else { format!(r#" stroke-dasharray="{dashes}""#) };
+    format!(r#"stroke="{color}" stroke-width="{width}" stroke-linejoin="round"{dashes}"#)
+}
+
+/// A point with a shape.
+#[derive(Debug)]
+pub(crate) struct Mark {
+    /// Its place.
+    pub at: [f64; 2],
+    /// Its shape.
+    pub shape: Shape,
+    /// SVG attributes of the shape.
+    pub style: String,
+    /// The range of its ordinate and the colour of the line that shows it, if there is one.
+    pub range: Option<([f64; 2], String)>,
+}
+
+/// Range of a vertical axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Axis {
+    /// That of what is drawn, including zero.
+    Zero,
+    /// That of what is drawn: for temperatures in °C, whose zero means nothing.
+    Own,
+    /// A given one, beyond which curves are cut.
+    Given([f64; 2]),
+}
+
+/// Curves and marks with their own vertical axis.
 #[derive(Debug)]
 pub(crate) struct Panel {
     /// Label of the vertical axis.
@@ -57,21 +111,33 @@ pub(crate) struct Panel {
     pub height: f64,
     /// The curves.
     pub curves: Vec<Curve>,
+    /// Points, on top of the curves.
+    pub marks: Vec<Mark>,
+    /// Bars from zero: both edges, and the value.
+    pub bars: Vec<[f64; 3]>,
+    /// Words at places.
+    pub words: Vec<([f64; 2], &'static str)>,
+    /// Entries of the legend after those of the curves.
+    pub entries: Vec<Entry>,
+    /// Range of the vertical axis.
+    pub axis: Axis,
 }
 
 /// Panels over one horizontal axis.
 #[derive(Debug)]
-pub(crate) struct Stack<'a> {
+pub(crate) struct Stack {
     /// Range of the horizontal axis.
     pub x: [f64; 2],
     /// Label of the horizontal axis.
-    pub label: &'a str,
+    pub label: String,
     /// The panels from top to bottom.
     pub panels: Vec<Panel>,
     /// Shaded ranges of the horizontal axis.
     pub shaded: Vec<[f64; 2]>,
     /// Meaning of the shading.
     pub shading: &'static str,
+    /// Whether all places are logarithms to base ten.
+    pub powers: bool,
 }
 
 /// Width of the drawing.
@@ -80,43 +146,70 @@ pub(crate) const WIDTH: f64 = 900.0;
 pub(crate) const LEFT: f64 = 92.0;
 /// Margin to the right of the plot area.
 pub(crate) const RIGHT: f64 = 30.0;
-/// Width of the plot area.
-const PLOT: f64 = WIDTH - LEFT - RIGHT;
 const SHADE: &str = r##"fill="#e9eef4""##;
 /// Stroke of the line at zero.
 pub(crate) const ZERO: &str = r##"stroke="#8a8a8a" stroke-width="1""##;
+/// Gap between two panels, for the legend of the lower one.
+const GAP: f64 = 36.0;
+/// Space for the horizontal axis between two stacks, and below the last.
+const BETWEEN: f64 = 104.0;
+const FOOT: f64 = 64.0;
 
-impl Stack<'_> {
-    /// Height of the drawing.
-    pub(crate) fn height(&self) -> f64 {
-        HEADING + 30.0 + self.plot_height() + GAP + 36.0
+/// A figure of stacks one below the other.
+pub(crate) fn page(heading: &Heading, stacks: &[Stack]) -> String {
+    lay_out(heading, stacks, WIDTH - RIGHT, 0.0).0.finish()
+}
+
+/// The same with plot areas that end at `right`, at least `least` high; returns the top of the
+/// first plot area, too.
+pub(crate) fn lay_out(
+    heading: &Heading,
+    stacks: &[Stack],
+    right: f64,
+    least: f64,
+) -> (Drawing, f64) {
+    let width = right - LEFT;
+    let start = HEADING + 40.0;
+    let heights = stacks.iter().map(|stack| stack.height(width) + BETWEEN);
+    let bottom = start + heights.sum::<f64>() - BETWEEN + FOOT;
+    let first =
+        stacks.first().and_then(|stack| Some(stack.further_rows(width, stack.panels.first()?)));
+    let top = start + first.unwrap_or_default();
+    let mut drawing = Drawing::new(WIDTH, bottom.max(top + least));
+    heading.draw(&mut drawing);
+    if heading.is_rolling {
+        marks::rolling_direction(&mut drawing, [right - 86.0, HEADING + 8.0]);
+    }
+    let mut corner = [LEFT, start];
+    for stack in stacks {
+        stack.draw(&mut drawing, corner, width);
+        corner[1] += stack.height(width) + BETWEEN;
+    }
+    (drawing, top)
+}
+
+impl Stack {
+    /// Panels without shading.
+    pub(crate) fn over(x: [f64; 2], label: impl Into<String>, panels: Vec<Panel>) -> Self {
+        Self { x, label: label.into(), panels, shaded: Vec::new(), shading: "", powers: false }
     }
 
     /// Height of the plot areas with their gaps and legends, except for the first row of the first.
-    pub(crate) fn plot_height(&self) -> f64 {
-        let space = |panel: &Panel| panel.height + GAP + self.further_rows(panel);
+    fn height(&self, width: f64) -> f64 {
+        let space = |panel: &Panel| panel.height + GAP + self.further_rows(width, panel);
         self.panels.iter().map(space).sum::<f64>() - GAP
     }
 
-    /// An empty drawing of the right size.
-    pub(crate) fn drawing(&self) -> Drawing {
-        Drawing::new(WIDTH, self.height())
-    }
-
-    /// Draws all panels, from `top` downwards.
-    pub(crate) fn draw(&self, drawing: &mut Drawing, top: f64) {
+    /// Draws all panels from a corner downwards.
+    pub(crate) fn draw(&self, drawing: &mut Drawing, [left, top]: [f64; 2], width: f64) {
         let mut top = top;
         for (index, panel) in self.panels.iter().enumerate() {
-            top += self.further_rows(panel);
-            let frame = Frame {
-                corner: [LEFT, top],
-                size: [PLOT, panel.height],
-                x: self.x,
-                y: panel.range(),
-            };
+            top += self.further_rows(width, panel);
+            let (corner, size) = ([left, top], [width, panel.height]);
+            let frame = Frame { corner, size, x: self.x, y: panel.range(), powers: self.powers };
             self.draw_panel(drawing, panel, &frame);
             if index + 1 == self.panels.len() {
-                frame.draw_horizontal(drawing, self.label);
+                frame.draw_horizontal(drawing, &self.label);
             }
             top += panel.height + GAP;
         }
@@ -128,28 +221,33 @@ impl Stack<'_> {
             drawing.rectangle([left, frame.corner[1]], [right - left, panel.height], SHADE);
         }
         frame.draw_grid(drawing);
-        let zero = frame.at([self.x[0], 0.0])[1];
-        drawing.line([LEFT, zero], [frame.right(), zero], ZERO);
+        if !self.powers {
+            frame.draw_zero(drawing);
+        }
+        panel.draw_bars(drawing, frame);
         panel.draw_curves(drawing, frame);
         frame.draw_vertical(drawing, &panel.label);
-        marks::legend_above(drawing, frame.corner, PLOT, &self.entries(panel));
+        // On top of the frame, which would cut them.
+        panel.draw_marks(drawing, frame);
+        marks::legend_above(drawing, frame.corner, frame.size[0], &self.entries(panel));
     }
 
     /// Height of the legend of a panel beyond its first row.
-    fn further_rows(&self, panel: &Panel) -> f64 {
-        marks::further_rows(PLOT, &self.entries(panel))
+    fn further_rows(&self, width: f64, panel: &Panel) -> f64 {
+        marks::further_rows(width, &self.entries(panel))
     }
 
+    /// The entries of the legend: only of curves that are seen.
     fn entries(&self, panel: &Panel) -> Vec<Entry> {
-        let named = panel.curves.iter().filter(|curve| !curve.text.is_empty());
-        let mut entries: Vec<Entry> = named
-            .map(|curve| Entry {
-                sample: Sample::Line(vec![curve.stroke.clone()]),
-                text: curve.text.clone(),
-            })
-            .collect();
+        let named = panel
+            .curves
+            .iter()
+            .filter(|curve| !curve.text.is_empty() && curve.values().nth(1).is_some());
+        let line = |curve: &Curve| Entry::line(&curve.stroke, &curve.text);
+        let mut entries: Vec<Entry> = named.map(line).collect();
+        entries.extend(panel.entries.iter().cloned());
         let first = self.panels.first().is_some_and(|first| std::ptr::eq(first, panel));
-        if first && !self.shaded.is_empty() {
+        if first && self.shaded.iter().any(|[from, to]| to > from) {
             let style = format!(r#"{SHADE} stroke="{INK}" stroke-width="0.4""#);
             entries.push(Entry { sample: Sample::Area(style), text: self.shading.to_owned() });
         }
@@ -157,10 +255,14 @@ impl Stack<'_> {
     }
 }
 
-/// Gap between two panels, for the legend of the lower one.
-pub(crate) const GAP: f64 = 36.0;
-
 impl Panel {
+    /// A panel of curves.
+    pub(crate) fn new(label: impl Into<String>, height: f64, curves: Vec<Curve>) -> Self {
+        let (marks, bars, words, entries) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let label = label.into();
+        Self { label, height, curves, marks, bars, words, entries, axis: Axis::Zero }
+    }
+
     /// A panel without the curves that are invisible everywhere; if all are, with the first.
     pub(crate) fn of_components(label: String, height: f64, mut curves: Vec<Curve>) -> Self {
         const INVISIBLE: f64 = 1e-4;
@@ -170,11 +272,27 @@ impl Panel {
         } else {
             curves.truncate(1);
         }
-        Self { label, height, curves }
+        Self::new(label, height, curves)
     }
 
-    /// Draws the curves into a frame.
-    pub(crate) fn draw_curves(&self, drawing: &mut Drawing, frame: &Frame) {
+    /// The same with another vertical axis.
+    pub(crate) fn with_axis(self, axis: Axis) -> Self {
+        Self { axis, ..self }
+    }
+
+    fn draw_bars(&self, drawing: &mut Drawing, frame: &Frame) {
+        let fill = format!(r##"fill="{BLUE}" stroke="#ffffff" stroke-width="1""##);
+        for &[from, to, value] in &self.bars {
+            let [[left, top], [right, bottom]] = [frame.at([from, value]), frame.at([to, 0.0])];
+            drawing.rectangle([left, top], [right - left, bottom - top], &fill);
+        }
+    }
+
+    fn draw_curves(&self, drawing: &mut Drawing, frame: &Frame) {
+        let is_cut = self.axis != Axis::Zero || self.curves.iter().any(|curve| curve.is_free);
+        if is_cut {
+            drawing.begin_clip(&frame.area());
+        }
         for curve in &self.curves {
             let pieces = curve.points.split(|point| !point.iter().all(|c| c.is_finite()));
             for piece in pieces.filter(|piece| !piece.is_empty()) {
@@ -182,25 +300,105 @@ impl Panel {
                 drawing.polyline(&points, &curve.stroke);
             }
         }
+        if is_cut {
+            drawing.end_group();
+        }
     }
 
-    /// Range of its curves including zero, slightly widened.
-    pub(crate) fn range(&self) -> [f64; 2] {
-        let points = self.curves.iter().flat_map(|curve| &curve.points);
-        let values = points.map(|point| point[1]).filter(|value| value.is_finite());
-        self.range_around([values.clone().fold(0.0, f64::min), values.fold(0.0, f64::max)])
+    fn draw_marks(&self, drawing: &mut Drawing, frame: &Frame) {
+        for ([x, y], text) in &self.words {
+            let style = TextStyle { color: MUTED, ..TextStyle::new(15.0, Anchor::Middle) };
+            let [x, y] = frame.at([*x, *y]);
+            drawing.text([x, y + 5.0], &style, text);
+        }
+        for Mark { at, shape, style, range } in &self.marks {
+            if let Some((ends, color)) = range {
+                let [from, to] = ends.map(|y| frame.at([at[0], y]));
+                drawing.line(from, to, &stroke(color, 1.6, ""));
+            }
+            shape.draw(drawing, frame.at(*at), style);
+        }
+    }
+
+    /// Range of the vertical axis: with some space for marks and beside free curves.
+    fn range(&self) -> [f64; 2] {
+        const CLEARANCE: f64 = 0.05;
+        let curves = self.curves.iter().filter(|curve| !curve.is_free);
+        let of_marks = self.marks.iter().flat_map(|mark| {
+            let range = mark.range.as_ref().map_or([mark.at[1]; 2], |(range, _)| *range);
+            range.into_iter().filter(|value| value.is_finite())
+        });
+        let bars = self.bars.iter().map(|bar| bar[2]);
+        let values: Vec<f64> = curves.flat_map(Curve::values).chain(of_marks).chain(bars).collect();
+        let start = match self.axis {
+            Axis::Given(range) => return range,
+            Axis::Zero => Some(0.0),
+            Axis::Own => None,
+        };
+        let ends = [f64::min, f64::max].map(|end| values.iter().copied().chain(start).reduce(end));
+        let [low, high] = ends.map(Option::unwrap_or_default);
+        let [below, above] = self.range_around([low, high]);
+        let is_tight = self.marks.is_empty() && !self.curves.iter().any(|curve| curve.is_free);
+        let space = if is_tight { 0.0 } else { CLEARANCE * (high - low) };
+        [
+            if Some(low) == start { below } else { below.min(low - space) },
+            if Some(high) == start { above } else { above.max(high + space) },
+        ]
     }
 
     /// A range slightly widened.
-    pub(crate) fn range_around(&self, [low, high]: [f64; 2]) -> [f64; 2] {
+    fn range_around(&self, [low, high]: [f64; 2]) -> [f64; 2] {
         let margin = 0.04 * (high - low);
         let about = ((self.height / 45.0) as usize).clamp(2, 8);
         let ([below, above], _) = round_axis(low, high, about);
         if high <= low {
             // All is zero.
-            return [below, above];
+            return [below, above].map(|end| low + end);
         }
         // Up to the next tick, unless that would leave much of the panel empty.
         [below.max(low - 2.5 * margin), above.min(high + 2.5 * margin)]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn panel(values: &[f64], axis: Axis) -> Panel {
+        let points = values.iter().enumerate().map(|(k, value)| [k as f64, *value]).collect();
+        Panel::new("", 150.0, vec![Curve::solid(points, INK, "seen")]).with_axis(axis)
+    }
+
+    /// 80 °C is no eighty times as much as 1 °C.
+    #[test]
+    fn only_axes_of_differences_begin_at_zero() {
+        assert_eq!(panel(&[88.0, 125.0], Axis::Zero).range()[0], 0.0);
+        let [low, high] = panel(&[88.0, 125.0], Axis::Own).range();
+        assert!((78.0..=88.0).contains(&low) && (125.0..=135.0).contains(&high), "{low} {high}");
+        assert_eq!(panel(&[20.0, 20.0], Axis::Own).range(), [20.0, 21.0]);
+        assert_eq!(panel(&[0.0, 0.0], Axis::Zero).range(), [0.0, 1.0]);
+    }
+
+    #[test]
+    fn marks_have_space_and_free_curves_none() {
+        let mut panel = panel(&[0.0, 1.0], Axis::Zero);
+        let points = vec![[0.0, 0.0], [1.0, 50.0]];
+        panel.curves.push(Curve { is_free: true, ..Curve::solid(points, INK, "") });
+        assert!(panel.range()[1] < 1.2);
+        let (shape, style) = (Shape::Cross, String::new());
+        panel.marks.push(Mark { at: [1.0, 2.0], shape, style, range: None });
+        assert!((2.1..2.5).contains(&panel.range()[1]));
+    }
+
+    #[test]
+    fn curves_that_are_not_seen_are_not_listed() {
+        let mut panel = panel(&[1.0, 2.0], Axis::Zero);
+        panel.curves.push(Curve::dashed(vec![[0.0, f64::NAN]; 4], INK, "unknown"));
+        panel.curves.push(Curve::dashed(Vec::new(), INK, "empty"));
+        let mut stack = Stack::over([0.0, 1.0], "", vec![panel]);
+        (stack.shaded, stack.shading) = (vec![[0.5, 0.5]], "nowhere");
+        let texts: Vec<String> =
+            stack.entries(&stack.panels[0]).into_iter().map(|entry| entry.text).collect();
+        assert_eq!(texts, ["seen"]);
     }
 }
