@@ -45,7 +45,7 @@ fn wear(report: &DamageReport) -> Option<String> {
     let ends = panels::across(&profile.y, &profile.wheel_archard, 1.0);
     let panels = vec![
         panel("wheel, over the run (µm)", 1e-6, [&profile.wheel_archard, &profile.wheel_energy]),
-        panel("rail, per wheel (nm)", 1e-9, [&profile.rail_archard, &profile.rail_energy]),
+        panel("rail, for each wheel (nm)", 1e-9, [&profile.rail_archard, &profile.rail_energy]),
     ];
     let x = [ends.first()?[0], ends.last()?[0]];
     let stack = Stack::over(x, "$y$ across the profile (mm)", panels);
