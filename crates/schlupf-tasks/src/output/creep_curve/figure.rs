@@ -131,13 +131,12 @@ impl<'a> Picture<'a> {
         Some(picture)
     }
 
-    fn points(&self) -> impl Iterator<Item = &Point> {
-        self.family.members.iter().flat_map(|member| &member.curve.points)
-    }
-
     /// The largest magnitude of a finite value.
     fn largest(&self, value: impl Fn(&Point) -> f64) -> f64 {
-        self.points().map(value).filter(|v| v.is_finite()).fold(0.0, |most, v| most.max(v.abs()))
+        points(self.family)
+            .map(value)
+            .filter(|v| v.is_finite())
+            .fold(0.0, |most, v| most.max(v.abs()))
     }
 
     fn is_family(&self) -> bool {
@@ -157,27 +156,9 @@ impl<'a> Picture<'a> {
         };
         let status = self.family.status();
         let remark = if status == Status::Converged { "" } else { "not converged at some points" };
-        let heading = Heading::new(title, &self.family.title, self.conditions(), status);
+        let heading =
+            Heading::new(title, &self.family.title, conditions(self.family).join(", "), status);
         Heading { remark, ..heading }
-    }
-
-    /// Conditions shared by all points of all curves.
-    fn conditions(&self) -> String {
-        let constant = |value: fn(&Point) -> f64| {
-            let first = self.points().next().map(value)?;
-            self.points().all(|point| value(point) == first).then_some(first)
-        };
-        let creepage = |value: fn(&Point) -> f64| constant(value).filter(|value| *value != 0.0);
-        let load = self.family.members.first().map(|member| member.curve.normal.load);
-        let is_same = |load: &f64| self.family.members.iter().all(|m| m.curve.normal.load == *load);
-        let parts = [
-            creepage(|point| point.kinematics.creepage_x).map(|x| format!("$ξ$ = {}", short(x))),
-            creepage(|point| point.kinematics.creepage_y).map(|y| format!("$η$ = {}", short(y))),
-            creepage(|point| point.kinematics.spin).map(|s| format!("$φ$ = {} 1/m", short(s))),
-            constant(|point| point.kinematics.speed).map(|v| format!("$v$_0 = {} m/s", short(v))),
-            load.filter(is_same).map(|load| format!("$N$ = {} kN", short(load / 1e3))),
-        ];
-        parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
     }
 
     fn axis(&self) -> String {
@@ -374,6 +355,29 @@ impl<'a> Picture<'a> {
             drawing.plain_text([left + SAMPLE + 8.0, y], &style, &text);
         }
     }
+}
+
+fn points(family: &CurveFamily) -> impl Iterator<Item = &Point> {
+    family.members.iter().flat_map(|member| &member.curve.points)
+}
+
+/// Conditions shared by all points of all curves.
+pub(super) fn conditions(family: &CurveFamily) -> Vec<String> {
+    let constant = |value: fn(&Point) -> f64| {
+        let first = points(family).next().map(value)?;
+        points(family).all(|point| value(point) == first).then_some(first)
+    };
+    let creepage = |value: fn(&Point) -> f64| constant(value).filter(|value| *value != 0.0);
+    let load = family.members.first().map(|member| member.curve.normal.load);
+    let is_same = |load: &f64| family.members.iter().all(|m| m.curve.normal.load == *load);
+    let parts = [
+        creepage(|point| point.kinematics.creepage_x).map(|x| format!("$ξ$ = {}", short(x))),
+        creepage(|point| point.kinematics.creepage_y).map(|y| format!("$η$ = {}", short(y))),
+        creepage(|point| point.kinematics.spin).map(|s| format!("$φ$ = {} 1/m", short(s))),
+        constant(|point| point.kinematics.speed).map(|v| format!("$v$_0 = {} m/s", short(v))),
+        load.filter(is_same).map(|load| format!("$N$ = {} kN", short(load / 1e3))),
+    ];
+    parts.into_iter().flatten().collect()
 }
 
 /// Colours of the members: from dark to light for numbers, otherwise without an order.

@@ -3,7 +3,7 @@
 use schlupf::Status;
 use schlupf::creep_curve::{Abscissa, VariedForce};
 
-use super::{Axis, CreepMap, CurveFamily};
+use super::{Axis, CreepMap, CurveFamily, figure};
 use crate::output::figures::Drawing as Named;
 use crate::output::figures::color::{ColorScale, Palette};
 use crate::output::figures::lattice::Lattice;
@@ -162,22 +162,11 @@ impl InUnit {
 
 /// What all curves have in common.
 fn conditions(family: &CurveFamily) -> String {
-    let Some(first) = family.members.first() else { return String::new() };
-    let is_varied = |field: &str| family.over.iter().any(|over| over == field);
-    let mut parts = Vec::new();
-    if let Some(point) = first.curve.points.first().filter(|_| !is_varied("kinematics.speed")) {
-        parts.push(format!("$v$_0 = {} m/s", marks::short(point.kinematics.speed)));
-    }
-    let load = first.curve.normal.load;
-    if family.members.iter().all(|member| member.curve.normal.load == load) {
-        parts.push(format!("$N$ = {} kN", marks::short(load / 1e3)));
-    }
-    if family.over.len() == 2 {
+    let mut parts = figure::conditions(family);
+    let first = family.members.first().filter(|_| family.over.len() == 2);
+    if let (Some(first), Some(abscissa)) = (first, family.abscissa()) {
         let [start, end] = first.curve.path.range().map(marks::short);
-        if let Some(abscissa) = family.abscissa() {
-            let name = abscissa.quantity().symbol();
-            parts.push(format!("${name}$ from {start} to {end}"));
-        }
+        parts.push(format!("${}$ from {start} to {end}", abscissa.quantity().symbol()));
     }
     parts.join(", ")
 }

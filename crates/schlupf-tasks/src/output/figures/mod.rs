@@ -17,6 +17,7 @@ pub(crate) mod lattice;
 pub(crate) mod map;
 pub(crate) mod marks;
 mod mesh;
+mod panel;
 pub(crate) mod panels;
 pub(crate) mod patch;
 mod projection;
