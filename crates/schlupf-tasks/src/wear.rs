@@ -1,4 +1,4 @@
-//! Wear, fatigue and melting of one passage.
+//! Wear, fatigue and melting per wheel passage.
 
 use crate::output::wear::WearReport;
 use schlupf::damage::{Laws, WearMap, of_passage};

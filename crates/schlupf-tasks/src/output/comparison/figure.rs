@@ -8,8 +8,7 @@ use crate::output::figures::color::{BLUE, GREEN, MUTED, VERMILION};
 use crate::output::figures::frame::{LABEL_SIZE, TICK_SIZE, outline, tick_line};
 use crate::output::figures::label::{Anchor, TextStyle};
 use crate::output::figures::marks::{self, HEADING, Heading, short};
-use crate::output::figures::panels::ZERO;
-use crate::output::figures::svg::{Drawing, GRID_LINE};
+use crate::output::figures::svg::{Drawing, GRID_LINE, ZERO};
 use crate::output::figures::ticks::{powers_of_ten, round_ticks};
 use crate::output::report::Report;
 

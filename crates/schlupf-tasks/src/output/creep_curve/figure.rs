@@ -259,8 +259,8 @@ impl<'a> Picture<'a> {
         Curve { is_free, ..Curve::new(smooth(points), stroke(color, dashes), "") }
     }
 
-    /// Adds the initial-slope lines of a quantity computed from the force; returns whether there are
-    /// any.
+    /// Adds the initial-slope lines of a quantity computed from the force; returns whether there
+    /// are any.
     fn add_tangents(&self, panel: &mut Panel, value: impl Fn(&Member, &Resultant) -> f64) -> bool {
         let count = panel.curves.len();
         let tangent = |(member, color): (&Member, &String)| {

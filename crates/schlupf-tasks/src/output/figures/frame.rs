@@ -2,8 +2,7 @@
 
 use super::color::INK;
 use super::label::{Anchor, TextStyle};
-use super::panels::ZERO;
-use super::svg::{Drawing, GRID_LINE};
+use super::svg::{Drawing, GRID_LINE, ZERO};
 use super::ticks::{Tick, powers_of_ten, round_ticks};
 
 /// Font size of tick labels.

@@ -30,8 +30,6 @@ pub(crate) const LEFT: f64 = 92.0;
 /// Margin to the right of the plot area.
 pub(crate) const RIGHT: f64 = 30.0;
 const SHADE: &str = r##"fill="#e9eef4""##;
-/// Stroke of the line at zero.
-pub(crate) const ZERO: &str = r##"stroke="#8a8a8a" stroke-width="1""##;
 /// Gap between two panels, for the legend of the lower one.
 const GAP: f64 = 36.0;
 /// Space for the horizontal axis between two stacks, and below the last.

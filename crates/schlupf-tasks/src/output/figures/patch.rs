@@ -87,9 +87,9 @@ impl<'a> Patch<'a> {
         self.cell_at[grid.index(column, row)]
     }
 
-    /// Values averaged with those of the eight cells around, so that a surface has no teeth where the
-    /// stick–slip boundary crosses the rows of cells. What vanishes at the rim is averaged as its
-    /// ratio to the pressure.
+    /// Values averaged with those of the eight cells around, so that a surface has no teeth where
+    /// the stick–slip boundary crosses the rows of cells. What vanishes at the rim is averaged as
+    /// its ratio to the pressure.
     pub(crate) fn smoothed(&self, values: &[f64], vanishes_at_rim: bool) -> Vec<f64> {
         let Fields { cell, pressure, covered, .. } = self.fields();
         let scale = |at: usize| if vanishes_at_rim { pressure[at] } else { 1.0 };

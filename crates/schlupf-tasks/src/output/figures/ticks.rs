@@ -1,6 +1,6 @@
 //! Ticks at round numbers.
 
-use super::marks::short;
+use crate::output::number::significant;
 
 /// A tick of an axis.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,7 +53,12 @@ pub(crate) fn round_powers(low: f64, high: f64, about: usize) -> Vec<Tick> {
     let powers = powers_of_ten(low - 1.0, high, 2 * about).into_iter();
     let values = powers.flat_map(|tick| digits.iter().map(move |digit| tick.value + digit.log10()));
     let inside = values.filter(|value| (low - 1e-9..=high + 1e-9).contains(value));
-    inside.map(|value| Tick { value, label: short(10_f64.powf(value)) }).collect()
+    inside
+        .map(|value| Tick {
+            value,
+            label: significant(10_f64.powf(value)).replace('-', "\u{2212}"),
+        })
+        .collect()
 }
 
 /// An integer power of ten, in the markup of labels.

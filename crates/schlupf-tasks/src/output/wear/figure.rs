@@ -1,5 +1,5 @@
-//! Damage per wheel passage: depth of wear across the profile, its rate in the patch, and the shakedown
-//! map.
+//! Damage per wheel passage: depth of wear across the profile, its rate in the patch, and the
+//! shakedown map.
 
 use schlupf::damage::{PassageWear, ShakedownLimits};
 
