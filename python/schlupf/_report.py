@@ -332,7 +332,7 @@ class Comparison(Report):
 
 
 class Wear(Report):
-    """Wear, fatigue and melting of one passage of the wheel."""
+    """Wear, fatigue and melting per wheel passage."""
 
     @cached_property
     def profile(self) -> xr.Dataset | None:
