@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import functools
 import io
+import textwrap
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar, cast
 
 import numpy as np
@@ -30,12 +31,17 @@ if TYPE_CHECKING:
 #: Width of a figure of one column, in inches.
 WIDTH = 3.5
 
+#: Fields that vanish at the edge of the contact: means over whole cells, also half covered ones.
+BOUNDED = ("pressure", "traction_x", "traction_y", "friction_power")
+
 #: Number of arrows along the longer side of a patch.
 ARROWS = 15
 
+TITLE_SIZE = 8.0
+
 STYLE = {
     "font.size": 8.0,
-    "axes.titlesize": 8.0,
+    "axes.titlesize": TITLE_SIZE,
     "axes.linewidth": 0.6,
     "figure.constrained_layout.use": True,
     "legend.frameon": False,
@@ -43,6 +49,9 @@ STYLE = {
     "savefig.dpi": 300.0,
 }
 
+
+#: What separates the words of a name.
+WORDS = str.maketrans("._-", "   ")
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -74,7 +83,21 @@ def axes_or_new(ax: Axes | None, height: float = 2.4) -> Axes:
         return ax
     import matplotlib.pyplot as plt
 
-    return plt.subplots(figsize=(WIDTH, height))[1]
+    # Compressed, so that the bar of a map with equal scales is not taller than the map.
+    return plt.subplots(figsize=(WIDTH, height), layout="compressed")[1]
+
+
+def set_title(ax: Axes, text: str) -> None:
+    """A title in lines of the width of the axes, so that neighbours and colour bars are clear."""
+    ax.set_title(wrapped(ax, text))
+
+
+def wrapped(ax: Axes, text: str) -> str:
+    """A text broken into lines of the width of the axes."""
+    figure = cast("Figure", ax.figure)
+    # Half the font size is the mean width of a character.
+    characters = ax.get_position().width * figure.get_figwidth() * 72.0 / (0.5 * TITLE_SIZE)
+    return textwrap.fill(text, max(16, int(characters)))
 
 
 def legend_beside(ax: Axes, **options: Any) -> None:
@@ -121,7 +144,7 @@ class ResultPlots:
     @styled
     def pressure(self, ax: Axes | None = None, **style: Any) -> Axes:
         """Normal pressure."""
-        return self._map(self._fields()["pressure"], "pressure", ax, **style)
+        return self._map(shown(self._fields(), "pressure"), "pressure", ax, **style)
 
     @styled
     def slip(self, ax: Axes | None = None, *, arrows: bool = True, **style: Any) -> Axes:
@@ -196,15 +219,11 @@ class ResultPlots:
             low, high = ends.min() - half, ends.max() + half
             raise ValueError(f"{axis} must be from {low:.3g} to {high:.3g} m, but is {where:.3g}")
         row = fields.sel(place, method="nearest")
-        shown = [
-            variable(row, name) for name in names or ("friction_limit", "traction_x", "traction_y")
-        ]
-        units = {entry.attrs["units"] for entry in shown}
-        if len(units) > 1:
-            raise ValueError(f"fields of a cut must have one unit, but have {sorted(units)}")
+        names = names or ("friction_limit", "traction_x", "traction_y")
+        entries = [variable(row, name) for name in names]
+        factor, unit = common_unit(entries, "a cut")
         ax = axes_or_new(ax)
-        factor, unit = scaled(max(largest(entry) for entry in shown), shown[0].attrs["units"])
-        for entry in shown:
+        for entry in entries:
             label = entry.attrs.get("long_name") or str(entry.name)
             line(ax, row[along] * 1e3, entry * factor, label, style)
         ax.set_xlabel(f"${along}$ (mm)")
@@ -232,7 +251,7 @@ class ResultPlots:
         ax.set_zlabel(labelled(values.assign_attrs(units=unit)))
         # Its labels stand outside of the box.
         ax.set_box_aspect(None, zoom=0.8)
-        ax.set_title(self._result.title)
+        set_title(cast("Axes", ax), self._result.title)
         return cast("Axes", ax)
 
     @styled
@@ -246,11 +265,12 @@ class ResultPlots:
             for name in ("force_x", "force_y"):
                 ratio = history[name] / history["load"]
                 line(ax, history["time"] * 1e3, ratio, f"$F_{name[-1]}/N$", style)
-        for name in names:
-            entry = variable(history, name)
-            factor, unit = scaled(largest(entry), entry.attrs["units"])
-            label = labelled(entry.assign_attrs(units=unit))
-            line(ax, history["time"] * 1e3, entry * factor, label, style)
+        else:
+            entries = [variable(history, name) for name in names]
+            factor, unit = common_unit(entries, "a history")
+            for entry in entries:
+                line(ax, history["time"] * 1e3, entry * factor, str(entry.long_name), style)
+            ax.set_ylabel(unit)
         ax.set_xlabel("time (ms)")
         legend_above(ax)
         return ax
@@ -269,8 +289,8 @@ class ResultPlots:
 
     def _cut_to_patch(self, ax: Axes) -> None:
         """Cuts the last map along the edge of the contact, where cells are half covered."""
-        covered = self._fields()["covered"].fillna(0.0)
-        edge = _outline(covered)
+        edge = _ellipse(self._fields(), self._result.normal)
+        edge = edge or _outline(self._fields()["covered"].fillna(0.0))
         mesh = ax.collections[-1]
         mesh.set_clip_path(edge, ax.transData)
         ax.add_patch(_line_along(edge))
@@ -283,7 +303,7 @@ class ResultPlots:
     ) -> Axes:
         """The magnitude of a vector field, with arrows."""
         fields = self._fields()
-        x, y = fields[f"{name}_x"], fields[f"{name}_y"]
+        x, y = shown(fields, f"{name}_x"), shown(fields, f"{name}_y")
         ax = self._map(_magnitude(x, y), label, ax, **style)
         if arrows:
             self._arrows(ax, x, y)
@@ -318,6 +338,32 @@ class ResultPlots:
         buffer = io.BytesIO()
         figure.savefig(buffer, format="png")
         return base64.b64encode(buffer.getvalue()).decode("ascii")
+
+
+def shown(fields: xr.Dataset, name: str) -> xr.DataArray:
+    """A field as a map shows it: of a cell at the edge, the mean over its covered part."""
+    values = variable(fields, name)
+    if name not in BOUNDED:
+        return values
+    return (values / fields["covered"]).assign_attrs(values.attrs)
+
+
+def _ellipse(fields: xr.Dataset, normal: Record) -> Path | None:
+    """The edge of a contact with the pressure of Hertz in mm; none of another."""
+    from matplotlib.path import Path
+
+    a, b = normal.semi_axis_x, normal.semi_axis_y
+    inside = np.clip(1.0 - (fields["x"] / a) ** 2 - (fields["y"] / b) ** 2, 0.0, None)
+    whole = fields["covered"] > 0.999
+    difference = fields["pressure"] / normal.peak_pressure - np.sqrt(inside)
+    cells = np.pi * a * b
+    for name in ("x", "y"):
+        cells /= _with_step(fields[name].values)[1]
+    same_area = abs(float(fields["covered"].sum()) / cells - 1.0) < 0.02
+    if not same_area or largest(difference.where(whole, 0.0)) > 0.1:
+        return None
+    angles = np.linspace(0.0, 2.0 * np.pi, 361)
+    return Path(1e3 * np.column_stack([a * np.cos(angles), b * np.sin(angles)]), closed=True)
 
 
 def _outline(covered: xr.DataArray) -> Path:
@@ -399,6 +445,25 @@ def labelled(values: xr.DataArray) -> str:
     return f"{name} ({unit})" if unit else name
 
 
+def common_unit(entries: Sequence[xr.DataArray], of: str) -> tuple[float, str]:
+    """Factor and unit with a prefix of what shares an axis.
+
+    Raises
+    ------
+    ValueError
+        If there are several units.
+    """
+    units = sorted({entry.attrs["units"] for entry in entries})
+    if len(units) > 1:
+        raise ValueError(f"fields of {of} must have one unit, but have {units}")
+    return scaled(max(largest(entry) for entry in entries), units[0])
+
+
+def words(name: str) -> str:
+    """A dotted field or a column in words."""
+    return name.removeprefix("kinematics.").removeprefix("normal.").translate(WORDS)
+
+
 def largest(values: xr.DataArray) -> float:
     """The largest magnitude."""
     return float(np.nanmax(np.abs(values))) if values.size else 0.0
@@ -413,7 +478,7 @@ def _patch_axes(ax: Axes, title: str) -> None:
     ax.set_xlabel("$x$ (mm), rolling →")
     ax.set_ylabel("$y$ (mm)")
     ax.set_aspect("equal")
-    ax.set_title(title)
+    set_title(ax, title)
 
 
 @styled
@@ -448,16 +513,16 @@ def comparison(
         raise ValueError(
             f"ax must have {len(results)} axes, one for each result, but has {len(ax)}"
         )
-    shown = [variable(result.fields, field) for result in results]
-    bound = max(largest(values) for values in shown)
-    factor, unit = scaled(bound, shown[0].attrs["units"])
-    colors = _colors(shown, bound * factor)
+    fields = [shown(result.fields, field) for result in results]
+    bound = max(largest(values) for values in fields)
+    factor, unit = scaled(bound, fields[0].attrs["units"])
+    colors = _colors(fields, bound * factor)
     names = labels or [result.title for result in results]
-    for axes, result, values, name in zip(ax, results, shown, names, strict=True):
+    for axes, result, values, name in zip(ax, results, fields, names, strict=True):
         mesh = _mesh(axes, values, factor, **colors)
         ResultPlots(result)._cut_to_patch(axes)
         _patch_axes(axes, name)
-    _color_bar(mesh, list(ax), labelled(shown[0].assign_attrs(units=unit)))
+    _color_bar(mesh, list(ax), labelled(fields[0].assign_attrs(units=unit)))
     return list(ax)
 
 
@@ -498,7 +563,8 @@ def frames(
 
     def draw(k: int) -> list[QuadMesh]:
         mesh.set_array((shown[k] * factor).values)
-        ax.set_title(titles[k])
+        # Not set_title, which would take the font size of whoever shows the film.
+        ax.title.set_text(wrapped(ax, titles[k]))
         return [mesh]
 
     options = {"frames": len(shown), **options}

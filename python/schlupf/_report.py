@@ -346,7 +346,7 @@ class Comparison(Report, task="compare"):
 
 
 class Wear(Report, task="wear"):
-    """Wear, fatigue and melting of one passage of the wheel.
+    """Wear, fatigue and melting per wheel passage.
 
     ``wear``, ``melting``, ``fatigue_index``, ``crack_damage``, ``shakedown`` and ``t_gamma``;
     ``profile`` over y and ``cells``. ``wear`` and ``melting`` are None where the method has no

@@ -14,8 +14,10 @@ from ._plots import (
     largest,
     legend_beside,
     line,
+    set_title,
     styled,
     variable,
+    words,
 )
 from ._prefixes import scaled
 
@@ -34,6 +36,9 @@ if TYPE_CHECKING:
         Wear,
         Wheelset,
     )
+
+#: Largest slope of a rail at a contact on its head, in rad.
+TREAD = 0.5
 
 #: Forces on the wheel with their symbols.
 FORCES = {"force_x": "$F_x$", "force_y": "$F_y$"}
@@ -62,10 +67,10 @@ def curve(curve: Curve, ax: Axes | None = None, **style: Any) -> Axes:
     ax.set_xlabel(labelled(points[name]))
     ax.set_ylabel(f"force on the wheel ({unit})")
     if "over" in points.dims:
-        legend_beside(ax, title=points["over"].attrs["field"])
+        legend_beside(ax, title=words(points["over"].attrs["field"]))
     else:
         ax.legend()
-    ax.set_title(curve.title)
+    set_title(ax, curve.title)
     return ax
 
 
@@ -81,14 +86,18 @@ def creep_map(curve: Curve, quantity: str, ax: Axes | None = None, **style: Any)
     ax.clabel(lines, fontsize="small")
     figure = ax.figure
     assert figure is not None
-    name = quantity.replace("_", " ")
-    label = f"{name} ({values.attrs['units']})" if values.attrs["units"] else name
-    figure.colorbar(filled, ax=ax, label=label)
-    for axis, set_label in ((x, ax.set_xlabel), (y, ax.set_ylabel)):
-        units = f" ({axis.attrs['units']})" if axis.attrs["units"] else ""
-        set_label(f"{axis.name}{units}")
-    ax.set_title(curve.title)
+    labels = [_in_words(entry, curve.points) for entry in (values, x, y)]
+    figure.colorbar(filled, ax=ax, label=labels[0])
+    ax.set(xlabel=labels[1], ylabel=labels[2])
+    set_title(ax, curve.title)
     return ax
+
+
+def _in_words(values: xr.DataArray, points: xr.Dataset) -> str:
+    """A label of a quantity of points, or of a field."""
+    name = str(values.name)
+    long_name = points[name].attrs.get("long_name") if name in points else None
+    return labelled(values.assign_attrs(long_name=long_name or words(name)))
 
 
 def _member(points: xr.Dataset) -> str:
@@ -96,7 +105,7 @@ def _member(points: xr.Dataset) -> str:
     if "over" not in points.coords:
         return ""
     value = points["over"].item()
-    text = value if isinstance(value, str) else f"{value:g}"
+    text = value if isinstance(value, str) else f"{value:.4g}"
     return f"{text} {points['over'].attrs['units']}".rstrip()
 
 
@@ -105,14 +114,16 @@ def temperatures(found: Temperatures, ax: Axes | None = None, **style: Any) -> A
     """Temperatures of both surfaces along the row and its wake, over x."""
     ax = axes_or_new(ax)
     surface = found.rows.isel(depth=0)
-    for body in ("wheel", "rail"):
-        line(ax, surface["x"] * 1e3, surface[f"temperature_{body}"], body, style)
+    # Dashes, so that both are seen where they coincide.
+    for body, dashes in (("wheel", "-"), ("rail", "--")):
+        values = surface[f"temperature_{body}"]
+        line(ax, surface["x"] * 1e3, values, body, style, linestyle=dashes)
     edges = found.contact
     ax.axvspan(edges.trailing_edge * 1e3, edges.leading_edge * 1e3, color="0.9", zorder=0)
     ax.set_xlabel("$x$ (mm), rolling →")
     ax.set_ylabel("surface temperature (°C)")
     legend_beside(ax)
-    ax.set_title(found.title)
+    set_title(ax, found.title)
     return ax
 
 
@@ -131,7 +142,7 @@ def subsurface(found: Subsurface, ax: Axes | None = None, **style: Any) -> Axes:
     ax.set_aspect("equal")
     ax.set_xlabel("$x$ (mm), rolling →")
     ax.set_ylabel("$z$ (mm)")
-    ax.set_title(found.title)
+    set_title(ax, found.title)
     return ax
 
 
@@ -152,13 +163,13 @@ def methods(comparison: Comparison, ax: Axes | None = None, **style: Any) -> Axe
     ax.axvline(0.0, color="black", linewidth=0.6)
     ax.set_xlabel(f"force on the wheel ({unit})")
     legend_beside(ax)
-    ax.set_title(comparison.title)
+    set_title(ax, comparison.title)
     return ax
 
 
 @styled
 def passage(found: Wear, ax: Axes | None = None, **style: Any) -> Axes:
-    """Depth of wear of one passage across the profile, by both laws."""
+    """Depth of wear per wheel passage across the profile, by both laws."""
     if found.profile is None:
         raise ValueError("the method has no fields, so there is no wear to draw")
     ax = axes_or_new(ax)
@@ -166,9 +177,9 @@ def passage(found: Wear, ax: Axes | None = None, **style: Any) -> Axes:
     for name, label in (("archard", "Archard"), ("rail_energy", "energy")):
         line(ax, profile["y"] * 1e3, profile[name] * 1e9, label, style)
     ax.set_xlabel("$y$ (mm)")
-    ax.set_ylabel("depth of one passage (nm)")
+    ax.set_ylabel("depth per wheel passage (nm)")
     legend_beside(ax)
-    ax.set_title(found.title)
+    set_title(ax, found.title)
     return ax
 
 
@@ -182,7 +193,7 @@ def wear(damage: Damage, ax: Axes | None = None, **style: Any) -> Axes:
     ax.set_xlabel("$y$ across the profile (mm)")
     ax.set_ylabel("depth worn from the wheel (µm)")
     legend_beside(ax)
-    ax.set_title(damage.title)
+    set_title(ax, damage.title)
     return ax
 
 
@@ -197,10 +208,15 @@ def rolling_radii(wheelset: Wheelset, ax: Axes | None = None, **style: Any) -> A
     line(ax, rows["lateral_position"] * 1e3, radii, "left minus right", style)
     rigid = rows["rigid_rolling_radius_difference"] * 1e3
     line(ax, rows["lateral_position"] * 1e3, rigid, "rigid, without roll", {"linestyle": "--"})
+    # Flange contacts, whose difference is many times as large, lie beyond the axis.
+    angles = abs(contacts["angle"]).groupby(contacts["lateral_position"]).max()
+    treads = largest(radii[(angles < TREAD).values])
+    if 0.0 < 2.5 * treads < largest(radii):
+        ax.set_ylim(-1.25 * treads, 1.25 * treads)
     ax.legend()
     ax.set_xlabel("lateral position, to the left (mm)")
     ax.set_ylabel("rolling radius, left minus right (mm)")
-    ax.set_title(wheelset.title)
+    set_title(ax, wheelset.title)
     return ax
 
 
@@ -242,7 +258,7 @@ def fit(fit: Fit, ax: Axes | None = None, **style: Any) -> Axes:
         ax.set_xlabel(labelled(own[name]))
     ax.set_ylabel("force on the rail over load")
     legend_beside(ax)
-    ax.set_title(fit.title)
+    set_title(ax, fit.title)
     return ax
 
 
@@ -268,7 +284,7 @@ class RoughContactPlots:
         ax.loglog(spectrum["wave_number"], spectrum["spectral_density"], **style)
         ax.set_xlabel("wave number $q$ (rad/m)")
         ax.set_ylabel("$C(q)$ (m⁴)")
-        ax.set_title(_surfaces(self._contact.title))
+        set_title(ax, _surfaces(self._contact.title))
         return ax
 
     @styled
@@ -294,5 +310,5 @@ class RoughContactPlots:
         ax.set_xlabel("displacement (µm)")
         ax.set_ylabel(r"$t / \mu p$")
         legend_beside(ax)
-        ax.set_title(_surfaces(self._contact.title))
+        set_title(ax, _surfaces(self._contact.title))
         return ax

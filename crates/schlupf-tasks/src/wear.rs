@@ -1,4 +1,4 @@
-//! Wear, fatigue and melting of one passage.
+//! Wear, fatigue and melting per wheel passage.
 
 use crate::output::wear::WearReport;
 use schlupf::damage::{Laws, WearMap, of_passage};
@@ -17,7 +17,7 @@ pub struct Wear;
 
 impl Task for Wear {
     const NAME: &'static str = "wear";
-    const ABOUT: &'static str = "Compute wear, fatigue and melting of one passage of the wheel";
+    const ABOUT: &'static str = "Compute wear, fatigue and melting per wheel passage";
     const SOURCES: &'static str = "Wear: Archard (1953) with coefficients of Jendel (2002); Braghin, Lewis, \
                                    Dwyer-Joyce and Bruni (2006). Fatigue: Ekberg, Kabo and Andersson (2002), \
                                    Burstow (2004). Shakedown: Johnson and Jefferis (1963).";

@@ -1,10 +1,11 @@
 //! The profiles of a wheel and a rail in their places, before anything is solved.
 
+use schlupf::Status;
 use schlupf::wheel_rail::{ProfileCurve, WheelOnRail};
 
 use crate::output::figures::color::{BLUE, VERMILION};
 use crate::output::figures::frame::Frame;
-use crate::output::figures::marks::{self, HEADING, short};
+use crate::output::figures::marks::{HEADING, Heading, short};
 use crate::output::figures::panels::WIDTH;
 use crate::output::figures::svg::Drawing;
 use crate::output::figures::{self, Figure, FigureError};
@@ -50,13 +51,11 @@ fn drawing(title: &str, wheel: &WheelOnRail, height: f64) -> String {
         short(1e3 * wheel.position.lateral),
         short(1e3 * height)
     );
-    marks::title_block(&mut drawing, "Profiles in place", [title, &place], "");
+    Heading::new("Profiles in place", title, place, Status::Converged).draw(&mut drawing);
     frame.draw_grid(&mut drawing);
     drawing.begin_clip(&frame.area());
     for (curve, placed, color) in &curves {
-        let step = curve.length() / (POINTS - 1) as f64;
-        let at = |k: usize| frame.at(placed(curve.at(k as f64 * step).place));
-        let line: Vec<[f64; 2]> = (0..POINTS).map(at).collect();
+        let line: Vec<[f64; 2]> = places(curve).map(|place| frame.at(placed(place))).collect();
         let stroke = format!(r#"stroke="{color}" stroke-width="1.4" stroke-linejoin="round""#);
         drawing.polyline(&line, &stroke);
         for point in curve.points() {
@@ -69,6 +68,12 @@ fn drawing(title: &str, wheel: &WheelOnRail, height: f64) -> String {
     frame.draw_vertical(&mut drawing, "$z$ (mm)");
     frame.draw_horizontal(&mut drawing, "to the right, −$y$ (mm)");
     drawing.finish()
+}
+
+/// Places along a curve, in m.
+pub(crate) fn places(curve: &ProfileCurve) -> impl Iterator<Item = [f64; 2]> {
+    let step = curve.length() / (POINTS - 1) as f64;
+    (0..POINTS).map(move |k| curve.at(k as f64 * step).place)
 }
 
 /// The axes around both curves, with equal scales.
@@ -84,5 +89,5 @@ fn frame(curves: &[Placed; 2]) -> Frame {
     let [x, y] = range.map(|[low, high]| [low - MARGIN, high + MARGIN]);
     let width = WIDTH - 90.0;
     let size = [width, width * (y[1] - y[0]) / (x[1] - x[0])];
-    Frame { corner: [60.0, HEADING + 20.0], size, x, y }
+    Frame { corner: [60.0, HEADING + 20.0], size, x, y, powers: false }
 }

@@ -196,3 +196,28 @@ fn times_are_dots() {
     let dots = document.descendants().filter(|node| node.has_tag_name("circle"));
     assert_eq!(dots.count(), 2 * comparison.entries.len());
 }
+
+/// A second solution may take longer than the first: the number is to the right of both dots.
+#[test]
+fn times_are_not_written_under_dots() {
+    let mut comparison = comparison();
+    for entry in &mut comparison.entries {
+        let answer = entry.answer.as_mut().unwrap();
+        answer.time_again = 3.0 * answer.time;
+    }
+    let svg = figure(&comparison).svg;
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    let number = |node: roxmltree::Node, name: &str| -> f64 {
+        node.attribute(name).unwrap().parse().unwrap()
+    };
+    let circles = document.descendants().filter(|node| node.has_tag_name("circle"));
+    let dots: Vec<[f64; 2]> = circles.map(|node| ["cx", "cy"].map(|n| number(node, n))).collect();
+    let times = document.descendants().filter(|node| node.text() == Some("2.5"));
+    let mut seen = 0;
+    for time in times.filter(|node| node.has_tag_name("text")) {
+        let row = dots.iter().filter(|[_, y]| (y - number(time, "y")).abs() < 10.0);
+        assert!(row.clone().all(|[x, _]| *x + 4.0 < number(time, "x")), "{dots:?}");
+        seen += row.count();
+    }
+    assert_eq!(seen, dots.len());
+}

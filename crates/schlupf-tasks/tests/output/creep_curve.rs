@@ -295,7 +295,7 @@ fn the_figure_names_axes_members_and_marks() {
         "force on the rail −Fx/N",
         "largest temp. rise (K)",
         "longitudinal creepage ξ",
-        "kinematics.speed",
+        "speed",
         "10 m/s",
         "40 m/s",
         "initial slope",
@@ -357,6 +357,16 @@ fn numbers_that_are_none_do_not_spoil_the_rest() {
     assert_eq!(family.drawings().unwrap_err(), FigureError::NoCurve);
     family.members.clear();
     assert_eq!(family.drawings().unwrap_err(), FigureError::NoCurve);
+}
+
+/// Values of a range are written in full where they name a state, but not in a legend.
+#[test]
+fn values_in_a_legend_have_four_digits() {
+    let svg = drawing(&family_of(over_x(0.0, 0.05), &["12.8571429 m/s", "20 m/s", "full"]));
+    let text = text_of(&svg);
+    for part in ["12.86 m/s", "20 m/s", "full"] {
+        assert!(text.contains(&part.to_owned()), "{part:?} is not in {text:?}");
+    }
 }
 
 /// Numbers from dark to light; names have no order, so neither have their colours.

@@ -234,6 +234,64 @@ fn temperatures_are_absolute_where_the_bulk_temperatures_differ() {
     assert!(text_of(cut).contains("temperature (°C)"));
 }
 
+/// Teeth from row to row, as the cells make of an oblique stick–slip boundary, are no part of a
+/// surface; the map shows the cells as they are.
+#[test]
+fn surfaces_have_no_teeth_from_row_to_row() {
+    let mut solution = solution(RECIPE);
+    let fields = &mut solution.fields;
+    for (slip, [_, row]) in fields.slip_x.iter_mut().zip(&fields.cell) {
+        *slip = if row.is_multiple_of(2) { 1.0 } else { 0.0 };
+    }
+    fields.slip_y.fill(0.0);
+    let drawings = drawings("", &solution).unwrap();
+    let heights = |name: &str| -> f64 {
+        let text = text_of(&drawings.iter().find(|(other, _)| other == name).unwrap().1);
+        let bar = text.rsplit("|vs| (m/s)").nth(1).unwrap();
+        let numbers = bar.lines().rev().map_while(|line| line.parse::<f64>().ok());
+        numbers.fold(0.0, f64::max)
+    };
+    assert!(heights("map_slip") > 0.7 && heights("surface_slip") < 0.7);
+}
+
+/// A wheel that is only shifted rolls nowhere and slips nowhere once it is at rest.
+#[test]
+fn a_shift_at_rest_has_no_slip_and_no_rolling_direction() {
+    let mut solution = solution(RECIPE);
+    solution.kinematics.speed = 0.0;
+    solution.fields.slip_x.fill(0.0);
+    solution.fields.slip_y.fill(0.0);
+    for (name, svg) in drawings("a shift", &solution).unwrap() {
+        let text = text_of(&svg);
+        assert!(!text.contains("rolling direction"), "{name}");
+        assert!(text.contains("at rest, N = "), "{name}: {text}");
+        assert!(!text.contains("slip velocity"), "{name}: {text}");
+    }
+}
+
+/// Wheel and rail coincide in the contact: dashes upon a solid curve of another colour. Where both
+/// are hot, the axis does not begin at 0 °C.
+#[test]
+fn wheel_and_rail_do_not_hide_each_other() {
+    let mut solution = solution(RECIPE);
+    let temperature = solution.temperature.as_mut().unwrap();
+    temperature.max_wheel += 160.0;
+    temperature.max_rail += 130.0;
+    let drawings = drawings("", &solution).unwrap();
+    let cut = &drawings.iter().find(|(name, _)| name == "cut_y0").unwrap().1;
+    let document = roxmltree::Document::parse(cut).unwrap();
+    let dashed = |color: &str| {
+        let mut all = document.descendants().filter(|node| node.attribute("stroke") == Some(color));
+        all.any(|node| node.attribute("stroke-dasharray").is_some())
+    };
+    assert!(!dashed("#d55e00") && dashed("#0072b2"));
+    let text = text_of(cut);
+    let after = text.split("slip velocity").nth(1).unwrap();
+    let axis = after.split("temperature (°C)").next().unwrap();
+    let ticks: Vec<f64> = axis.lines().filter_map(|line| line.parse().ok()).collect();
+    assert!(!ticks.is_empty() && ticks.iter().all(|tick| *tick > 100.0), "{text}");
+}
+
 fn map_of_traction(solution: &Solution) -> String {
     let drawings = drawings("", solution).unwrap();
     drawings.into_iter().find(|(name, _)| name == "map_traction").unwrap().1
@@ -243,7 +301,8 @@ fn map_of_traction(solution: &Solution) -> String {
 #[test]
 fn the_part_that_sticks_is_hatched() {
     let svg = map_of_traction(&solution(RECIPE));
-    assert!(text_of(&svg).contains("\nstick\n"));
+    let text = text_of(&svg);
+    assert!(text.contains("\nstick\nstick–slip boundary"), "{text}");
     let document = roxmltree::Document::parse(&svg).unwrap();
     let is_hatched = |node: &roxmltree::Node| {
         node.has_tag_name("path") && node.attribute("fill") == Some("url(#stick)")
@@ -375,8 +434,8 @@ fn curves_of_the_cut_end_at_the_edges_of_the_patch() {
         let number = |name: &str| plot.unwrap().attribute(name).unwrap().parse::<f64>().unwrap();
         let [left, width] = ["x", "width"].map(number);
         let blue = curves(cut, "#0072b2");
-        let green = curves(cut, "#009e73");
-        let [traction, slip, rise] = [&blue[0], &blue[1], &green[0]];
+        let red = curves(cut, "#d55e00");
+        let [traction, slip, rise] = [&blue[0], &blue[1], &red[0]];
         let height = |curve: &[[f64; 2]]| [curve[0][1], curve[curve.len() - 1][1]];
         let [trailing, leading] = height(traction);
         assert!((trailing - leading).abs() < 0.02);

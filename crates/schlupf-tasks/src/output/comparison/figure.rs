@@ -7,9 +7,8 @@ use super::{Answer, Comparison, Entry};
 use crate::output::figures::color::{BLUE, GREEN, MUTED, VERMILION};
 use crate::output::figures::frame::{LABEL_SIZE, TICK_SIZE, outline, tick_line};
 use crate::output::figures::label::{Anchor, TextStyle};
-use crate::output::figures::marks::{self, HEADING, short};
-use crate::output::figures::panels::ZERO;
-use crate::output::figures::svg::{Drawing, GRID_LINE};
+use crate::output::figures::marks::{self, HEADING, Heading, short};
+use crate::output::figures::svg::{Drawing, GRID_LINE, ZERO};
 use crate::output::figures::ticks::{powers_of_ten, round_ticks};
 use crate::output::report::Report;
 
@@ -87,9 +86,11 @@ pub(super) fn draw(comparison: &Comparison) -> Option<String> {
     let top = HEADING + 44.0;
     let bottom = top + ROW * rows.len() as f64;
     let mut drawing = Drawing::new(width, bottom + TICKS + NOTE * notes.len() as f64 + 8.0);
-    let remark = if comparison.status() == Status::Converged { "" } else { "not all converged" };
-    let lines = [comparison.title.as_str(), &conditions(first)];
-    marks::title_block(&mut drawing, "Methods on the same case", lines, remark);
+    let about = format!("{}; on the rail", marks::conditions(&first.solution));
+    let status = comparison.status();
+    let remark = if status == Status::Converged { "" } else { "not all converged" };
+    let heading = Heading::new("Methods on the same case", &comparison.title, about, status);
+    Heading { remark, ..heading }.draw(&mut drawing);
     for (k, (entry, _)) in rows.iter().enumerate() {
         let style = TextStyle::new(TICK_SIZE, Anchor::End);
         drawing.plain_text([NAMES - 12.0, baseline(middle(top, k))], &style, entry.name);
@@ -113,20 +114,6 @@ fn notes(comparison: &Comparison) -> Vec<String> {
         entry.reason().map(|reason| format!("{}: not available: {reason}", entry.name))
     });
     missing.chain([TIME_NOTE.to_owned()]).collect()
-}
-
-fn conditions(answer: &Answer) -> String {
-    let motion = &answer.solution.kinematics;
-    let mut parts = vec![format!("$ξ$ = {}", short(motion.creepage_x))];
-    if motion.creepage_y != 0.0 {
-        parts.push(format!("$η$ = {}", short(motion.creepage_y)));
-    }
-    if motion.spin != 0.0 {
-        parts.push(format!("$φ$ = {} 1/m", short(motion.spin)));
-    }
-    parts.push(format!("$v$_0 = {} m/s", short(motion.speed)));
-    parts.push(format!("$N$ = {} kN; on the rail", short(answer.solution.normal.load / 1e3)));
-    parts.join(", ")
 }
 
 /// Centre of a row.
@@ -288,8 +275,7 @@ fn draw_times(drawing: &mut Drawing, [left, top]: [f64; 2], answers: &[&Answer])
     let low = logarithms().reduce(f64::min).unwrap_or(0.0).floor() - 0.3;
     let unit = times
         .iter()
-        .filter(|time| is_time(time[0]))
-        .map(|time| (COLUMN - space(&text(time[0])) - SPACE) / (time[0].log10() - low))
+        .filter_map(|time| Some((COLUMN - space(&text(time[0])) - SPACE) / (last(time)? - low)))
         .fold(COLUMN, f64::min);
     let at = |logarithm: f64| left + unit * (logarithm - low);
     for tick in powers_of_ten(low, low + COLUMN / unit, 5) {
@@ -304,11 +290,16 @@ fn draw_times(drawing: &mut Drawing, [left, top]: [f64; 2], answers: &[&Answer])
         for (time, style) in time.iter().zip(TIME_STYLES).filter(|(time, _)| is_time(**time)) {
             marks::dot(drawing, [at(time.log10()), middle], style);
         }
-        let end = if is_time(time[0]) { at(time[0].log10()) + SPACE } else { left };
+        let end = last(time).map_or(left, |end| at(end) + SPACE);
         let style = TextStyle::new(TICK_SIZE, Anchor::Start);
         drawing.plain_text([end + SPACE, baseline(middle)], &style, &text(time[0]));
     }
     draw_outline(drawing, [left, top], height, "time (ms)");
+}
+
+/// The dot to the right, as a logarithm: no number may stand under it.
+fn last(times: &[f64; 2]) -> Option<f64> {
+    times.iter().filter(|time| is_time(**time)).map(|time| time.log10()).reduce(f64::max)
 }
 
 /// Whether a time can be shown on a logarithmic axis.

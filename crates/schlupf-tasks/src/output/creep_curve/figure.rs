@@ -5,14 +5,13 @@ use schlupf::creep_curve::{Abscissa, CreepCurve, Point, VariedForce};
 use schlupf::solution::Resultant;
 use schlupf::{Quantity, Status};
 
-use super::marked_panel::{Dot, MarkedPanel, Tangent};
-use super::{CurveFamily, Member};
+use super::{CurveFamily, FieldValue, Member, words};
 use crate::output::figures::color;
 use crate::output::figures::color::{INK, MUTED};
-use crate::output::figures::frame::{Frame, TICK_SIZE};
+use crate::output::figures::frame::TICK_SIZE;
 use crate::output::figures::label::{Anchor, TextStyle};
-use crate::output::figures::marks::{self, Entry, HEADING, Sample, short};
-use crate::output::figures::panels::{Curve, GAP, LEFT, Panel, RIGHT, WIDTH, known};
+use crate::output::figures::marks::{self, ALARM, Entry, Heading, Shape, short};
+use crate::output::figures::panels::{self, Curve, Mark, Panel, RIGHT, Stack, WIDTH, known};
 use crate::output::figures::smooth::smooth;
 use crate::output::figures::svg::Drawing;
 use crate::output::figures::units::{self, Unit};
@@ -21,25 +20,9 @@ use crate::output::report::Report;
 /// The figure; `None` where there is nothing to draw.
 pub(super) fn draw(family: &CurveFamily) -> Option<String> {
     let picture = Picture::new(family)?;
-    let panels = picture.panels();
-    let heights: f64 = panels.iter().map(|panel| panel.panel.height + GAP).sum();
-    let width = picture.right() - LEFT;
-    let further_rows = panels.first().map(|first| marks::further_rows(width, &first.entries));
-    let top = HEADING + 40.0 + further_rows.unwrap_or_default();
-    let height = (top + heights + 26.0).max(top + picture.legend_height() + 16.0);
-    let mut drawing = Drawing::new(WIDTH, height);
-    picture.heading(&mut drawing);
-    let mut corner = [LEFT, top];
-    let count = panels.len();
-    for (k, panel) in panels.into_iter().enumerate() {
-        let frame =
-            Frame { corner, size: [width, panel.panel.height], x: picture.x, y: panel.range() };
-        corner[1] += panel.panel.height + GAP;
-        panel.draw(&mut drawing, &frame);
-        if k + 1 == count {
-            frame.draw_horizontal(&mut drawing, &picture.axis());
-        }
-    }
+    let stack = Stack::over(picture.x, picture.axis(), picture.panels());
+    let least = picture.legend_height() + 16.0;
+    let (mut drawing, top) = panels::lay_out(&picture.heading(), &[stack], picture.right(), least);
     picture.legend(&mut drawing, [picture.right() + 22.0, top]);
     Some(drawing.finish())
 }
@@ -91,6 +74,20 @@ const LONGITUDINAL: &str = "longitudinal creepage $ξ$";
 const LATERAL: &str = "lateral creepage $η$";
 const SPIN: &str = "spin creepage $φ$ (1/m)";
 
+/// Name of the axis of an abscissa.
+pub(in crate::output) fn axis(abscissa: Abscissa) -> String {
+    let name = match abscissa {
+        Abscissa::CreepageX => LONGITUDINAL,
+        Abscissa::CreepageY => LATERAL,
+        Abscissa::Spin => SPIN,
+        Abscissa::Total { direction } => {
+            let degrees = short(direction.to_degrees());
+            return format!("creepage $ν$ at {degrees}° to the rolling direction");
+        }
+    };
+    name.to_owned()
+}
+
 /// Width of the legend of the members.
 const LEGEND: f64 = 170.0;
 
@@ -134,13 +131,12 @@ impl<'a> Picture<'a> {
         Some(picture)
     }
 
-    fn points(&self) -> impl Iterator<Item = &Point> {
-        self.family.members.iter().flat_map(|member| &member.curve.points)
-    }
-
     /// The largest magnitude of a finite value.
     fn largest(&self, value: impl Fn(&Point) -> f64) -> f64 {
-        self.points().map(value).filter(|v| v.is_finite()).fold(0.0, |most, v| most.max(v.abs()))
+        points(self.family)
+            .map(value)
+            .filter(|v| v.is_finite())
+            .fold(0.0, |most, v| most.max(v.abs()))
     }
 
     fn is_family(&self) -> bool {
@@ -152,49 +148,23 @@ impl<'a> Picture<'a> {
         WIDTH - if self.is_family() { LEGEND + 2.0 * RIGHT } else { RIGHT }
     }
 
-    fn heading(&self, drawing: &mut Drawing) {
+    fn heading(&self) -> Heading<'a> {
         let title = match (self.along, self.family.members.len()) {
             (Along::Force(_), _) => "Creepage over force",
             (_, 1) => "Creep curve",
             _ => "Creep curves",
         };
-        let remark = if self.family.status() == Status::Converged {
-            ""
-        } else {
-            "not converged at some points"
-        };
-        marks::title_block(drawing, title, [&self.family.title, &self.conditions()], remark);
-    }
-
-    /// Conditions shared by all points of all curves.
-    fn conditions(&self) -> String {
-        let constant = |value: fn(&Point) -> f64| {
-            let first = self.points().next().map(value)?;
-            self.points().all(|point| value(point) == first).then_some(first)
-        };
-        let creepage = |value: fn(&Point) -> f64| constant(value).filter(|value| *value != 0.0);
-        let load = self.family.members.first().map(|member| member.curve.normal.load);
-        let is_same = |load: &f64| self.family.members.iter().all(|m| m.curve.normal.load == *load);
-        let parts = [
-            creepage(|point| point.kinematics.creepage_x).map(|x| format!("$ξ$ = {}", short(x))),
-            creepage(|point| point.kinematics.creepage_y).map(|y| format!("$η$ = {}", short(y))),
-            creepage(|point| point.kinematics.spin).map(|s| format!("$φ$ = {} 1/m", short(s))),
-            constant(|point| point.kinematics.speed).map(|v| format!("$v$_0 = {} m/s", short(v))),
-            load.filter(is_same).map(|load| format!("$N$ = {} kN", short(load / 1e3))),
-        ];
-        parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+        let status = self.family.status();
+        let remark = if status == Status::Converged { "" } else { "not converged at some points" };
+        let heading =
+            Heading::new(title, &self.family.title, conditions(self.family).join(", "), status);
+        Heading { remark, ..heading }
     }
 
     fn axis(&self) -> String {
         let unit = self.unit.symbol;
         match self.along {
-            Along::Creepage(Abscissa::CreepageX) => LONGITUDINAL.to_owned(),
-            Along::Creepage(Abscissa::CreepageY) => LATERAL.to_owned(),
-            Along::Creepage(Abscissa::Spin) => SPIN.to_owned(),
-            Along::Creepage(Abscissa::Total { direction }) => {
-                let degrees = short(direction.to_degrees());
-                format!("creepage $ν$ at {degrees}° to the rolling direction")
-            }
+            Along::Creepage(abscissa) => axis(abscissa),
             Along::Force(VariedForce::X) => {
                 format!("longitudinal force on the wheel $F$_x ({unit})")
             }
@@ -206,7 +176,7 @@ impl<'a> Picture<'a> {
         }
     }
 
-    fn panels(&self) -> Vec<MarkedPanel> {
+    fn panels(&self) -> Vec<Panel> {
         let mut panels = match self.along {
             Along::Creepage(_) => vec![self.forces()],
             Along::Force(force) => self.creepages(force),
@@ -219,7 +189,7 @@ impl<'a> Picture<'a> {
     }
 
     /// The creepage that a force needs, and others that are found with it.
-    fn creepages(&self, force: VariedForce) -> Vec<MarkedPanel> {
+    fn creepages(&self, force: VariedForce) -> Vec<Panel> {
         type Creepage = fn(&Point) -> f64;
         let all: [(Quantity, &str, Creepage); 3] = [
             (Quantity::CreepageX, LONGITUDINAL, |point| point.kinematics.creepage_x),
@@ -237,17 +207,17 @@ impl<'a> Picture<'a> {
         let panels = shown.map(|(of, label, value)| {
             let mut panel = self.panel(label, *value);
             if is_own(*of) {
-                panel.panel.height = 330.0;
-                panel.explain();
+                panel.height = 330.0;
+                explain(&mut panel, false);
             }
             (!is_own(*of), panel)
         });
-        let mut panels: Vec<(bool, MarkedPanel)> = panels.collect();
+        let mut panels: Vec<(bool, Panel)> = panels.collect();
         panels.sort_by_key(|(is_other, _)| *is_other);
         panels.into_iter().map(|(_, panel)| panel).collect()
     }
 
-    fn forces(&self) -> MarkedPanel {
+    fn forces(&self) -> Panel {
         let main = &self.components[0];
         let label = match self.components.len() {
             1 => format!("force on the rail {}/$N$", main.name),
@@ -256,106 +226,112 @@ impl<'a> Picture<'a> {
         let mut curves = Vec::new();
         let mut entries = Vec::new();
         for component in &self.components {
-            for (member, color) in self.family.members.iter().zip(&self.colors) {
+            for (k, (member, color)) in self.members().enumerate() {
                 let load = member.curve.normal.load;
                 let value = |force: &Resultant| component.of(force) / load;
                 let points = with_maxima(&member.curve, value);
-                curves.push(curve(&points, color, component.dashes));
+                curves.push(self.curve(k, &points, color, component.dashes));
             }
             if self.components.len() > 1 {
                 let color = if self.colors.len() > 1 { INK } else { &self.colors[0] };
-                let sample = Sample::Line(vec![stroke(color, component.dashes)]);
-                entries.push(Entry {
-                    sample,
-                    text: format!("{}/$N${}", component.name, component.remark),
-                });
+                let text = format!("{}/$N${}", component.name, component.remark);
+                entries.push(Entry::line(&stroke(color, component.dashes), &text));
             }
         }
-        let mut panel = MarkedPanel {
-            panel: Panel { label, height: 330.0, curves },
-            are_lines: self.are_lines.repeat(self.components.len()),
-            tangents: self.tangents(|member, force| main.of(force) / member.curve.normal.load),
-            dots: Vec::new(),
-            crosses: self
-                .failures(|member, point| main.of(&point.force) / member.curve.normal.load),
-            entries,
-        };
-        self.mark_maxima(&mut panel);
-        panel.explain();
+        let of_main =
+            |member: &Member, force: &Resultant| main.of(force) / member.curve.normal.load;
+        let mut marks = self.maxima(&curves);
+        marks.extend(self.failures(|member, point| of_main(member, &point.force)));
+        let mut panel = Panel { marks, entries, ..Panel::new(label, 330.0, curves) };
+        let has_slope = self.add_tangents(&mut panel, of_main);
+        explain(&mut panel, has_slope);
         panel
     }
 
-    /// The initial-slope lines of a quantity computed from the force.
-    fn tangents(&self, value: impl Fn(&Member, &Resultant) -> f64) -> Vec<Tangent> {
-        let members = self.family.members.iter().zip(&self.colors);
+    /// The members with their colours.
+    fn members(&self) -> impl Iterator<Item = (&'a Member, &String)> {
+        self.family.members.iter().zip(&self.colors)
+    }
+
+    /// The curve of a member, free if it is a line among bent ones.
+    fn curve(&self, member: usize, points: &[[f64; 2]], color: &str, dashes: &str) -> Curve {
+        let is_free = self.are_lines.get(member).copied().unwrap_or_default();
+        Curve { is_free, ..Curve::new(smooth(points), stroke(color, dashes), "") }
+    }
+
+    /// Adds the initial-slope lines of a quantity computed from the force; returns whether there
+    /// are any.
+    fn add_tangents(&self, panel: &mut Panel, value: impl Fn(&Member, &Resultant) -> f64) -> bool {
+        let count = panel.curves.len();
         let tangent = |(member, color): (&Member, &String)| {
-            Tangent::new(&member.curve, |force: &Resultant| value(member, force), color)
+            let slope = value(member, &member.curve.initial_slope.as_ref()?.force);
+            let zero = member.curve.points.iter().find(|point| point.abscissa == 0.0)?;
+            let start = value(member, &zero.force);
+            let points = self.x.map(|x| [x, start + slope * x]).to_vec();
+            let curve = Curve::new(points, tangent_stroke(color), "");
+            let is_seen = start.is_finite() && slope.is_finite() && slope != 0.0;
+            is_seen.then_some(Curve { is_free: true, ..curve })
         };
-        members.filter_map(tangent).collect()
+        panel.curves.splice(0..0, self.members().filter_map(tangent));
+        panel.curves.len() > count
     }
 
     /// Marks on the curves of the main component: where full sliding sets in, the force is that of
     /// the curve, not the largest, from which it differs by up to a thousandth.
-    fn mark_maxima(&self, panel: &mut MarkedPanel) {
-        let members = self.family.members.iter().zip(&self.colors);
-        for (k, (member, color)) in members.enumerate() {
-            let curve = panel.panel.curves.get(k);
+    fn maxima(&self, curves: &[Curve]) -> Vec<Mark> {
+        let mut marks = Vec::new();
+        for ((member, color), curve) in self.members().zip(curves) {
             for maximum in &member.curve.maxima {
-                if let Some(at) = curve.and_then(|curve| on_curve(curve, maximum.abscissa)) {
-                    panel.dots.push(Dot { at, color: color.clone(), hollow: maximum.is_saturated });
+                if let Some(at) = on_curve(curve, maximum.abscissa) {
+                    let style = dot(color, maximum.is_saturated);
+                    marks.push(Mark { at, shape: Shape::Dot, style, range: None });
                 }
             }
         }
+        marks
     }
 
     /// Points that did not converge.
-    fn failures(&self, value: impl Fn(&Member, &Point) -> f64) -> Vec<[f64; 2]> {
+    fn failures(&self, value: impl Fn(&Member, &Point) -> f64) -> Vec<Mark> {
         let mut crosses = Vec::new();
         for member in &self.family.members {
             let failed = member.curve.points.iter().filter(|p| p.status == Status::NotConverged);
-            crosses.extend(failed.map(|point| [point.abscissa, value(member, point)]));
+            crosses.extend(failed.map(|point| {
+                let at = [point.abscissa / self.unit.size, value(member, point)];
+                Mark { at, shape: Shape::Cross, style: cross(), range: None }
+            }));
         }
-        crosses.retain(|at| at.iter().all(|c| c.is_finite()));
+        crosses.retain(|cross| cross.at.iter().all(|c| c.is_finite()));
         crosses
     }
 
     /// `None` if there is no moment and none is requested.
-    fn moments(&self) -> Option<MarkedPanel> {
+    fn moments(&self) -> Option<Panel> {
         let is_over_spin = self.along == Along::Creepage(Abscissa::Spin);
         let is_seen = is_over_spin
             || self.largest(|point| point.normalised.moment_z.unwrap_or(0.0)) > INVISIBLE;
         let value = |point: &Point| -known(point.force.moment_z);
         let mut panel = self.panel("moment \u{2212}$M$_z (N m)", value);
         if is_over_spin {
-            panel.tangents = self.tangents(|_, force| -known(force.moment_z));
+            self.add_tangents(&mut panel, |_, force| -known(force.moment_z));
         }
         is_seen.then_some(panel)
     }
 
     /// `None` if there is no heat.
-    fn temperatures(&self) -> Option<MarkedPanel> {
+    fn temperatures(&self) -> Option<Panel> {
         let value = |point: &Point| known(point.max_rise);
         (self.largest(value) > 0.0).then(|| self.panel("largest temp. rise (K)", value))
     }
 
-    fn panel(&self, label: &str, value: impl Fn(&Point) -> f64 + Copy) -> MarkedPanel {
-        let members = self.family.members.iter().zip(&self.colors);
-        let curves = members.map(|(member, color)| {
-            let points = member
-                .curve
-                .points
-                .iter()
-                .map(|point| [point.abscissa / self.unit.size, value(point)]);
-            curve(&points.collect::<Vec<_>>(), color, "")
+    fn panel(&self, label: &str, value: impl Fn(&Point) -> f64 + Copy) -> Panel {
+        let curves = self.members().enumerate().map(|(k, (member, color))| {
+            let points = member.curve.points.iter();
+            let points = points.map(|point| [point.abscissa / self.unit.size, value(point)]);
+            self.curve(k, &points.collect::<Vec<_>>(), color, "")
         });
-        MarkedPanel {
-            panel: Panel { label: label.to_owned(), height: 180.0, curves: curves.collect() },
-            are_lines: self.are_lines.clone(),
-            tangents: Vec::new(),
-            dots: Vec::new(),
-            crosses: self.failures(|_, point| value(point)),
-            entries: Vec::new(),
-        }
+        let marks = self.failures(|_, point| value(point));
+        Panel { marks, ..Panel::new(label, 180.0, curves.collect()) }
     }
 
     fn legend_height(&self) -> f64 {
@@ -368,17 +344,40 @@ impl<'a> Picture<'a> {
         let Some(field) = self.family.over.first() else { return };
         let space = (LEGEND + RIGHT) / TICK_SIZE;
         let style = TextStyle { color: MUTED, ..TextStyle::new(TICK_SIZE, Anchor::Start) };
-        drawing.plain_text([left, top - 9.0], &style, &marks::shortened(field, space));
-        for (k, (member, color)) in self.family.members.iter().zip(&self.colors).enumerate() {
+        drawing.plain_text([left, top - 9.0], &style, &marks::shortened(&words(field), space));
+        for (k, (member, color)) in self.members().enumerate() {
             let y = top + 18.0 + LEGEND_ROW * k as f64;
             let middle = y - 0.36 * TICK_SIZE;
             drawing.line([left, middle], [left + SAMPLE, middle], &stroke(color, ""));
             let style = TextStyle::new(TICK_SIZE, Anchor::Start);
-            let text = member.values.first().map_or("", |value| &value.text);
-            let text = marks::shortened(text, space - (SAMPLE + 8.0) / TICK_SIZE);
+            let text = member.values.first().map_or(String::new(), FieldValue::short);
+            let text = marks::shortened(&text, space - (SAMPLE + 8.0) / TICK_SIZE);
             drawing.plain_text([left + SAMPLE + 8.0, y], &style, &text);
         }
     }
+}
+
+fn points(family: &CurveFamily) -> impl Iterator<Item = &Point> {
+    family.members.iter().flat_map(|member| &member.curve.points)
+}
+
+/// Conditions shared by all points of all curves.
+pub(super) fn conditions(family: &CurveFamily) -> Vec<String> {
+    let constant = |value: fn(&Point) -> f64| {
+        let first = points(family).next().map(value)?;
+        points(family).all(|point| value(point) == first).then_some(first)
+    };
+    let creepage = |value: fn(&Point) -> f64| constant(value).filter(|value| *value != 0.0);
+    let load = family.members.first().map(|member| member.curve.normal.load);
+    let is_same = |load: &f64| family.members.iter().all(|m| m.curve.normal.load == *load);
+    let parts = [
+        creepage(|point| point.kinematics.creepage_x).map(|x| format!("$ξ$ = {}", short(x))),
+        creepage(|point| point.kinematics.creepage_y).map(|y| format!("$η$ = {}", short(y))),
+        creepage(|point| point.kinematics.spin).map(|s| format!("$φ$ = {} 1/m", short(s))),
+        constant(|point| point.kinematics.speed).map(|v| format!("$v$_0 = {} m/s", short(v))),
+        load.filter(is_same).map(|load| format!("$N$ = {} kN", short(load / 1e3))),
+    ];
+    parts.into_iter().flatten().collect()
 }
 
 /// Colours of the members: from dark to light for numbers, otherwise without an order.
@@ -444,9 +443,44 @@ fn components(abscissa: Abscissa) -> [Component; 2] {
 }
 
 fn stroke(color: &str, dashes: &str) -> String {
-    let dashes =
-        if dashes.is_empty() { String::new() } else { format!(r#" stroke-dasharray="{dashes}""#) };
-    format!(r#"stroke="{color}" stroke-width="2.2" stroke-linejoin="round"{dashes}"#)
+    panels::stroke(color, 2.2, dashes)
+}
+
+fn tangent_stroke(color: &str) -> String {
+    panels::stroke(color, 1.0, "4 3")
+}
+
+fn cross() -> String {
+    format!(r#"stroke="{ALARM}" stroke-width="2""#)
+}
+
+fn dot(color: &str, hollow: bool) -> String {
+    if hollow {
+        format!(r##"fill="#ffffff" stroke="{color}" stroke-width="2""##)
+    } else {
+        format!(r##"fill="{color}" stroke="#ffffff" stroke-width="1.2""##)
+    }
+}
+
+/// Adds legend entries for the marks, and for the initial slope if it is drawn.
+fn explain(panel: &mut Panel, has_slope: bool) {
+    if has_slope {
+        panel.entries.push(Entry::line(&tangent_stroke(INK), "initial slope"));
+    }
+    let has = |is: &dyn Fn(&Mark) -> bool| panel.marks.iter().any(is);
+    let is_hollow = |mark: &Mark| mark.style.contains("#ffffff\" stroke=\"#");
+    let seen = [
+        (
+            has(&|mark| mark.shape == Shape::Dot && !is_hollow(mark)),
+            Shape::Dot,
+            dot(INK, false),
+            "maximum of |$F$|",
+        ),
+        (has(&is_hollow), Shape::Dot, dot(INK, true), "saturation"),
+        (has(&|mark| mark.shape == Shape::Cross), Shape::Cross, cross(), "not converged"),
+    ];
+    let seen = seen.into_iter().filter(|(is_seen, ..)| *is_seen);
+    panel.entries.extend(seen.map(|(_, shape, style, text)| Entry::mark(shape, style, text)));
 }
 
 /// A curve of the forces including its maxima, which are solutions, too.
@@ -458,10 +492,6 @@ fn with_maxima(curve: &CreepCurve, value: impl Fn(&Resultant) -> f64) -> Vec<[f6
     points.sort_by(|one, other| one[0].total_cmp(&other[0]));
     points.dedup_by_key(|point| point[0]);
     points
-}
-
-fn curve(points: &[[f64; 2]], color: &str, dashes: &str) -> Curve {
-    Curve { points: smooth(points), stroke: stroke(color, dashes), text: String::new() }
 }
 
 /// The point of a drawn curve at an abscissa.

@@ -3,16 +3,12 @@
 use schlupf::Status;
 use schlupf::creep_curve::{Abscissa, VariedForce};
 
-use super::{Axis, CreepMap, CurveFamily};
+use super::{Axis, CreepMap, CurveFamily, figure};
 use crate::output::figures::Drawing as Named;
 use crate::output::figures::color::{ColorScale, Palette};
-use crate::output::figures::frame::Frame;
 use crate::output::figures::lattice::Lattice;
-use crate::output::figures::marks::{self, HEADING};
-use crate::output::figures::panels::{LEFT, WIDTH};
-use crate::output::figures::relief;
-use crate::output::figures::svg::Drawing;
-use crate::output::figures::ticks::round_ticks;
+use crate::output::figures::marks::{self, Heading};
+use crate::output::figures::relief::Relief;
 use crate::output::figures::units::{self, Unit};
 use crate::output::report::Report;
 
@@ -72,9 +68,6 @@ struct Picture {
 /// Height of the plot area.
 const HEIGHT: f64 = 440.0;
 
-/// Space to the right of the plot area, for the colour bar.
-const BAR: f64 = 150.0;
-
 /// Values that differ by less than this part of the largest are the same everywhere.
 const FLAT: f64 = 1e-3;
 
@@ -85,35 +78,52 @@ impl Picture {
         let number = |value: &Option<f64>| value.unwrap_or(f64::NAN);
         let rows = column.rows.iter().map(|row| row.iter().map(number).collect()).collect();
         let [x, y] = [&map.x, &map.y].map(InUnit::of);
-        let coarse = Lattice { x: x.values, y: y.values, rows };
-        let [low, high] = coarse.range().filter(|range| *range != [0.0; 2])?;
-        let lattice = coarse.refined();
-        let size = [WIDTH - LEFT - BAR, HEIGHT];
-        let corner = [LEFT, HEADING + 20.0];
-        let frame = Frame { corner, size, x: ends(&coarse.x)?, y: ends(&coarse.y)? };
-        let mut drawing = Drawing::new(WIDTH, frame.bottom() + 66.0);
-        let gaps = "not converged at some points";
-        let remark = if family.status() == Status::Converged { "" } else { gaps };
-        let about = conditions(family);
-        marks::title_block(&mut drawing, self.title, [&family.title, &about], remark);
+        let mut lattice = Lattice { x: x.values, y: y.values, rows };
+        let [low, high] = lattice.range().filter(|range| *range != [0.0; 2])?;
         let is_flat = high - low <= FLAT * high.abs().max(low.abs());
-        let levels = if is_flat { Vec::new() } else { round_ticks(low, high, 9) };
-        // One colour, and a bar that says which.
-        let [low, high] = if is_flat { [low.min(0.0), high.max(0.0)] } else { [low, high] };
-        let scale = ColorScale { palette: self.palette, low, high };
-        relief::draw(&mut drawing, &frame, &lattice, (&scale, &levels));
-        frame.draw_vertical(&mut drawing, &y.label);
-        frame.draw_horizontal(&mut drawing, &x.label);
-        let bar = [frame.right() + 30.0, corner[1] + 28.0];
-        marks::color_bar(&mut drawing, bar, HEIGHT - 28.0, &scale, &self.label);
-        Some(drawing.finish())
+        let powers = if is_flat { None } else { powers(&mut lattice) };
+        // Where all is the same there is one colour, and a bar that says which.
+        let range = if is_flat { [low.min(0.0), high.max(0.0)] } else { [low, high] };
+        let scale = ColorScale {
+            powers: powers.is_some(),
+            ..ColorScale::linear(self.palette, powers.unwrap_or(range))
+        };
+        let relief = Relief {
+            lattice: &lattice,
+            scale,
+            levels: if is_flat { Vec::new() } else { scale.ticks(9) },
+            labels: [&x.label, &y.label, &self.label],
+            height: HEIGHT,
+            crosses: Vec::new(),
+        };
+        let status = family.status();
+        let heading = Heading::new(self.title, &family.title, conditions(family), status);
+        let gaps = if status == Status::Converged { "" } else { "not converged at some points" };
+        relief.page(&Heading { remark: gaps, ..heading })
     }
 }
 
-/// The range of an axis; `None` if it has none.
-fn ends(values: &[f64]) -> Option<[f64; 2]> {
-    let ends = [*values.first()?, *values.last()?];
-    (ends[1] > ends[0] && ends.iter().all(|end| end.is_finite())).then_some(ends)
+/// Takes logarithms of values that are positive and spread over decades, of which a linear scale
+/// would show one; returns their range. Zero is as much as the least colour.
+fn powers(lattice: &mut Lattice) -> Option<[f64; 2]> {
+    /// Ratio of the largest value to the median from which on, and decades shown at most.
+    const SPREAD: f64 = 20.0;
+    const MOST: f64 = 4.0;
+    let mut values: Vec<f64> = lattice.rows.concat();
+    values.retain(|value| value.is_finite());
+    values.sort_by(f64::total_cmp);
+    let [least, median, largest] =
+        [*values.first()?, *values.get(values.len() / 2)?, *values.last()?];
+    if least < 0.0 || largest < SPREAD * median {
+        return None;
+    }
+    let high = largest.log10();
+    let positive = values.into_iter().find(|value| *value > 0.0)?;
+    let low = positive.log10().max(high - MOST);
+    for value in lattice.rows.iter_mut().flatten().filter(|value| !value.is_nan()) {
+        *value = value.log10().max(low);
+    }
+    Some([low, high])
 }
 
 /// An axis in the unit of a figure.
@@ -142,11 +152,7 @@ impl InUnit {
             "force_over_load" => "traction coefficient \u{2212}$F$_x/$N$",
             "force_y" => "lateral force on the wheel $F$_y",
             "moment_z" => "moment on the wheel $M$_z",
-            field => &field
-                .trim_start_matches("kinematics.")
-                .trim_start_matches("normal.")
-                // An underscore is markup.
-                .replace(['.', '_'], " "),
+            field => &super::words(field),
         };
         let label =
             if symbol.is_empty() { label.to_owned() } else { format!("{label} ({symbol})") };
@@ -156,22 +162,28 @@ impl InUnit {
 
 /// What all curves have in common.
 fn conditions(family: &CurveFamily) -> String {
-    let Some(first) = family.members.first() else { return String::new() };
-    let is_varied = |field: &str| family.over.iter().any(|over| over == field);
-    let mut parts = Vec::new();
-    if let Some(point) = first.curve.points.first().filter(|_| !is_varied("kinematics.speed")) {
-        parts.push(format!("$v$_0 = {} m/s", marks::short(point.kinematics.speed)));
-    }
-    let load = first.curve.normal.load;
-    if family.members.iter().all(|member| member.curve.normal.load == load) {
-        parts.push(format!("$N$ = {} kN", marks::short(load / 1e3)));
-    }
-    if family.over.len() == 2 {
+    let mut parts = figure::conditions(family);
+    let first = family.members.first().filter(|_| family.over.len() == 2);
+    if let (Some(first), Some(abscissa)) = (first, family.abscissa()) {
         let [start, end] = first.curve.path.range().map(marks::short);
-        if let Some(abscissa) = family.abscissa() {
-            let name = abscissa.quantity().symbol();
-            parts.push(format!("${name}$ from {start} to {end}"));
-        }
+        parts.push(format!("${}$ from {start} to {end}", abscissa.quantity().symbol()));
     }
     parts.join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Lattice, powers};
+
+    #[test]
+    fn only_values_over_decades_have_logarithmic_colours() {
+        let of = |rows: Vec<Vec<f64>>| Lattice { x: Vec::new(), y: Vec::new(), rows };
+        let mut wide = of(vec![vec![0.0, 1e-3, 2e-3], vec![1e-2, f64::NAN, 1.0]]);
+        assert_eq!(powers(&mut wide), Some([-3.0, 0.0]));
+        assert_eq!(wide.rows[0][..2], [-3.0; 2]);
+        assert!(wide.rows[1][1].is_nan());
+        let mut even = of(vec![vec![0.0, 0.1, 0.2], vec![0.3, 0.4, 0.5]]);
+        assert_eq!(powers(&mut even), None);
+        assert_eq!(even.rows[0], [0.0, 0.1, 0.2]);
+    }
 }

@@ -4,7 +4,6 @@ mod figure;
 mod json;
 mod map;
 mod map_figure;
-mod marked_panel;
 mod summary;
 
 use schlupf::Status;
@@ -12,11 +11,12 @@ use schlupf::columns::{Column, Record};
 use schlupf::creep_curve::{Abscissa, CreepCurve, Sampling, VariedForce};
 use schlupf::message::Message;
 
-use crate::output::figures::{Drawing, FigureError};
+use crate::output::figures::{Drawing, FigureError, marks};
 use crate::output::report::Report;
 use crate::output::summary::Summary;
 use crate::output::table::{self, ColumnValues, Table, entries, entry, quoted};
 
+pub(in crate::output) use figure::axis;
 pub use map::{Axis, CreepMap, MapColumn};
 
 /// Name of the figure of the curves.
@@ -104,6 +104,25 @@ impl CurveFamily {
         });
         let own: Vec<Message> = own.collect();
         common.into_iter().chain(own).collect()
+    }
+}
+
+/// A field in words: `kinematics.speed` is the speed, and an underscore is markup in labels.
+fn words(field: &str) -> String {
+    let name = field.trim_start_matches("kinematics.").trim_start_matches("normal.");
+    name.replace(['.', '_'], " ")
+}
+
+impl FieldValue {
+    /// As a legend shows it: a number with four digits, and its unit as written.
+    fn short(&self) -> String {
+        let text = self.text.trim_matches('"');
+        let end = text.find(|c: char| !(c.is_ascii_digit() || "+-.eE".contains(c)));
+        let (number, unit) = text.split_at(end.unwrap_or(text.len()));
+        match number.parse::<f64>() {
+            Ok(number) if number.is_finite() => format!("{}{unit}", marks::short(number)),
+            _ => self.text.clone(),
+        }
     }
 }
 

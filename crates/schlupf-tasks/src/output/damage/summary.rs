@@ -42,7 +42,7 @@ fn fatigue(text: &mut Summary, report: &DamageReport) {
     let positive = format!("of the distance with a positive index; mean excess {excess}");
     entry(text, "", 100.0 * fatigue.share, "%", &positive);
     let cracks = &report.damage.cracks;
-    let mean = format!("largest of a passage; mean {}, by Tγ", number(cracks.mean));
+    let mean = format!("largest per wheel passage; mean {}, by Tγ", number(cracks.mean));
     entry(text, "crack damage", cracks.max, "", &mean);
     text.blank();
 }

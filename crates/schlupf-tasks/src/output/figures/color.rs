@@ -4,6 +4,8 @@
 //! 2015, CC0) and of vik (Crameri 2018, MIT), linear in between; with 33 samples the error is below
 //! the resolution of eight bits.
 
+use super::ticks::{Tick, round_powers, round_ticks};
+
 /// Colour of text and axes.
 pub(crate) const INK: &str = "#222222";
 /// Colour of secondary elements: titles of the case, units, grid labels.
@@ -39,9 +41,22 @@ pub(crate) struct ColorScale {
     pub low: f64,
     /// Value of the last colour.
     pub high: f64,
+    /// Whether values are logarithms to base ten of what the ticks say.
+    pub powers: bool,
 }
 
 impl ColorScale {
+    /// Colours over a range of the values themselves.
+    pub(crate) const fn linear(palette: Palette, [low, high]: [f64; 2]) -> Self {
+        Self { palette, low, high, powers: false }
+    }
+
+    /// Round values within the range, about as many as given.
+    pub(crate) fn ticks(&self, about: usize) -> Vec<Tick> {
+        let ticks = if self.powers { round_powers } else { round_ticks };
+        ticks(self.low, self.high, about)
+    }
+
     /// The colour level of a value, clamped to the range.
     pub(crate) fn level(&self, value: f64) -> usize {
         let fraction = (value - self.low) / (self.high - self.low);
@@ -130,14 +145,14 @@ mod tests {
 
     #[test]
     fn ends_of_viridis_and_clamping() {
-        let scale = ColorScale { palette: Palette::Mechanical, low: 0.0, high: 2.0 };
+        let scale = ColorScale::linear(Palette::Mechanical, [0.0, 2.0]);
         assert_eq!(scale.paint(-1.0), "#440154");
         assert_eq!(scale.paint(2.0), "#fde725");
     }
 
     #[test]
     fn a_value_that_is_no_number_has_a_colour() {
-        let scale = ColorScale { palette: Palette::Thermal, low: 0.0, high: 0.0 };
+        let scale = ColorScale::linear(Palette::Thermal, [0.0, 0.0]);
         assert_eq!(scale.paint(f64::NAN).len(), 7);
     }
 }

@@ -1,8 +1,7 @@
 //! Borders on the grid: between stick and slip, and of the contact itself.
 
-use schlupf::grid::Grid;
-
-use super::chain::{Chain, Crossing, chains};
+use super::chain::Chain;
+use super::lattice::Lattice;
 use super::patch::Patch;
 use super::run::SLIVER;
 
@@ -43,18 +42,15 @@ pub(crate) fn sliding(patch: &Patch) -> Sliding {
 /// The border between stick and slip.
 pub(crate) fn stick_border(patch: &Patch) -> Vec<Chain> {
     let Sliding { values, level } = sliding(patch);
-    contour(patch, &values, level)
+    padded(patch, &values).contour(level)
 }
 
 /// The part of the patch that sticks, as polygons that may reach beyond its rim; none if all of it
 /// sticks.
 pub(crate) fn sticking(patch: &Patch) -> Vec<Vec<[f64; 2]>> {
     let Sliding { values, level } = sliding(patch);
-    if contour(patch, &values, level).is_empty() {
-        return Vec::new();
-    }
-    let field = Padded::new(patch, &values);
-    field.squares(level).map(below).filter(|polygon| polygon.len() > 2).collect()
+    let field = padded(patch, &values);
+    if field.contour(level).is_empty() { Vec::new() } else { field.below(level) }
 }
 
 /// |t|/(μ pₙ) in every contact cell, zero where unknown.
@@ -72,149 +68,65 @@ fn used_friction(patch: &Patch) -> Vec<f64> {
 /// The rim of a patch that is no ellipse: where half of a cell would be covered. All of its chains
 /// are closed.
 pub(crate) fn outline(patch: &Patch) -> Vec<Chain> {
-    chains(&Padded::openness(patch).squares(HALF).flat_map(crossings).collect::<Vec<_>>())
+    openness(patch).contour(HALF)
 }
 
 /// Level of the rim: what is less open than this is inside.
 const HALF: f64 = 0.5;
 
-/// The contour of a field between the cell centres, extended over the rim of the patch.
-fn contour(patch: &Patch, values: &[f64], level: f64) -> Vec<Chain> {
-    chains(&Padded::new(patch, values).squares(level).flat_map(crossings).collect::<Vec<_>>())
+/// Values at the cell centres, with one more cell all around.
+fn lattice(patch: &Patch, value: impl Fn(usize, usize) -> f64) -> Lattice {
+    let grid = &patch.fields().grid;
+    let centre = |first: f64, spacing: f64| move |k: usize| first + (k as f64 - 1.0) * spacing;
+    let (columns, rows) = (grid.columns + 2, grid.rows + 2);
+    Lattice {
+        x: (0..columns).map(centre(grid.x(0), grid.spacing_x)).collect(),
+        y: (0..rows).map(centre(grid.y(0), grid.spacing_y)).collect(),
+        rows: (0..rows).map(|j| (0..columns).map(|i| value(i, j)).collect()).collect(),
+    }
 }
 
-/// A corner of a square between four cell centres.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Corner {
-    /// Its number on the grid.
-    pub node: usize,
-    /// Its position, in m or in units of axes.
-    pub at: [f64; 2],
-    /// Value of the field above a level.
-    pub value: f64,
+/// The contact cell at a place of a lattice.
+fn cell(patch: &Patch, i: usize, j: usize) -> Option<usize> {
+    patch.cell(i.checked_sub(1)?, j.checked_sub(1)?)
 }
 
-/// The corners of a square in order.
-pub(super) type Square = [Corner; 4];
-
-/// Place where the contour crosses the edge of a square that begins at a corner.
-fn crossing(corners: &Square, index: usize) -> Option<Crossing> {
-    let (one, other) = (corners[index], corners[(index + 1) % 4]);
-    let (f, g) = (one.value, other.value);
-    let share = f / (f - g);
-    let at = [0, 1].map(|axis| one.at[axis] + share * (other.at[axis] - one.at[axis]));
-    let edge = [one.node.min(other.node), one.node.max(other.node)];
-    ((f >= 0.0) != (g >= 0.0)).then_some(Crossing { edge, at })
+/// A field, in which rings of cells around the contact get the mean of their inner neighbours, so
+/// that contours reach the rim; so do slivers at the rim, whose small numbers scatter.
+fn padded(patch: &Patch, values: &[f64]) -> Lattice {
+    let covered = &patch.fields().covered;
+    let is_sliver = |cell: usize| covered[cell] < SLIVER;
+    let all = (0..covered.len()).all(is_sliver);
+    let known = |cell: &usize| all || !is_sliver(*cell);
+    let value = |i, j| cell(patch, i, j).filter(known).map_or(f64::NAN, |cell| values[cell]);
+    let mut field = lattice(patch, value);
+    for _ring in 0..3 {
+        field.rows = lattice(patch, |i, j| grown(&field.rows, i, j)).rows;
+    }
+    field
 }
 
-/// Places where the contour crosses the edges of a square, joined in pairs.
-pub(super) fn crossings(corners: Square) -> Vec<[Crossing; 2]> {
-    let places: Vec<Crossing> = (0..4).filter_map(|index| crossing(&corners, index)).collect();
-    places.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect()
+/// A value, or the mean of the known ones around.
+fn grown(rows: &[Vec<f64>], i: usize, j: usize) -> f64 {
+    if !rows[j][i].is_nan() {
+        return rows[j][i];
+    }
+    let near = rows.iter().take(j + 2).skip(j.saturating_sub(1));
+    let near = near.flat_map(|row| row.iter().take(i + 2).skip(i.saturating_sub(1)));
+    let known = near.filter(|value| !value.is_nan());
+    known.clone().sum::<f64>() / known.count() as f64
 }
 
-/// The part of a square below the level.
-pub(super) fn below(corners: Square) -> Vec<[f64; 2]> {
-    let of_edge = |index: usize| {
-        let Corner { at, value, .. } = corners[index];
-        let crossing = crossing(&corners, index).map(|crossing| crossing.at);
-        (value < 0.0).then_some(at).into_iter().chain(crossing)
+/// The open fraction of the cells, one outside the contact. It is relative to the best covered cell
+/// around each, so that a part of the patch that covers no cell by half is not lost.
+fn openness(patch: &Patch) -> Lattice {
+    let covered = |i, j| cell(patch, i, j).map_or(0.0, |cell| patch.fields().covered[cell]);
+    let most_around = |i: usize, j: usize| {
+        let places = (j.max(1)..j + 3).flat_map(|j| (i.max(1)..i + 3).map(move |i| (i, j)));
+        places.map(|(i, j)| covered(i - 1, j - 1)).fold(0.0, f64::max)
     };
-    (0..4).flat_map(of_edge).collect()
-}
-
-/// A field on the grid with one more cell all around. Rings of cells around the contact get the
-/// mean of their inner neighbours, so that contours reach the rim; so do slivers at the rim, whose
-/// small numbers scatter.
-struct Padded<'a> {
-    grid: &'a Grid,
-    columns: usize,
-    rows: usize,
-    values: Vec<Option<f64>>,
-}
-
-impl<'a> Padded<'a> {
-    fn new(patch: &Patch<'a>, values: &[f64]) -> Self {
-        let fields = patch.fields();
-        let (columns, rows) = (fields.grid.columns + 2, fields.grid.rows + 2);
-        let mut padded =
-            Self { grid: &fields.grid, columns, rows, values: vec![None; columns * rows] };
-        let is_sliver = |cell: usize| fields.covered[cell] < SLIVER;
-        let all = (0..fields.len()).all(is_sliver);
-        for (cell, &[i, j]) in fields.cell.iter().enumerate() {
-            padded.values[(j + 1) * columns + i + 1] =
-                (all || !is_sliver(cell)).then_some(values[cell]);
-        }
-        for _ring in 0..3 {
-            padded.grow();
-        }
-        padded
-    }
-
-    /// All squares between four known values, relative to a level.
-    fn squares(&self, level: f64) -> impl Iterator<Item = Square> {
-        let corner = move |i: usize, j: usize| {
-            let (node, at) = (j * self.columns + i, self.position(i, j));
-            self.value(i, j).map(|value| Corner { node, at, value: value - level })
-        };
-        let columns = self.columns;
-        let places = (1..self.rows).flat_map(move |j| (1..columns).map(move |i| [i, j]));
-        places.filter_map(move |[i, j]| {
-            Some([corner(i - 1, j - 1)?, corner(i, j - 1)?, corner(i, j)?, corner(i - 1, j)?])
-        })
-    }
-
-    /// The open fraction of the cells, one outside the contact. It is relative to the best covered
-    /// cell around each, so that a part of the patch that covers no cell by half is not lost.
-    fn openness(patch: &Patch<'a>) -> Self {
-        let fields = patch.fields();
-        let (columns, rows) = (fields.grid.columns + 2, fields.grid.rows + 2);
-        let covered = |i: usize, j: usize| {
-            let cell = patch.cell(i.checked_sub(1)?, j.checked_sub(1)?)?;
-            Some(fields.covered[cell])
-        };
-        let most_around = |i: usize, j: usize| {
-            let places = (j..j + 3).flat_map(|j| (i..i + 3).map(move |i| (i, j)));
-            let covered = places.filter_map(|(i, j)| covered(i.checked_sub(1)?, j.checked_sub(1)?));
-            covered.fold(0.0, f64::max)
-        };
-        let places = (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j)));
-        let open = |(i, j)| 1.0 - covered(i, j).map_or(0.0, |part| part / most_around(i, j));
-        let values = places.map(|place| Some(open(place))).collect();
-        Self { grid: &fields.grid, columns, rows, values }
-    }
-
-    fn value(&self, i: usize, j: usize) -> Option<f64> {
-        self.values[j * self.columns + i]
-    }
-
-    /// Centre of a cell, in m.
-    fn position(&self, i: usize, j: usize) -> [f64; 2] {
-        [
-            self.grid.x(0) + (i as f64 - 1.0) * self.grid.spacing_x,
-            self.grid.y(0) + (j as f64 - 1.0) * self.grid.spacing_y,
-        ]
-    }
-
-    /// Sets the cells next to known ones to the mean of these.
-    fn grow(&mut self) {
-        let grown = (0..self.rows)
-            .flat_map(|j| (0..self.columns).map(move |i| (i, j)))
-            .map(|(i, j)| self.value(i, j).or_else(|| self.mean_around(i, j)))
-            .collect();
-        self.values = grown;
-    }
-
-    fn mean_around(&self, i: usize, j: usize) -> Option<f64> {
-        let (mut sum, mut count) = (0.0, 0.0);
-        for row in j.saturating_sub(1)..=(j + 1).min(self.rows - 1) {
-            for column in i.saturating_sub(1)..=(i + 1).min(self.columns - 1) {
-                if let Some(value) = self.value(column, row) {
-                    sum += value;
-                    count += 1.0;
-                }
-            }
-        }
-        (count > 0.0).then(|| sum / count)
-    }
+    lattice(patch, |i, j| {
+        let part = covered(i, j);
+        if part > 0.0 { 1.0 - part / most_around(i, j) } else { 1.0 }
+    })
 }

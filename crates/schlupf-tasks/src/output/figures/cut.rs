@@ -3,10 +3,10 @@
 
 use std::f64::consts::PI;
 
-use super::color::{BLUE, GREEN, VERMILION};
+use super::color::{BLUE, VERMILION};
 use super::contour::{self, Sliding};
-use super::marks::{self, HEADING};
-use super::panels::{Curve, Panel, Stack};
+use super::marks::Heading;
+use super::panels::{self, Axis, Curve, Panel, Stack};
 use super::patch::Patch;
 use super::quantity::scaled;
 use super::run::{Run, runs};
@@ -16,21 +16,12 @@ use super::units;
 /// Traction on the rail with its bound, slip velocity, and temperature along y = 0.
 pub(crate) fn draw(patch: &Patch) -> String {
     let cut = Cut::new(patch);
-    let mut panels = vec![tractions(&cut), slip(&cut)];
+    let mut panels = vec![tractions(&cut)];
+    panels.extend(slip(&cut));
     panels.extend(temperature(&cut));
-    let stack = Stack {
-        x: cut.axis(),
-        label: "$x$ (mm)",
-        panels,
-        shaded: cut.sticking(),
-        shading: "stick",
-    };
-    let mut drawing = stack.drawing();
-    marks::heading(&mut drawing, patch, &cut.title());
-    let right = drawing.width - 116.0;
-    marks::rolling_direction(&mut drawing, [right, HEADING + 20.0]);
-    stack.draw(&mut drawing, HEADING + 40.0);
-    drawing.finish()
+    let (shaded, shading) = (cut.sticking(), "stick");
+    let stack = Stack { shaded, shading, ..Stack::over(cut.axis(), "$x$ (mm)", panels) };
+    panels::page(&Heading::of(patch, &cut.title()), &[stack])
 }
 
 /// The line, from the trailing to the leading edge.
@@ -155,7 +146,8 @@ fn tractions(cut: &Cut) -> Panel {
     Panel::of_components(format!("traction on the rail ({})", unit.symbol), 260.0, curves)
 }
 
-fn slip(cut: &Cut) -> Panel {
+/// `None` if nothing slips, as in a shift at rest.
+fn slip(cut: &Cut) -> Option<Panel> {
     let fields = cut.patch.fields();
     let largest = fields.slip_x.iter().chain(&fields.slip_y).copied();
     let largest = largest.filter(|v| v.is_finite()).fold(0.0, |most: f64, v| most.max(v.abs()));
@@ -166,7 +158,8 @@ fn slip(cut: &Cut) -> Panel {
     };
     let curves =
         vec![curve(&fields.slip_x, BLUE, "$v$_{sx}"), curve(&fields.slip_y, VERMILION, "$v$_{sy}")];
-    Panel::of_components(format!("slip velocity ({})", unit.symbol), 150.0, curves)
+    let label = format!("slip velocity ({})", unit.symbol);
+    (largest > 0.0).then(|| Panel::of_components(label, 150.0, curves))
 }
 
 /// `None` if there is no heat.
@@ -181,12 +174,15 @@ fn temperature(cut: &Cut) -> Option<Panel> {
     let [of_wheel, of_rail] = bulks.unwrap_or_default();
     let [wheel, rail] = [above(rises[0], of_wheel), above(rises[1], of_rail)];
     let [on_wheel, on_rail] = cut.patch.surface_temperatures();
+    // Dashes on top, so that both are seen where they coincide.
     let curves = if on_wheel == on_rail {
-        vec![Curve::solid(wheel, GREEN, "wheel and rail")]
+        vec![Curve::solid(wheel, VERMILION, "wheel and rail")]
     } else {
-        vec![Curve::solid(wheel, GREEN, "wheel"), Curve::dashed(rail, GREEN, "rail")]
+        vec![Curve::solid(wheel, VERMILION, "wheel"), Curve::dashed(rail, BLUE, "rail")]
     };
-    let label =
-        if bulks.is_none() { "temperature rise (K)" } else { "temperature (°C)" }.to_owned();
-    rises.into_iter().any(hot).then_some(Panel { label, height: 150.0, curves })
+    let (label, axis) = match bulks {
+        None => ("temperature rise (K)", Axis::Zero),
+        Some(_) => ("temperature (°C)", Axis::Own),
+    };
+    rises.into_iter().any(hot).then(|| Panel::new(label, 150.0, curves).with_axis(axis))
 }

@@ -2,8 +2,8 @@
 
 use super::color::INK;
 use super::label::{Anchor, TextStyle};
-use super::svg::{Drawing, GRID_LINE};
-use super::ticks::{Tick, round_ticks};
+use super::svg::{Drawing, GRID_LINE, ZERO};
+use super::ticks::{Tick, powers_of_ten, round_ticks};
 
 /// Font size of tick labels.
 pub(crate) const TICK_SIZE: f64 = 13.0;
@@ -21,6 +21,8 @@ pub(crate) struct Frame {
     pub x: [f64; 2],
     /// Range of y.
     pub y: [f64; 2],
+    /// Whether x and y are logarithms to base ten.
+    pub powers: bool,
 }
 
 impl Frame {
@@ -64,6 +66,17 @@ impl Frame {
         }
     }
 
+    /// The lines at zero, where they are within the frame.
+    pub(crate) fn draw_zero(&self, drawing: &mut Drawing) {
+        let [x, y] = self.at([0.0, 0.0]);
+        if self.y[0] <= 0.0 && 0.0 <= self.y[1] {
+            drawing.line([self.corner[0], y], [self.right(), y], ZERO);
+        }
+        if self.x[0] < 0.0 && 0.0 < self.x[1] {
+            drawing.line([x, self.corner[1]], [x, self.bottom()], ZERO);
+        }
+    }
+
     /// The outline, and ticks and label of the vertical axis.
     pub(crate) fn draw_vertical(&self, drawing: &mut Drawing, label: &str) {
         let left = self.corner[0];
@@ -90,16 +103,39 @@ impl Frame {
             let style = TextStyle::new(TICK_SIZE, Anchor::Middle);
             drawing.text([x, bottom + 8.0 + TICK_SIZE], &style, &tick.label);
         }
+        for x in self.small_ticks() {
+            let x = self.at([x, self.y[0]])[0];
+            drawing.line([x, bottom], [x, bottom + 3.0], &tick_line());
+        }
         let style = TextStyle::new(LABEL_SIZE, Anchor::Middle);
         drawing.text([self.corner[0] + 0.5 * self.size[0], bottom + 44.0], &style, label);
     }
 
     fn x_ticks(&self) -> Vec<Tick> {
-        enough_ticks(self.x, ((self.size[0] / 70.0) as usize).clamp(2, 9))
+        self.ticks(self.x, ((self.size[0] / 70.0) as usize).clamp(2, 9))
     }
 
     fn y_ticks(&self) -> Vec<Tick> {
-        enough_ticks(self.y, ((self.size[1] / 45.0) as usize).clamp(2, 8))
+        self.ticks(self.y, ((self.size[1] / 45.0) as usize).clamp(2, 8))
+    }
+
+    fn ticks(&self, range: [f64; 2], about: usize) -> Vec<Tick> {
+        if self.powers {
+            powers_of_ten(range[0], range[1], about)
+        } else {
+            enough_ticks(range, about)
+        }
+    }
+
+    /// Places of x between powers of ten.
+    fn small_ticks(&self) -> Vec<f64> {
+        let [low, high] = self.x;
+        if !self.powers {
+            return Vec::new();
+        }
+        let decades = (low.floor() as i32..=high.floor() as i32).map(f64::from);
+        let places = decades.flat_map(|x| (2..10).map(move |k| x + f64::from(k).log10()));
+        places.filter(|x| (low..=high).contains(x)).collect()
     }
 }
 

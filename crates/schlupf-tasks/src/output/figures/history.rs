@@ -3,8 +3,8 @@
 use schlupf::solution::Instant;
 
 use super::color::{BLUE, GREEN, INK, VERMILION};
-use super::marks::{self, HEADING};
-use super::panels::{Curve, Panel, Stack, known};
+use super::marks::Heading;
+use super::panels::{self, Curve, Panel, Stack, known};
 use super::patch::Patch;
 use super::units::{self, Unit};
 
@@ -17,20 +17,14 @@ pub(crate) fn draw(patch: &Patch) -> String {
     let end = places.last().copied().unwrap_or(0.0);
     let unit = units::pick(axis.units, start.abs().max(end.abs()));
     let x: Vec<f64> = places.iter().map(|place| place / unit.size).collect();
-    let mut panels = vec![forces(history, &x)];
-    panels.extend(load(history, &x));
-    panels.extend(speed(history, &x));
-    panels.extend(creepages(history, &x));
-    panels.extend(temperature(history, &x));
+    let panels = ROWS.iter().filter_map(|row| row.panel(history, &x)).collect();
     let range = [start, end].map(|place| place / unit.size);
     let is_range = range[1] > range[0] && range.iter().all(|end| end.is_finite());
     let range = if is_range { range } else { [0.0, 1.0] };
     let label = format!("{} ({})", axis.label, unit.symbol);
-    let stack = Stack { x: range, label: &label, panels, shaded: Vec::new(), shading: "" };
-    let mut drawing = stack.drawing();
-    marks::heading(&mut drawing, patch, axis.title);
-    stack.draw(&mut drawing, HEADING + 40.0);
-    drawing.finish()
+    // It covers both rest and rolling.
+    let heading = Heading { is_rolling: false, ..Heading::of(patch, axis.title) };
+    panels::page(&heading, &[Stack::over(range, label, panels)])
 }
 
 /// What the curves are drawn against.
@@ -77,76 +71,101 @@ fn varies(history: &[Instant], value: fn(&Instant) -> f64) -> bool {
     history.iter().any(|instant| Some(value(instant)) != first)
 }
 
-fn points(x: &[f64], history: &[Instant], value: impl Fn(&Instant) -> f64) -> Vec<[f64; 2]> {
-    x.iter().zip(history).map(|(x, instant)| [*x, value(instant)]).collect()
+/// A panel: what it shows, and when.
+struct Row {
+    label: &'static str,
+    units: &'static [Unit],
+    height: f64,
+    curves: &'static [Line],
+    shown: Shown,
 }
 
-fn forces(history: &[Instant], x: &[f64]) -> Panel {
-    let largest = history.iter().map(|instant| instant.force.x.hypot(instant.force.y));
-    let unit = units::pick(units::FORCE, largest.filter(|f| f.is_finite()).fold(0.0, f64::max));
-    let curves = vec![
-        Curve::solid(
-            points(x, history, |instant| -instant.force.x / unit.size),
-            BLUE,
-            "\u{2212}$F$_x",
-        ),
-        Curve::solid(
-            points(x, history, |instant| -instant.force.y / unit.size),
-            VERMILION,
-            "\u{2212}$F$_y",
-        ),
-    ];
-    Panel::of_components(format!("force on the rail ({})", unit.symbol), 260.0, curves)
+/// A number of an instant, its colour and its name.
+type Line = (fn(&Instant) -> f64, &'static str, &'static str);
+
+#[derive(PartialEq)]
+enum Shown {
+    /// Always.
+    Always,
+    /// If it varies: the load.
+    Varying,
+    /// If it varies after a shift at rest, which has none.
+    VaryingInRolling,
+    /// If it is not zero.
+    NonZero,
 }
 
-/// `None` if it is constant.
-fn load(history: &[Instant], x: &[f64]) -> Option<Panel> {
-    let largest = history.iter().map(|instant| instant.load).fold(0.0, f64::max);
-    let unit = units::pick(units::FORCE, largest);
-    let points = points(x, history, |instant| instant.load / unit.size);
-    let is_shown = varies(history, |instant| instant.load);
-    is_shown.then(|| condition(format!("load $N$ ({})", unit.symbol), points))
-}
+const ROWS: [Row; 5] = [
+    Row {
+        label: "force on the rail",
+        units: units::FORCE,
+        height: 260.0,
+        curves: &[
+            (|instant| -instant.force.x, BLUE, "\u{2212}$F$_x"),
+            (|instant| -instant.force.y, VERMILION, "\u{2212}$F$_y"),
+        ],
+        shown: Shown::Always,
+    },
+    Row {
+        label: "load $N$",
+        units: units::FORCE,
+        height: 150.0,
+        curves: &[(|instant| instant.load, INK, "")],
+        shown: Shown::Varying,
+    },
+    Row {
+        label: "speed $v$_0",
+        units: &[Unit { size: 1.0, symbol: "m/s" }],
+        height: 150.0,
+        curves: &[(|instant| instant.kinematics.speed, INK, "")],
+        shown: Shown::VaryingInRolling,
+    },
+    Row {
+        label: "creepage",
+        units: &[],
+        height: 150.0,
+        curves: &[
+            (|instant| instant.kinematics.creepage_x, BLUE, "$ξ$"),
+            (|instant| instant.kinematics.creepage_y, VERMILION, "$η$"),
+        ],
+        shown: Shown::VaryingInRolling,
+    },
+    Row {
+        label: "largest rise",
+        units: units::TEMPERATURE_RISE,
+        height: 180.0,
+        curves: &[(|instant| known(instant.max_rise), GREEN, "")],
+        shown: Shown::NonZero,
+    },
+];
 
-/// `None` if it is constant, apart from a shift at rest.
-fn speed(history: &[Instant], x: &[f64]) -> Option<Panel> {
-    let (history, x) = rolling(history, x);
-    let points = points(x, history, |instant| instant.kinematics.speed);
-    let is_shown = varies(history, |instant| instant.kinematics.speed);
-    is_shown.then(|| condition("speed $v$_0 (m/s)".to_owned(), points))
-}
-
-/// A panel of what is prescribed.
-fn condition(label: String, points: Vec<[f64; 2]>) -> Panel {
-    Panel { label, height: 150.0, curves: vec![Curve::solid(points, INK, "")] }
-}
-
-/// What comes after a shift at rest.
-fn rolling<'a>(history: &'a [Instant], x: &'a [f64]) -> (&'a [Instant], &'a [f64]) {
-    let at_rest = history.iter().take_while(|instant| instant.kinematics.speed == 0.0).count();
-    (&history[at_rest..], &x[at_rest..])
-}
-
-/// `None` if they are constant. A shift at rest has none.
-fn creepages(history: &[Instant], x: &[f64]) -> Option<Panel> {
-    let (history, x) = rolling(history, x);
-    let first = history.first()?.kinematics;
-    let changes = history.iter().any(|instant| {
-        instant.kinematics.creepage_x != first.creepage_x
-            || instant.kinematics.creepage_y != first.creepage_y
-    });
-    let curves = vec![
-        Curve::solid(points(x, history, |instant| instant.kinematics.creepage_x), BLUE, "$ξ$"),
-        Curve::solid(points(x, history, |instant| instant.kinematics.creepage_y), VERMILION, "$η$"),
-    ];
-    changes.then(|| Panel::of_components("creepage".to_owned(), 150.0, curves))
-}
-
-/// `None` if there is no heat.
-fn temperature(history: &[Instant], x: &[f64]) -> Option<Panel> {
-    let hot = history.iter().any(|instant| instant.max_rise.is_some_and(|rise| rise != 0.0));
-    let curves =
-        vec![Curve::solid(points(x, history, |instant| known(instant.max_rise)), GREEN, "")];
-    let label = "largest rise (K)".to_owned();
-    hot.then_some(Panel { label, height: 180.0, curves })
+impl Row {
+    /// `None` if it is not shown.
+    fn panel(&self, history: &[Instant], x: &[f64]) -> Option<Panel> {
+        let is_at_rest = |instant: &&Instant| instant.kinematics.speed == 0.0;
+        let skipped = match self.shown {
+            Shown::VaryingInRolling => history.iter().take_while(is_at_rest).count(),
+            _ => 0,
+        };
+        let (history, x) = (&history[skipped..], &x[skipped..]);
+        let values = self.curves.iter().flat_map(|line| history.iter().map(line.0));
+        let largest = values.map(f64::abs).filter(|v| v.is_finite()).fold(0.0, f64::max);
+        let is_shown = match self.shown {
+            Shown::Always => true,
+            Shown::NonZero => largest > 0.0,
+            _ => self.curves.iter().any(|line| varies(history, line.0)),
+        };
+        let unit = units::pick(self.units, largest);
+        let curve = |(value, color, text): &Line| {
+            let points = x.iter().zip(history);
+            let points = points.map(|(x, instant)| [*x, value(instant) / unit.size]);
+            Curve::solid(points.collect(), color, text)
+        };
+        let curves = self.curves.iter().map(curve).collect();
+        let label = match unit.symbol {
+            "" => self.label.to_owned(),
+            symbol => format!("{} ({symbol})", self.label),
+        };
+        is_shown.then(|| Panel::of_components(label, self.height, curves))
+    }
 }

@@ -1,7 +1,6 @@
 //! Values over two axes, and their contours.
 
-use super::chain::{Chain, chains};
-use super::contour::{Corner, Square, below, crossings};
+use super::chain::{Chain, Crossing, chains};
 use super::smooth::smooth;
 
 /// Values at the places of two axes.
@@ -91,6 +90,46 @@ impl Lattice {
         };
         Some([corner(i - 1, j - 1)?, corner(i, j - 1)?, corner(i, j)?, corner(i - 1, j)?])
     }
+}
+
+/// A corner of a square between four places.
+#[derive(Debug, Clone, Copy)]
+struct Corner {
+    /// Its number on the lattice.
+    node: usize,
+    /// Its position, in m or in units of axes.
+    at: [f64; 2],
+    /// Value of the field above a level.
+    value: f64,
+}
+
+/// The corners of a square in order.
+type Square = [Corner; 4];
+
+/// Place where the contour crosses the edge of a square that begins at a corner.
+fn crossing(corners: &Square, index: usize) -> Option<Crossing> {
+    let (one, other) = (corners[index], corners[(index + 1) % 4]);
+    let (f, g) = (one.value, other.value);
+    let share = f / (f - g);
+    let at = [0, 1].map(|axis| one.at[axis] + share * (other.at[axis] - one.at[axis]));
+    let edge = [one.node.min(other.node), one.node.max(other.node)];
+    ((f >= 0.0) != (g >= 0.0)).then_some(Crossing { edge, at })
+}
+
+/// Places where the contour crosses the edges of a square, joined in pairs.
+fn crossings(corners: Square) -> Vec<[Crossing; 2]> {
+    let places: Vec<Crossing> = (0..4).filter_map(|index| crossing(&corners, index)).collect();
+    places.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect()
+}
+
+/// The part of a square below the level.
+fn below(corners: Square) -> Vec<[f64; 2]> {
+    let of_edge = |index: usize| {
+        let Corner { at, value, .. } = corners[index];
+        let crossing = crossing(&corners, index).map(|crossing| crossing.at);
+        (value < 0.0).then_some(at).into_iter().chain(crossing)
+    };
+    (0..4).flat_map(of_edge).collect()
 }
 
 fn firsts(points: &[[f64; 2]]) -> Vec<f64> {

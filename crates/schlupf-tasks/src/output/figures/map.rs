@@ -1,13 +1,11 @@
-//! Flat maps of the patch: colours, arrows, the border between stick and slip.
+//! Flat maps of the patch: colours, arrows, the stick–slip boundary.
 
-use std::collections::BTreeMap;
-use std::fmt::Write;
-
+use super::cells;
 use super::chain::Chain;
-use super::color::{ColorScale, paint};
+use super::color::ColorScale;
 use super::contour::{outline, stick_border, sticking};
 use super::frame::Frame;
-use super::marks::{self, Entry, HEADING, Sample};
+use super::marks::{self, Entry, HEADING, Heading, Sample};
 use super::patch::Patch;
 use super::quantity::Quantity;
 use super::sampler::Sampler;
@@ -45,15 +43,16 @@ const HATCHED_SAMPLE: [&str; 2] =
 pub(crate) fn draw(patch: &Patch, quantity: &Quantity, arrows: Option<&Arrows>) -> String {
     let layout = Layout::new(patch);
     let mut drawing = Drawing::new(layout.width, layout.height);
-    marks::heading(&mut drawing, patch, &quantity.title);
+    Heading::of(patch, &quantity.title).draw(&mut drawing);
     let frame = &layout.frame;
     frame.draw_grid(&mut drawing);
     let scale = quantity.colors(quantity.range());
     begin_patch_clip(&mut drawing, patch, frame);
-    draw_cells(&mut drawing, frame, &cells_by_level(patch, quantity, &scale), (patch, &scale));
+    draw_cells(&mut drawing, frame, patch, (quantity, &scale));
     drawing.end_group();
     draw_rim(&mut drawing, patch, frame);
-    let border = stick_border(patch);
+    let mut border = stick_border(patch);
+    border.retain(|chain| chain.points.iter().any(|point| patch.contains(*point)));
     drawing.shape(HATCHING);
     begin_patch_clip(&mut drawing, patch, frame);
     drawing.path(&polygons_path(frame, &sticking(patch)), HATCHED);
@@ -64,8 +63,10 @@ pub(crate) fn draw(patch: &Patch, quantity: &Quantity, arrows: Option<&Arrows>) 
     if let Some(arrows) = arrows {
         draw_arrows(&mut drawing, patch, frame, arrows);
     }
-    let center = [frame.corner[0] + 0.5 * frame.size[0], HEADING + 14.0];
-    marks::rolling_direction(&mut drawing, center);
+    if patch.is_rolling() {
+        let center = [frame.corner[0] + 0.5 * frame.size[0], HEADING + 14.0];
+        marks::rolling_direction(&mut drawing, center);
+    }
     frame.draw_vertical(&mut drawing, "$y$ (mm)");
     frame.draw_horizontal(&mut drawing, "$x$ (mm)");
     marks::color_bar(&mut drawing, layout.bar, layout.bar_height, &scale, &quantity.label);
@@ -107,6 +108,7 @@ impl Layout {
             size,
             x: ranges[0],
             y: ranges[1],
+            powers: false,
         };
         let bar_height = area - 28.0;
         let below = frame.bottom().max(top + area - 40.0) + 78.0;
@@ -133,39 +135,6 @@ fn ranges(patch: &Patch) -> [[f64; 2]; 2] {
     ]
 }
 
-/// The cells of each colour as one path on the lattice of the grid; adjacent cells of one colour in
-/// a row form one rectangle.
-fn cells_by_level(
-    patch: &Patch,
-    quantity: &Quantity,
-    scale: &ColorScale,
-) -> BTreeMap<usize, String> {
-    let fields = patch.fields();
-    let level = |column: usize, row: usize| {
-        let cell = patch.cell(column, row).or_else(|| neighbour(patch, column, row))?;
-        let value = quantity.values[cell];
-        // The patch is clipped at its rim, so its cells show the mean over the part that remains.
-        let partial = quantity.vanishes_at_rim && fields.covered[cell] > 0.0;
-        Some(scale.level(if partial { value / fields.covered[cell] } else { value }))
-    };
-    let mut paths: BTreeMap<usize, String> = BTreeMap::new();
-    for row in 0..fields.grid.rows {
-        let mut column = 0;
-        while column < fields.grid.columns {
-            let Some(here) = level(column, row) else {
-                column += 1;
-                continue;
-            };
-            let same = (column..fields.grid.columns).take_while(|&c| level(c, row) == Some(here));
-            let count = same.count();
-            // Writing to a String cannot fail.
-            let _ = write!(paths.entry(here).or_default(), "M{column} {row}h{count}v1h-{count}z");
-            column += count;
-        }
-    }
-    paths
-}
-
 /// A contact cell beside a place without one: the smooth rim may pass through its corner.
 fn neighbour(patch: &Patch, column: usize, row: usize) -> Option<usize> {
     let before = |index: usize| index.checked_sub(1);
@@ -178,23 +147,22 @@ fn neighbour(patch: &Patch, column: usize, row: usize) -> Option<usize> {
 fn draw_cells(
     drawing: &mut Drawing,
     frame: &Frame,
-    paths: &BTreeMap<usize, String>,
-    (patch, scale): (&Patch, &ColorScale),
+    patch: &Patch,
+    (quantity, scale): (&Quantity, &ColorScale),
 ) {
-    let grid = &patch.fields().grid;
+    let fields = patch.fields();
+    let grid = &fields.grid;
+    let level = |column: usize, row: usize| {
+        let cell = patch.cell(column, row).or_else(|| neighbour(patch, column, row))?;
+        let value = quantity.values[cell];
+        // The patch is clipped at its rim, so its cells show the mean over the part that remains.
+        let partial = quantity.vanishes_at_rim && fields.covered[cell] > 0.0;
+        Some(scale.level(if partial { value / fields.covered[cell] } else { value }))
+    };
     let origin = frame.at([grid.origin_x / MILLIMETRE, grid.origin_y / MILLIMETRE]);
-    let cell = [
-        grid.spacing_x / MILLIMETRE * frame.scale()[0],
-        grid.spacing_y / MILLIMETRE * frame.scale()[1],
-    ];
-    drawing.begin_group(&format!(
-        r#"transform="matrix({:.6} 0 0 {:.6} {:.4} {:.4})" shape-rendering="crispEdges""#,
-        cell[0], -cell[1], origin[0], origin[1]
-    ));
-    for (level, path) in paths {
-        drawing.path(path, &format!(r#"fill="{}""#, paint(scale.palette, *level)));
-    }
-    drawing.end_group();
+    let [x, y] = frame.scale().map(|scale| scale / MILLIMETRE);
+    let place = (origin, [grid.spacing_x * x, grid.spacing_y * y]);
+    cells::draw(drawing, place, [grid.columns, grid.rows], (scale.palette, &level));
 }
 
 /// Clips to the patch: its ellipse, or what its cells cover.
@@ -280,15 +248,14 @@ fn draw_arrows(drawing: &mut Drawing, patch: &Patch, frame: &Frame, arrows: &Arr
 }
 
 fn entries(border: &[Chain], arrows: Option<&Arrows>) -> Vec<Entry> {
-    let mut entries =
-        vec![Entry { sample: Sample::Line(vec![RIM.to_owned()]), text: "contact".to_owned() }];
+    let mut entries = vec![Entry::line(RIM, "contact")];
     if !border.is_empty() {
         let mut entry = |strokes: [&str; 2], text: &str| {
             let sample = Sample::Line(strokes.map(str::to_owned).to_vec());
             entries.push(Entry { sample, text: text.to_owned() });
         };
         entry(HATCHED_SAMPLE, "stick");
-        entry(BORDER, "border to slip");
+        entry(BORDER, "stick–slip boundary");
     }
     if let Some(arrows) = arrows {
         entries

@@ -1,14 +1,13 @@
 //! Elements shared by several figures: heading, colour bar, arrows, legend.
 
-use schlupf::Status;
 use schlupf::kinematics::ReferencePoint;
+use schlupf::{Solution, Status};
 
 use super::color::{ColorScale, INK, LEVELS, MUTED, paint};
 use super::frame::{LABEL_SIZE, TICK_SIZE, outline, tick_line};
 use super::label::{self, Anchor, TextStyle};
 use super::patch::Patch;
 use super::svg::{Drawing, open_path};
-use super::ticks::round_ticks;
 use crate::output::number::significant;
 
 /// Height of the heading.
@@ -16,27 +15,46 @@ pub(crate) const HEADING: f64 = 84.0;
 /// Left end of the heading.
 const MARGIN: f64 = 24.0;
 
-/// Title of the figure, title of the case, and its kinematics.
-pub(crate) fn heading(drawing: &mut Drawing, patch: &Patch, title: &str) {
-    let remark = if patch.solution.status == Status::NotConverged { "not converged" } else { "" };
-    title_block(drawing, title, [patch.title, &conditions(patch)], remark);
+/// What stands above a figure.
+#[derive(Debug)]
+pub(crate) struct Heading<'a> {
+    /// Title of the figure, in the markup of labels.
+    pub title: &'a str,
+    /// Title of the case, as given.
+    pub case: &'a str,
+    /// Its conditions, in the markup of labels.
+    pub about: String,
+    /// A remark in red.
+    pub remark: &'static str,
+    /// Whether an arrow says where the wheel rolls.
+    pub is_rolling: bool,
 }
 
-/// Title of the figure, unmodified title of the case and its conditions, and a remark in red.
-pub(crate) fn title_block(
-    drawing: &mut Drawing,
-    title: &str,
-    [case, conditions]: [&str; 2],
-    remark: &str,
-) {
-    drawing.text([MARGIN, 32.0], &TextStyle::new(19.0, Anchor::Start), title);
-    let small = TextStyle { color: MUTED, ..TextStyle::new(13.0, Anchor::Start) };
-    let space = (drawing.width - 2.0 * MARGIN) / small.size;
-    drawing.plain_text([MARGIN, 54.0], &small, &shortened(case, space));
-    drawing.text([MARGIN, 74.0], &small, conditions);
-    if !remark.is_empty() {
-        let style = TextStyle { color: ALARM, ..TextStyle::new(15.0, Anchor::End) };
-        drawing.text([drawing.width - MARGIN, 32.0], &style, remark);
+impl<'a> Heading<'a> {
+    /// A heading that says whether the results converged.
+    pub(crate) fn new(title: &'a str, case: &'a str, about: String, status: Status) -> Self {
+        let remark = if status == Status::NotConverged { "not converged" } else { "" };
+        Self { title, case, about, remark, is_rolling: false }
+    }
+
+    /// The case of a patch with its kinematics; a patch at rest rolls nowhere.
+    pub(crate) fn of(patch: &Patch<'a>, title: &'a str) -> Self {
+        let is_rolling = patch.is_rolling();
+        let status = patch.solution.status;
+        Self { is_rolling, ..Self::new(title, patch.title, conditions(patch.solution), status) }
+    }
+
+    /// Draws it at the upper left.
+    pub(crate) fn draw(&self, drawing: &mut Drawing) {
+        drawing.text([MARGIN, 32.0], &TextStyle::new(19.0, Anchor::Start), self.title);
+        let small = TextStyle { color: MUTED, ..TextStyle::new(13.0, Anchor::Start) };
+        let space = (drawing.width - 2.0 * MARGIN) / small.size;
+        drawing.plain_text([MARGIN, 54.0], &small, &shortened(self.case, space));
+        drawing.text([MARGIN, 74.0], &small, &self.about);
+        if !self.remark.is_empty() {
+            let style = TextStyle { color: ALARM, ..TextStyle::new(15.0, Anchor::End) };
+            drawing.text([drawing.width - MARGIN, 32.0], &style, self.remark);
+        }
     }
 }
 
@@ -52,8 +70,13 @@ pub(crate) fn shortened(text: &str, space: f64) -> String {
     text.chars().take(kept.saturating_sub(1)).chain(['…']).collect()
 }
 
-fn conditions(patch: &Patch) -> String {
-    let kinematics = &patch.solution.kinematics;
+/// The motion and the load of a solution, in the markup of labels.
+pub(crate) fn conditions(solution: &Solution) -> String {
+    let load = format!("$N$ = {} kN", short(solution.normal.load / 1e3));
+    let kinematics = &solution.kinematics;
+    if kinematics.speed == 0.0 {
+        return format!("at rest, {load}");
+    }
     let mut parts = vec![format!("$ξ$ = {}", short(kinematics.creepage_x))];
     if kinematics.creepage_y != 0.0 {
         parts.push(format!("$η$ = {}", short(kinematics.creepage_y)));
@@ -61,11 +84,10 @@ fn conditions(patch: &Patch) -> String {
     if kinematics.spin != 0.0 {
         parts.push(format!("$φ$ = {} 1/m", short(kinematics.spin)));
     }
-    if patch.solution.reference == ReferencePoint::File {
+    if solution.reference == ReferencePoint::File {
         parts.push("at the origin of the file".to_owned());
     }
-    parts.push(format!("$v$_0 = {} m/s", short(kinematics.speed)));
-    parts.push(format!("$N$ = {} kN", short(patch.solution.normal.load / 1e3)));
+    parts.extend([format!("$v$_0 = {} m/s", short(kinematics.speed)), load]);
     parts.join(", ")
 }
 
@@ -95,7 +117,7 @@ pub(crate) fn color_bar(
     drawing.end_group();
     drawing.rectangle(corner, [WIDTH, height], &outline());
     let right = left + WIDTH;
-    for tick in round_ticks(scale.low, scale.high, ((height / 55.0) as usize).clamp(3, 8)) {
+    for tick in scale.ticks(((height / 55.0) as usize).clamp(3, 8)) {
         let y = top + height * (1.0 - (tick.value - scale.low) / (scale.high - scale.low));
         drawing.line([right, y], [right + 5.0, y], &tick_line());
         let style = TextStyle::new(TICK_SIZE, Anchor::Start);
@@ -149,21 +171,35 @@ pub(crate) fn dot(drawing: &mut Drawing, [x, y]: [f64; 2], style: &str) {
     drawing.shape(&format!(r#"<circle cx="{x:.2}" cy="{y:.2}" r="4" {style}/>"#));
 }
 
-/// A square at a point.
-pub(crate) fn square(drawing: &mut Drawing, [x, y]: [f64; 2], style: &str) {
-    const HALF: f64 = 3.7;
-    drawing.rectangle([x - HALF, y - HALF], [2.0 * HALF; 2], style);
+/// Shape of a mark at a point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Shape {
+    /// A disc.
+    Dot,
+    /// A square.
+    Square,
+    /// A diagonal cross.
+    Cross,
 }
 
-/// A diagonal cross at a point.
-pub(crate) fn cross(drawing: &mut Drawing, [x, y]: [f64; 2], style: &str) {
-    const ARM: f64 = 4.5;
-    drawing.line([x - ARM, y - ARM], [x + ARM, y + ARM], style);
-    drawing.line([x - ARM, y + ARM], [x + ARM, y - ARM], style);
+impl Shape {
+    /// Draws it about a point; `style` holds SVG attributes.
+    pub(crate) fn draw(self, drawing: &mut Drawing, [x, y]: [f64; 2], style: &str) {
+        const HALF: f64 = 3.7;
+        const ARM: f64 = 4.5;
+        match self {
+            Self::Dot => dot(drawing, [x, y], style),
+            Self::Square => drawing.rectangle([x - HALF, y - HALF], [2.0 * HALF; 2], style),
+            Self::Cross => {
+                drawing.line([x - ARM, y - ARM], [x + ARM, y + ARM], style);
+                drawing.line([x - ARM, y + ARM], [x + ARM, y - ARM], style);
+            }
+        }
+    }
 }
 
 /// An entry of a legend: sample strokes (SVG attributes, drawn on top of each other) and text.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Entry {
     /// The sample.
     pub sample: Sample,
@@ -171,8 +207,20 @@ pub(crate) struct Entry {
     pub text: String,
 }
 
+impl Entry {
+    /// A line.
+    pub(crate) fn line(stroke: &str, text: &str) -> Self {
+        Self { sample: Sample::Line(vec![stroke.to_owned()]), text: text.to_owned() }
+    }
+
+    /// A mark.
+    pub(crate) fn mark(shape: Shape, style: String, text: &str) -> Self {
+        Self { sample: Sample::Mark(shape, style), text: text.to_owned() }
+    }
+}
+
 /// A sample in a legend.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) enum Sample {
     /// A line drawn with each of the strokes.
     Line(Vec<String>),
@@ -180,12 +228,8 @@ pub(crate) enum Sample {
     Area(String),
     /// An arrow.
     Arrow(String),
-    /// A dot.
-    Dot(String),
-    /// A square.
-    Square(String),
-    /// A cross.
-    Cross(String),
+    /// A mark.
+    Mark(Shape, String),
 }
 
 /// A legend above a plot area whose upper left corner is given; further rows grow upwards, by
@@ -214,12 +258,8 @@ pub(crate) fn legend(drawing: &mut Drawing, at: [f64; 2], width: f64, entries: &
     let [left, top] = at;
     let [mut x, mut y] = at;
     for entry in entries {
-        let sample =
-            if matches!(entry.sample, Sample::Dot(_) | Sample::Square(_) | Sample::Cross(_)) {
-                0.5 * SAMPLE
-            } else {
-                SAMPLE
-            };
+        let is_mark = matches!(entry.sample, Sample::Mark(..));
+        let sample = if is_mark { 0.5 * SAMPLE } else { SAMPLE };
         let entry_width = sample + 8.0 + label::width(&entry.text) * TICK_SIZE + 18.0;
         if x > left && x + entry_width > left + width {
             [x, y] = [left, y + LEGEND_ROW];
@@ -235,9 +275,7 @@ pub(crate) fn legend(drawing: &mut Drawing, at: [f64; 2], width: f64, entries: &
             Sample::Arrow(style) => {
                 drawing.path(&arrow([x, middle], [x + SAMPLE, middle], 9.0), style);
             }
-            Sample::Dot(style) => dot(drawing, [x + 0.5 * sample, middle], style),
-            Sample::Square(style) => square(drawing, [x + 0.5 * sample, middle], style),
-            Sample::Cross(style) => cross(drawing, [x + 0.5 * sample, middle], style),
+            Sample::Mark(shape, style) => shape.draw(drawing, [x + 0.5 * sample, middle], style),
         }
         drawing.text([x + sample + 8.0, y], &TextStyle::new(TICK_SIZE, Anchor::Start), &entry.text);
         x += entry_width;

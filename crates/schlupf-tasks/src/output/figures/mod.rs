@@ -4,6 +4,7 @@
 //! The surfaces and the section show the traction on the rail, −t, as in Neuhaus and Sextro (2014);
 //! so do the arrows of the maps. Quantities that are zero everywhere have no figure.
 
+pub(crate) mod cells;
 mod chain;
 pub(crate) mod color;
 mod contour;
@@ -16,6 +17,7 @@ pub(crate) mod lattice;
 pub(crate) mod map;
 pub(crate) mod marks;
 mod mesh;
+mod panel;
 pub(crate) mod panels;
 pub(crate) mod patch;
 mod projection;

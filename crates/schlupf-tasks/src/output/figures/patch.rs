@@ -68,6 +68,11 @@ impl<'a> Patch<'a> {
         [above(&fields.temperature_rise_wheel, wheel), above(&fields.temperature_rise_rail, rail)]
     }
 
+    /// Whether the wheel rolls: it does not while it is shifted at rest.
+    pub(crate) fn is_rolling(&self) -> bool {
+        self.solution.kinematics.speed != 0.0
+    }
+
     /// Semi-axes a and b, in m.
     pub(crate) fn semi_axes(&self) -> [f64; 2] {
         [self.solution.normal.semi_axis_x, self.solution.normal.semi_axis_y]
@@ -80,6 +85,30 @@ impl<'a> Patch<'a> {
             return None;
         }
         self.cell_at[grid.index(column, row)]
+    }
+
+    /// Values averaged with those of the eight cells around, so that a surface has no teeth where
+    /// the stick–slip boundary crosses the rows of cells. What vanishes at the rim is averaged as
+    /// its ratio to the pressure.
+    pub(crate) fn smoothed(&self, values: &[f64], vanishes_at_rim: bool) -> Vec<f64> {
+        let Fields { cell, pressure, covered, .. } = self.fields();
+        let scale = |at: usize| if vanishes_at_rim { pressure[at] } else { 1.0 };
+        let mean = |at: usize| {
+            let [column, row] = cell[at];
+            let (mut sum, mut weights) = (0.0, 0.0);
+            for (i, along) in [1.0, 2.0, 1.0].into_iter().enumerate() {
+                for (j, across) in [1.0, 2.0, 1.0].into_iter().enumerate() {
+                    let near = (column + i).checked_sub(1).zip((row + j).checked_sub(1));
+                    let near = near.and_then(|(column, row)| self.cell(column, row));
+                    let Some(near) = near.filter(|near| scale(*near) > 0.0) else { continue };
+                    let weight = along * across * covered[near];
+                    sum += weight * values[near] / scale(near);
+                    weights += weight;
+                }
+            }
+            if weights > 0.0 && scale(at) > 0.0 { scale(at) * sum / weights } else { values[at] }
+        };
+        (0..values.len()).map(mean).collect()
     }
 
     /// Whether a point (in m) is in contact; where the rim is not known exactly, whether half of

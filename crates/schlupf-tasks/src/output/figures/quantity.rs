@@ -43,18 +43,17 @@ impl Quantity {
     pub(crate) fn colors(&self, range: [f64; 2]) -> ColorScale {
         let [low, high] = range;
         let largest = high.max(-low);
-        let palette = self.palette;
-        if self.base != 0.0 {
-            return ColorScale { palette, low, high };
-        }
-        if low < -STRAY * largest && high > STRAY * largest {
-            return ColorScale { palette: Palette::Signed, low: -largest, high: largest };
-        }
-        if high >= -low {
-            ColorScale { palette, low: 0.0, high }
+        let is_signed = low < -STRAY * largest && high > STRAY * largest;
+        let (palette, range) = if self.base != 0.0 {
+            (self.palette, range)
+        } else if is_signed {
+            (Palette::Signed, [-largest, largest])
+        } else if high >= -low {
+            (self.palette, [0.0, high])
         } else {
-            ColorScale { palette, low, high: 0.0 }
-        }
+            (self.palette, [low, 0.0])
+        };
+        ColorScale::linear(palette, range)
     }
 
     /// A field of negative values with its sign reversed, so that a surface is a hill and not a pit

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::color::{ColorScale, INK};
 use super::frame::{LABEL_SIZE, TICK_SIZE, tick_line};
 use super::label::{Anchor, TextStyle};
-use super::marks::{self, HEADING};
+use super::marks::{self, HEADING, Heading};
 use super::mesh::{self, Facet};
 use super::patch::Patch;
 use super::projection::Projection;
@@ -19,9 +19,10 @@ const SIZE: [f64; 2] = [900.0, 740.0];
 /// The surface of a quantity over x* = x/a and y* = y/b.
 pub(crate) fn draw(patch: &Patch, quantity: &Quantity) -> String {
     let mut drawing = Drawing::new(SIZE[0], SIZE[1]);
-    marks::heading(&mut drawing, patch, &quantity.title);
+    Heading::of(patch, &quantity.title).draw(&mut drawing);
     let base = quantity.base;
-    let sampler = Sampler::new(patch, &quantity.values, quantity.vanishes_at_rim).above(base);
+    let values = patch.smoothed(&quantity.values, quantity.vanishes_at_rim);
+    let sampler = Sampler::new(patch, &values, quantity.vanishes_at_rim).above(base);
     let facets = mesh::facets(patch, &sampler, base);
     let heights = || facets.iter().flat_map(|facet| &facet.corners).map(|corner| corner[2]);
     let [low, high]: [f64; 2] = [heights().fold(base, f64::min), heights().fold(base, f64::max)];
@@ -36,7 +37,7 @@ pub(crate) fn draw(patch: &Patch, quantity: &Quantity) -> String {
     let projection = Projection { ranges: [x, y, z], center: [402.0, 478.0], scale: 230.0 };
     let scale = quantity.colors(range);
     draw_box(&mut drawing, &projection, &z_ticks);
-    draw_floor_axes(&mut drawing, &projection);
+    draw_floor_axes(&mut drawing, &projection, patch.is_rolling());
     draw_upright(&mut drawing, &projection, &z_ticks, &quantity.label);
     if patch.elliptic {
         draw_rim(&mut drawing, &projection, base);
@@ -127,8 +128,9 @@ fn draw_upright(drawing: &mut Drawing, projection: &Projection, z_ticks: &[Tick]
     drawing.text([left, top - 16.0], &TextStyle::new(LABEL_SIZE, Anchor::Middle), label);
 }
 
-/// Ticks and labels along the two near edges of the floor, and the rolling direction.
-fn draw_floor_axes(drawing: &mut Drawing, projection: &Projection) {
+/// Ticks and labels along the two near edges of the floor, and the rolling direction if there is
+/// one.
+fn draw_floor_axes(drawing: &mut Drawing, projection: &Projection, is_rolling: bool) {
     let [[x0, x1], [y0, y1], [z0, _]] = projection.ranges;
     let [wide, deep] = [0.5 * (x1 - x0), 0.5 * (y1 - y0)];
     let floor = |x: f64, y: f64| projection.at([x, y, z0]);
@@ -149,6 +151,9 @@ fn draw_floor_axes(drawing: &mut Drawing, projection: &Projection) {
     let along_y = projection.angle([x1, y0], [x1, y1]);
     drawing.text(floor(middle_x, y0 - 0.36 * deep), &turned(along_x), "$x$* = $x$/$a$");
     drawing.text(floor(x1 + 0.36 * wide, middle_y), &turned(along_y), "$y$* = $y$/$b$");
+    if !is_rolling {
+        return;
+    }
     let aside = y0 - 0.54 * deep;
     let [tail, tip] = [floor(middle_x - 0.3 * wide, aside), floor(middle_x + 0.3 * wide, aside)];
     drawing.path(&marks::arrow(tail, tip, 9.0), &format!(r#"fill="{INK}""#));

@@ -9,6 +9,9 @@ use super::label::{self, TextStyle};
 /// Stroke of grid lines.
 pub(crate) const GRID_LINE: &str = r##"stroke="#dddddd" stroke-width="1""##;
 
+/// Stroke of the line at zero.
+pub(crate) const ZERO: &str = r##"stroke="#8a8a8a" stroke-width="1""##;
+
 /// An SVG drawing with a white background, the origin at the upper left.
 #[derive(Debug)]
 pub(crate) struct Drawing {

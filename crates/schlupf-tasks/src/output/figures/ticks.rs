@@ -1,5 +1,7 @@
 //! Ticks at round numbers.
 
+use crate::output::number::significant;
+
 /// A tick of an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Tick {
@@ -41,6 +43,22 @@ pub(crate) fn powers_of_ten(low: f64, high: f64, about: usize) -> Vec<Tick> {
     let exponents = (low.ceil() as i32..=high.floor() as i32).map(f64::from);
     let shown = exponents.filter(|exponent| (exponent / step).fract() == 0.0);
     shown.map(|value| Tick { value, label: power_of_ten(value) }).collect()
+}
+
+/// Ticks for a range of logarithms to base ten, with the numbers themselves: powers of ten, and 2
+/// and 5 times them where there are few.
+pub(crate) fn round_powers(low: f64, high: f64, about: usize) -> Vec<Tick> {
+    let digits: &[f64] =
+        if 3.0 * (high - low) > 1.5 * about as f64 { &[1.0] } else { &[1.0, 2.0, 5.0] };
+    let powers = powers_of_ten(low - 1.0, high, 2 * about).into_iter();
+    let values = powers.flat_map(|tick| digits.iter().map(move |digit| tick.value + digit.log10()));
+    let inside = values.filter(|value| (low - 1e-9..=high + 1e-9).contains(value));
+    inside
+        .map(|value| Tick {
+            value,
+            label: significant(10_f64.powf(value)).replace('-', "\u{2212}"),
+        })
+        .collect()
 }
 
 /// An integer power of ten, in the markup of labels.
@@ -110,6 +128,15 @@ mod tests {
         assert_eq!(labels(-1.2, 1.1), ["10^{−1}", "10^{0}", "10^{1}"]);
         assert_eq!(labels(-4.3, 2.5), ["10^{−4}", "10^{−2}", "10^{0}", "10^{2}"]);
         assert!(labels(f64::NAN, 1.0).is_empty());
+    }
+
+    #[test]
+    fn logarithmic_colours_have_numbers() {
+        let labels = |low: f64, high: f64| -> Vec<String> {
+            round_powers(low, high, 8).into_iter().map(|tick| tick.label).collect()
+        };
+        assert_eq!(labels(-1.0, 0.4), ["0.1", "0.2", "0.5", "1", "2"]);
+        assert_eq!(labels(-6.0, -0.5).len(), 6);
     }
 
     #[test]

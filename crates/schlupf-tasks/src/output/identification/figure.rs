@@ -1,16 +1,12 @@
 //! A fit: measured forces with the fitted curves, a panel for each component, and the residuals.
 
-use schlupf::Status;
-use schlupf::creep_curve::Abscissa;
 use schlupf::identification::{Component, Condition, Estimate, FittedPoint};
 
-use super::panel::{Mark, MarkedPanel, Shape, curve_stroke};
 use super::{FitReport, in_usual_unit, with_uncertainty};
+use crate::output::creep_curve::axis;
 use crate::output::figures::color::{BLUE, INK, LEVELS, Palette, paint};
-use crate::output::figures::frame::Frame;
-use crate::output::figures::marks::{self, Entry, HEADING, Sample, short};
-use crate::output::figures::panels::{Curve, GAP, LEFT, Panel, RIGHT, WIDTH, known};
-use crate::output::figures::svg::Drawing;
+use crate::output::figures::marks::{Entry, Heading, Sample, Shape, short};
+use crate::output::figures::panels::{self, Curve, Mark, Panel, Stack, known};
 
 /// Height of the panel of forces if there is one, and of each if there are two.
 const FORCES: [f64; 2] = [340.0, 260.0];
@@ -20,25 +16,28 @@ const RESIDUALS: f64 = 170.0;
 /// The figure; `None` where there is nothing to draw.
 pub(super) fn draw(report: &FitReport) -> Option<String> {
     let picture = Picture::new(report)?;
-    let entries = picture.entries();
-    let width = WIDTH - LEFT - RIGHT;
-    let top = HEADING + 40.0 + marks::further_rows(width, &entries);
-    let panels = picture.panels();
-    let heights: f64 = panels.iter().map(|panel| panel.panel.height + GAP).sum();
-    let mut drawing = Drawing::new(WIDTH, top + heights - GAP + 62.0);
-    picture.heading(&mut drawing);
-    marks::legend_above(&mut drawing, [LEFT, top], width, &entries);
-    let mut corner = [LEFT, top];
-    for (k, panel) in panels.iter().enumerate() {
-        let size = [width, panel.panel.height];
-        let frame = Frame { corner, size, x: picture.x, y: panel.range() };
-        panel.draw(&mut drawing, &frame);
-        corner[1] += size[1] + GAP;
-        if k + 1 == panels.len() {
-            frame.draw_horizontal(&mut drawing, &picture.axis());
-        }
+    let fit = &report.fit;
+    let found: Vec<String> = fit.estimates.iter().map(result).collect();
+    let title = "Fit to measured creep forces";
+    let heading = Heading::new(title, &report.title, found.join(",  "), fit.status);
+    let mut panels = picture.panels();
+    if let Some(first) = panels.first_mut() {
+        first.entries = picture.entries();
     }
-    Some(drawing.finish())
+    Some(panels::page(&heading, &[Stack::over(picture.x, axis(report.curves.abscissa), panels)]))
+}
+
+fn curve_stroke(color: &str) -> String {
+    panels::stroke(color, 2.0, "")
+}
+
+/// Style of a computed point: dark, so that it is visible on top of the measured one.
+fn cross() -> String {
+    format!(r#"stroke="{INK}" stroke-width="1.6""#)
+}
+
+fn fill(color: &str) -> String {
+    format!(r##"fill="{color}" stroke="#ffffff" stroke-width="0.7""##)
 }
 
 struct Picture<'a> {
@@ -128,28 +127,6 @@ impl<'a> Picture<'a> {
         self.report.curves.place(&point.data)
     }
 
-    fn axis(&self) -> String {
-        match self.report.curves.abscissa {
-            Abscissa::CreepageX => "longitudinal creepage $ξ$".to_owned(),
-            Abscissa::CreepageY => "lateral creepage $η$".to_owned(),
-            Abscissa::Spin => "spin creepage $φ$ (1/m)".to_owned(),
-            Abscissa::Total { direction } => {
-                let degrees = short(direction.to_degrees());
-                format!("creepage $ν$ at {degrees}° to the rolling direction")
-            }
-        }
-    }
-
-    fn heading(&self, drawing: &mut Drawing) {
-        let fit = &self.report.fit;
-        let found: Vec<String> = fit.estimates.iter().map(result).collect();
-        let is_converged = fit.status == Status::Converged;
-        let remark = if is_converged { "" } else { "not converged" };
-        let title = "Fit to measured creep forces";
-        let found = found.join(",  ");
-        marks::title_block(drawing, title, [&self.report.title, &found], remark);
-    }
-
     fn color(&self, condition: &Condition) -> String {
         match &self.coloring {
             Coloring::None => BLUE.to_owned(),
@@ -179,15 +156,14 @@ impl<'a> Picture<'a> {
             } else {
                 format!("measured {}", ratio(*component))
             };
-            entries.push(Entry { sample: self.shape(*component).sample(own), text });
+            entries.push(Entry::mark(self.shape(*component), fill(own), &text));
         }
         let series = &self.report.curves.series;
-        let fitted = |sample| Entry { sample, text: "fitted".to_owned() };
         if series.iter().any(|series| !series.curve.is_empty()) {
-            entries.push(fitted(Sample::Line(vec![curve_stroke(own)])));
+            entries.push(Entry::line(&curve_stroke(own), "fitted"));
         }
         if series.iter().any(|series| series.curve.is_empty()) {
-            entries.push(fitted(Sample::Cross(MarkedPanel::cross())));
+            entries.push(Entry::mark(Shape::Cross, cross(), "fitted"));
         }
         let swatch =
             |color: &str, text| Entry { sample: Sample::Area(format!(r#"fill="{color}""#)), text };
@@ -234,32 +210,34 @@ impl<'a> Picture<'a> {
         parts.join(", ")
     }
 
-    fn panels(&self) -> Vec<MarkedPanel> {
+    fn panels(&self) -> Vec<Panel> {
         let height = FORCES[usize::from(self.components.len() > 1)];
         let forces = self.components.iter().map(|component| self.forces(*component, height));
         forces.chain([self.residuals()]).collect()
     }
 
     /// Measured forces with the curves of the model.
-    fn forces(&self, component: Component, height: f64) -> MarkedPanel {
+    fn forces(&self, component: Component, height: f64) -> Panel {
         let label = format!("force on the rail {}", ratio(component));
         let mut panel = self.panel(&label, height, &[component], |point| point.data.force_ratio);
         let all = self.report.curves.series.iter();
         for series in all.filter(|series| series.component == component) {
-            panel.panel.curves.push(Curve {
-                points: series.curve.iter().map(|p| [p.creepage, known(p.force_ratio)]).collect(),
-                stroke: curve_stroke(&self.color(&series.condition)),
-                text: String::new(),
-            });
+            let curve = series.curve.iter();
+            let points = curve.map(|p| [p.creepage, known(p.force_ratio)]).collect();
+            let stroke = curve_stroke(&self.color(&series.condition));
+            panel.curves.push(Curve::new(points, stroke, ""));
             if series.curve.is_empty() {
                 let points = series.members.iter().map(|k| &self.report.fit.points[*k]);
-                panel.crosses.extend(points.map(|point| [self.place(point), point.fitted]));
+                panel.marks.extend(points.map(|point| {
+                    let at = [self.place(point), point.fitted];
+                    Mark { at, shape: Shape::Cross, style: cross(), range: None }
+                }));
             }
         }
         panel
     }
 
-    fn residuals(&self) -> MarkedPanel {
+    fn residuals(&self) -> Panel {
         self.panel("measured \u{2212} fitted", RESIDUALS, &self.components, FittedPoint::residual)
     }
 
@@ -270,24 +248,21 @@ impl<'a> Picture<'a> {
         height: f64,
         components: &[Component],
         value: impl Fn(&FittedPoint) -> f64,
-    ) -> MarkedPanel {
+    ) -> Panel {
         let mut points = Vec::new();
         let all = self.report.curves.series.iter();
         for series in all.filter(|series| components.contains(&series.component)) {
             for k in &series.members {
                 let point = &self.report.fit.points[*k];
-                let deviation = point.data.standard_deviation.unwrap_or(0.0);
                 let middle = value(point);
-                points.push(Mark {
-                    at: [self.place(point), middle],
-                    range: middle - deviation..middle + deviation,
-                    color: self.color(&series.condition),
-                    shape: self.shape(series.component),
-                });
+                let color = self.color(&series.condition);
+                let deviation = point.data.standard_deviation.filter(|deviation| *deviation > 0.0);
+                let range = deviation.map(|by| ([middle - by, middle + by], color.clone()));
+                let (at, shape) = ([self.place(point), middle], self.shape(series.component));
+                points.push(Mark { at, shape, style: fill(&color), range });
             }
         }
-        let panel = Panel { label: label.to_owned(), height, curves: Vec::new() };
-        MarkedPanel { panel, marks: points, crosses: Vec::new() }
+        Panel { marks: points, ..Panel::new(label, height, Vec::new()) }
     }
 }
 

@@ -2,7 +2,6 @@
 
 mod figure;
 mod json;
-mod panel;
 mod summary;
 
 use schlupf::columns::{Column, Record, Value};

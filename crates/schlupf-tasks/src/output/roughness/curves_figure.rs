@@ -1,39 +1,19 @@
 //! Tangential curves of a rough contact, Figure 3 of Neuhaus and Sextro (2014), with the fit of Eq.
 //! (8).
 
-use schlupf::Status;
-
 use super::RoughnessReport;
 use crate::output::figures::color::{self, INK};
-use crate::output::figures::marks::{self, HEADING, short};
-use crate::output::figures::panels::{Curve, GAP, Panel, Stack, WIDTH};
-use crate::output::figures::svg::Drawing;
+use crate::output::figures::marks::{Entry, Heading, short};
+use crate::output::figures::panels::{self, Curve, Panel, Stack};
 use crate::output::report::Report;
 
 /// Height of each of the two panels.
 const HEIGHT: f64 = 290.0;
-/// Space below the first panel, for its axis.
-const AXIS: f64 = 70.0;
-/// Space above the first panel, for the legend.
-const LEGEND: f64 = 40.0;
 /// Maximum number of named curves.
 const MOST_NAMES: usize = 6;
 
 /// The figure; `None` where there is no curve.
 pub(super) fn draw(report: &RoughnessReport) -> Option<String> {
-    let stacks = [normalised(report)?, over_displacement(report)?];
-    let heights = stacks.each_ref().map(Stack::plot_height);
-    let top = HEADING + LEGEND;
-    let below = top + heights[0] + GAP + AXIS;
-    let mut drawing = Drawing::new(WIDTH, below + heights[1] + AXIS);
-    heading(&mut drawing, report);
-    let [first, second] = stacks;
-    first.draw(&mut drawing, top);
-    second.draw(&mut drawing, below);
-    Some(drawing.finish())
-}
-
-fn heading(drawing: &mut Drawing, report: &RoughnessReport) {
     let statistics = &report.result.statistics;
     let conditions = format!(
         "$h$_{{rms}} = {} µm, $h'$_{{rms}} = {}, $E$* = {} GPa, $ν$ = {}, $μ$_0 = {}",
@@ -44,16 +24,12 @@ fn heading(drawing: &mut Drawing, report: &RoughnessReport) {
         short(report.bodies.friction_coefficient)
     );
     let title = "Tangential force of the rough contact and Eq. (8)";
-    marks::title_block(drawing, title, [&report.title, &conditions], remark(report));
-}
-
-/// The remark in red above a figure.
-pub(super) fn remark(report: &RoughnessReport) -> &'static str {
-    if report.status() == Status::Converged { "" } else { "not converged" }
+    let heading = Heading::new(title, &report.title, conditions, report.status());
+    Some(panels::page(&heading, &[normalised(report)?, over_displacement(report)?]))
 }
 
 /// Q/(μP) against u/u_s, with a separate fit for each pressure.
-fn normalised(report: &RoughnessReport) -> Option<Stack<'static>> {
+fn normalised(report: &RoughnessReport) -> Option<Stack> {
     let result = &report.result;
     let mut curves = Vec::new();
     let fits = result.stiffness.fits.iter();
@@ -65,10 +41,14 @@ fn normalised(report: &RoughnessReport) -> Option<Stack<'static>> {
         let sliding = curve.full_sliding_displacement;
         curves.push(Curve::dashed(exponential(fit.stiffness * sliding), color, ""));
     }
-    curves.push(Curve::dashed(Vec::new(), INK, "Eq. (8), fitted to each"));
     let label = "displacement over that of full sliding, $u$/$u$_s";
     let end = curves.first()?.points.last()?[0];
-    Some(stack([0.0, end], label, curves))
+    let law = Curve::dashed(Vec::new(), INK, "").stroke;
+    let mut stack = stack([0.0, end], label, curves);
+    for panel in &mut stack.panels {
+        panel.entries.push(Entry::line(&law, "Eq. (8), fitted to each"));
+    }
+    Some(stack)
 }
 
 /// The name of a curve: its mean pressure, for as many curves as have a name.
@@ -88,7 +68,7 @@ fn exponential(stiffness: f64) -> Vec<[f64; 2]> {
 }
 
 /// Q/(μP) against u in µm, with one fit for all pressures.
-fn over_displacement(report: &RoughnessReport) -> Option<Stack<'static>> {
+fn over_displacement(report: &RoughnessReport) -> Option<Stack> {
     let result = &report.result;
     let colors = color::series(result.tangential.len());
     let mut curves: Vec<Curve> = result
@@ -112,8 +92,6 @@ fn over_displacement(report: &RoughnessReport) -> Option<Stack<'static>> {
     (end > 0.0 && end.is_finite()).then(|| stack([0.0, end], "displacement $u$ (µm)", curves))
 }
 
-fn stack(x: [f64; 2], label: &'static str, curves: Vec<Curve>) -> Stack<'static> {
-    let panel =
-        Panel { label: "force over that of full sliding".to_owned(), height: HEIGHT, curves };
-    Stack { x, label, panels: vec![panel], shaded: Vec::new(), shading: "" }
+fn stack(x: [f64; 2], label: &str, curves: Vec<Curve>) -> Stack {
+    Stack::over(x, label, vec![Panel::new("force over that of full sliding", HEIGHT, curves)])
 }

@@ -1,17 +1,15 @@
 //! Flat maps of a rough surface: its heights, and the pressure in the contact spots.
 
-use std::collections::BTreeMap;
-use std::fmt::Write;
-
 use schlupf::surface::Lattice;
 
-use super::curves_figure::remark;
 use super::{RoughnessReport, Spots};
-use crate::output::figures::color::{ColorScale, Palette, paint};
+use crate::output::figures::cells;
+use crate::output::figures::color::{ColorScale, Palette};
 use crate::output::figures::frame::Frame;
-use crate::output::figures::marks::{self, HEADING, short};
+use crate::output::figures::marks::{self, HEADING, Heading, short};
 use crate::output::figures::svg::Drawing;
 use crate::output::figures::units;
+use crate::output::report::Report;
 
 /// Maximum number of cells along a side in a map of the heights, and in one of the spots: larger
 /// surfaces are shown with every second or third cell.
@@ -27,7 +25,7 @@ pub(super) fn surface(report: &RoughnessReport) -> String {
     let heights = report.surface.about_its_mean();
     let [low, high] = heights.range().map(|height| height / MICROMETRE);
     let largest = high.max(-low);
-    let scale = ColorScale { palette: Palette::Signed, low: -largest, high: largest };
+    let scale = ColorScale::linear(Palette::Signed, [-largest, largest]);
     let conditions = format!(
         "$h$_{{rms}} = {} µm, $h'$_{{rms}} = {}; heights about their mean",
         short(report.result.statistics.root_mean_square_height / MICROMETRE),
@@ -42,7 +40,7 @@ pub(super) fn surface(report: &RoughnessReport) -> String {
 pub(super) fn spots(report: &RoughnessReport, spots: &Spots) -> String {
     let largest = spots.pressure.iter().copied().fold(0.0, f64::max);
     let high = (largest / 1e9).max(f64::MIN_POSITIVE);
-    let scale = ColorScale { palette: Palette::Mechanical, low: 0.0, high };
+    let scale = ColorScale::linear(Palette::Mechanical, [0.0, high]);
     // The same fraction as in the summary: that of the cells is larger by half of their perimeter.
     let fraction = report.result.normal.corrected_contact_fraction(spots.mean_pressure);
     let conditions = format!(
@@ -82,13 +80,14 @@ impl Map<'_> {
             size: spans.map(|span| span * ratio),
             x: [-0.5 * spans[0], 0.5 * spans[0]],
             y: [-0.5 * spans[1], 0.5 * spans[1]],
+            powers: false,
         };
         let width = (frame.right() + BAR).max(640.0);
         let bar_height = (frame.size[1] - 28.0).max(120.0);
         let height = frame.bottom().max(HEADING + 48.0 + bar_height) + 62.0;
         let mut drawing = Drawing::new(width, height);
-        let lines = [self.report.title.as_str(), self.conditions.as_str()];
-        marks::title_block(&mut drawing, self.title, lines, remark(self.report));
+        let (about, status) = (self.conditions.clone(), self.report.status());
+        Heading::new(self.title, &self.report.title, about, status).draw(&mut drawing);
         drawing.rectangle(frame.corner, frame.size, OPEN);
         draw_cells(&mut drawing, &frame, lattice, (most, level, &self.scale));
         frame.draw_vertical(&mut drawing, &format!("$y$ ({})", unit.symbol));
@@ -99,7 +98,7 @@ impl Map<'_> {
     }
 }
 
-/// The cells of each colour as one path; adjacent cells of one colour in a row form one rectangle.
+/// The middle cells of squares of several, where there are many.
 fn draw_cells(
     drawing: &mut Drawing,
     frame: &Frame,
@@ -107,39 +106,14 @@ fn draw_cells(
     (most, level, scale): (usize, &dyn Fn(usize) -> Option<usize>, &ColorScale),
 ) {
     let stride = lattice.columns.max(lattice.rows).div_ceil(most);
-    let [columns, rows] = [lattice.columns, lattice.rows].map(|count| count.div_ceil(stride));
+    let counts = [lattice.columns, lattice.rows];
     let of = |column: usize, row: usize| {
         let middle = |k: usize, count: usize| (k * stride + stride / 2).min(count - 1);
         level(middle(row, lattice.rows) * lattice.columns + middle(column, lattice.columns))
     };
-    let mut paths: BTreeMap<usize, String> = BTreeMap::new();
-    for row in 0..rows {
-        let mut column = 0;
-        while column < columns {
-            let Some(here) = of(column, row) else {
-                column += 1;
-                continue;
-            };
-            let count = (column..columns).take_while(|&c| of(c, row) == Some(here)).count();
-            // Writing to a String cannot fail.
-            let _ = write!(paths.entry(here).or_default(), "M{column} {row}h{count}v1h-{count}z");
-            column += count;
-        }
-    }
-    let [x, y] = [frame.corner[0], frame.bottom()];
-    drawing.begin_clip(&format!(
-        r#"<rect x="{x:.2}" y="{:.2}" width="{:.2}" height="{:.2}"/>"#,
-        frame.corner[1], frame.size[0], frame.size[1]
-    ));
-    let step = |size: f64, count: usize| size * stride as f64 / count as f64;
-    drawing.begin_group(&format!(
-        r#"transform="matrix({:.6} 0 0 {:.6} {x:.4} {y:.4})" shape-rendering="crispEdges""#,
-        step(frame.size[0], lattice.columns),
-        -step(frame.size[1], lattice.rows),
-    ));
-    for (level, path) in paths {
-        drawing.path(&path, &format!(r#"fill="{}""#, paint(scale.palette, level)));
-    }
-    drawing.end_group();
+    let step = [0, 1].map(|axis| frame.size[axis] * stride as f64 / counts[axis] as f64);
+    drawing.begin_clip(&frame.area());
+    let place = ([frame.corner[0], frame.bottom()], step);
+    cells::draw(drawing, place, counts.map(|n| n.div_ceil(stride)), (scale.palette, &of));
     drawing.end_group();
 }

@@ -1,4 +1,4 @@
-//! The damage of a passage as JSON, for other programs.
+//! The damage per wheel passage as JSON, for other programs.
 
 use schlupf::Status;
 use schlupf::damage::{Passage, PassageProfile, WearCells};

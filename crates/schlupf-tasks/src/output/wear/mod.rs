@@ -1,4 +1,4 @@
-//! Wear, fatigue and melting of one passage: JSON, CSV, a summary and figures.
+//! Wear, fatigue and melting per wheel passage: JSON, CSV, a summary and figures.
 
 mod figure;
 mod json;
@@ -13,7 +13,7 @@ use crate::output::report::{OwnFile, Report};
 use crate::output::summary::Summary;
 use crate::output::table::{self, ColumnValues};
 
-/// The damage of one passage with its input.
+/// The damage per wheel passage with its input.
 #[derive(Debug, Clone)]
 pub struct WearReport {
     /// Title of the case.
@@ -85,7 +85,8 @@ impl Report for WearReport {
 
     fn own_file(&self, format: &str) -> Option<Vec<u8>> {
         let wear = self.passage.wear.as_ref().filter(|_| format == Self::PROFILE)?;
-        let note = "depth of one passage: of the rail by one wheel, of the wheel in a revolution";
+        let note =
+            "depth per wheel passage: of the rail by one wheel, of the wheel in a revolution";
         Some(table::csv(&wear.profile, note).into_bytes())
     }
 }

@@ -1,4 +1,4 @@
-//! The damage of a passage as text.
+//! The damage per wheel passage as text.
 
 use schlupf::damage::{Melting, PassageWear, ShakedownPoint};
 
@@ -11,7 +11,7 @@ use crate::output::summary::{Summary, entry, line};
 pub(super) fn text(report: &WearReport) -> Summary {
     let mut text = Summary::titled(&report.title);
     text.blank();
-    line(&mut text, "one passage: a wheel over a place of the rail, a revolution of the wheel");
+    line(&mut text, "per wheel passage over a place of the rail, and per revolution of the wheel");
     fatigue(&mut text, report);
     if let Some(wear) = &report.passage.wear {
         text.blank();
