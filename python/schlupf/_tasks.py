@@ -387,7 +387,7 @@ class Tasks:
         strict: bool = True,
         warn: bool = True,
     ) -> Wear:
-        """Compute wear, fatigue and melting of one passage of the wheel.
+        """Compute wear, fatigue and melting per wheel passage.
 
         Parameters
         ----------
@@ -399,7 +399,7 @@ class Tasks:
         Returns
         -------
         Wear
-            Wear, fatigue and melting of one passage of the wheel. ``wear``, ``melting``,
+            Wear, fatigue and melting per wheel passage. ``wear``, ``melting``,
             ``fatigue_index``, ``crack_damage``, ``shakedown`` and ``t_gamma``; ``profile`` over y
             and ``cells``. ``wear`` and ``melting`` are None where the method has no fields.
 
