@@ -79,6 +79,23 @@ fn a_bedding_of_unlike_stiffnesses_is_marched_cell_by_cell() {
     }
 }
 
+/// The same while the motion turns: what the step before left is far from the next traction.
+#[test]
+fn a_bedding_follows_a_motion_that_turns() {
+    let turning = History {
+        time: vec![0.0, 1e-4, 1.2e-4, 3e-4],
+        creepage_x: Some(vec![2e-3, 2e-3, -1e-3, -1e-3]),
+        creepage_y: Some(vec![1e-3, 1e-3, 2e-3, -2e-3]),
+        spin: Some(vec![0.4, 0.4, -0.4, 0.4]),
+        ..History::default()
+    };
+    let bedding = Arc::new(Winkler::new(1e12, 3e12).unwrap());
+    let still = problem(rolling(0.0, 0.0, 0.0));
+    let turned = Problem { elasticity: bedding, contact_law: ContactLaw::Coulomb, ..still };
+    let work = solve_over(&turned, turning, &cells(40)).work;
+    assert!(work.newton_iterations <= work.steps, "{work:?}");
+}
+
 /// A history of creepages is judged by the largest of them, not by that of the case: it ends where
 /// one that begins there ends.
 #[test]

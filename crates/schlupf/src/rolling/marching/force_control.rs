@@ -35,8 +35,10 @@ pub(super) struct ForceControl {
     slopes: DMatrix<f64>,
     /// Creepages of the last step that ended at its forces, and the slopes before any step.
     reached: DVector<f64>,
-    /// Their change over that step, if it was more than noise.
+    /// Their change over that step, if it was more than noise and the step before was one, too.
     trend: DVector<f64>,
+    /// Whether the last step was one.
+    has_reached: bool,
     first_slopes: DMatrix<f64>,
     /// Creepages and missing forces of the trial before.
     before: Option<(DVector<f64>, DVector<f64>)>,
@@ -117,6 +119,7 @@ impl ForceControl {
             slopes: first_slopes.clone(),
             reached: DVector::zeros(count),
             trend: DVector::zeros(count),
+            has_reached: false,
             first_slopes,
             before: None,
             trials: 0,
@@ -133,17 +136,18 @@ impl ForceControl {
         motion.at(self.place.map(|part| -part))
     }
 
-    /// Prepares a step that ends at a time, in s: the creepages go on to change. After one whose forces no creepage causes the
-    /// search goes on from the last that had its forces.
+    /// Prepares a step that ends at a time, in s: the creepages go on to change. After one whose
+    /// forces no creepage causes the search goes on from the last that had its forces.
     pub fn begin(&mut self, history: &History, time: f64) {
         if self.trials >= settings::most_trials() {
             self.creepages.copy_from(&self.reached);
             self.slopes.copy_from(&self.first_slopes);
-        } else {
-            let mut change = self.trend.clone();
-            self.keep_possible(&mut change);
-            self.creepages += change;
+            self.trend.fill(0.0);
+            self.has_reached = false;
         }
+        let mut change = self.trend.clone();
+        self.keep_possible(&mut change);
+        self.creepages += change;
         self.prescribed = history.prescribed(time, &self.prescribed);
         (self.before, self.trials) = (None, 0);
     }
@@ -173,12 +177,14 @@ impl ForceControl {
         let share = if bound > 0.0 { measure(bound, traction) / bound } else { 1.0 };
         self.missing = missing.norm();
         self.trials += 1;
-        if self.missing <= accuracy * size.max(share) {
+        let allowed = accuracy * size.max(share);
+        if self.missing <= allowed {
             self.trials = self.trials.min(settings::most_trials() - 1);
             self.trend = &self.creepages - &self.reached;
-            if self.trend.norm() <= accuracy * self.creepages.norm() {
+            if !self.has_reached || (&self.slopes * &self.trend).norm() <= allowed {
                 self.trend.fill(0.0);
             }
+            self.has_reached = true;
             self.reached.copy_from(&self.creepages);
             return true;
         }

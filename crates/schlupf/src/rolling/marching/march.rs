@@ -119,7 +119,7 @@ struct March<'a> {
     options: &'a Options,
     contact: DiscreteContact,
     law: TimeStepLaw,
-    /// Change of the traction in the last step, in Pa.
+    /// Change of the traction in the last step, if it was found and more than noise, in Pa.
     trend: Vec<f64>,
     /// If forces are prescribed.
     control: Option<ForceControl>,
@@ -180,13 +180,15 @@ impl<'a> March<'a> {
         let time = if history.is_endless() { state.time } else { start };
         let kinematics = history.kinematics(time, &problem.kinematics);
         let conduction = problem.conduction(&kinematics);
+        let elements = on_patch(&contact.patch, &state.elements);
         let mut march = Self {
             problem,
             history,
             options,
             time,
             now: Snapshot::blank(kinematics, conduction, contact.patch.len()),
-            elements: on_patch(&contact.patch, &state.elements),
+            trend: vec![0.0; 2 * elements.len()],
+            elements,
             motion_before: kinematics,
             past: Past::default(),
             moved: Vec::new(),
@@ -200,7 +202,6 @@ impl<'a> March<'a> {
             passage_start: [Vec::new(), Vec::new()],
             worst_residual: 0.0,
             missed: None,
-            trend: vec![0.0; 2 * contact.patch.len()],
             strip_lengths: [usize::MAX, 0],
             largest_pressure: 0.0,
             failures: 0,

@@ -200,21 +200,20 @@ impl<'a> TimeStepEquilibrium<'a> {
         [0, 1].map(|c| sliding[2 * k + c] - u[2 * k + c])
     }
 
-    /// The trial traction of a cell (in Pa) at its traction and its displacement.
-    fn trial(&self, p: &[f64], u: &[f64], k: usize) -> [f64; 2] {
-        let sliding = match self.law.interface {
+    /// What the law of a cell takes for its sliding, in m.
+    fn seen(&self, u: &[f64], k: usize) -> [f64; 2] {
+        match self.law.interface {
             ContactLaw::TotalDisplacement(_) => {
                 let change = self.change(u, k);
                 [0, 1].map(|c| self.tracks[k].sliding[c] + change[c])
             }
             ContactLaw::Coulomb | ContactLaw::Incremental(_) => self.sliding(u, k),
-        };
-        [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c])
+        }
     }
 
-    /// The resolvent of a cell at a trial traction (in Pa).
-    fn resolvent(&self, trial: [f64; 2], k: usize) -> Resolvent {
-        let compliance = self.gamma / self.law.interface.stiffness();
+    /// The resolvent of a cell at a trial traction (in Pa) with a γ.
+    fn resolvent(&self, trial: [f64; 2], gamma: f64, k: usize) -> Resolvent {
+        let compliance = gamma / self.law.interface.stiffness();
         let bristles = match self.law.interface {
             ContactLaw::TotalDisplacement(_) => from([0.0; 2]),
             ContactLaw::Coulomb | ContactLaw::Incremental(_) => self.slips[k].bristles,
@@ -225,16 +224,14 @@ impl<'a> TimeStepEquilibrium<'a> {
     /// The tractions of cells that are not coupled, in place: exactly, cell by cell.
     pub fn solve_uncoupled(&mut self, p: &mut [f64]) {
         let nothing = vec![0.0; p.len()];
-        let mut compliance = vec![1.0; p.len()];
-        let ones = compliance.clone();
-        self.response.product(&self.law.contact.calibration, &ones, &mut compliance);
         for k in 0..self.bound.len() {
-            let sliding = self.trial(&nothing, &nothing, k);
-            let weight = self.gamma * self.weight(k);
-            let stiffening = pair(&compliance, k).map(|own| weight * own);
-            solve_alone(&mut p[2 * k..2 * k + 2], (sliding, stiffening, self.bound[k]), |trial| {
-                self.resolvent(trial, k)
-            });
+            let [[x, _], [_, y]] = self.law.contact.local[k];
+            let own = [x, y].map(|own| self.weight(k) * own);
+            let mean = 0.5 * (own[0] + own[1]);
+            let gamma = if mean > 0.0 { mean.recip() } else { self.gamma };
+            let sliding = self.seen(&nothing, k).map(|s| gamma * s);
+            let cell = (sliding, own.map(|own| gamma * own), self.bound[k]);
+            solve_alone(&mut p[2 * k..2 * k + 2], cell, |trial| self.resolvent(trial, gamma, k));
         }
     }
 
@@ -323,7 +320,9 @@ impl Equilibrium for TimeStepEquilibrium<'_> {
         self.is_factorised = false;
         for strip in 0..self.law.contact.slaved.kept.len() {
             for k in self.law.contact.slaved.kept[strip].clone() {
-                self.resolvents[k] = self.resolvent(self.trial(p, u, k), k);
+                let sliding = self.seen(u, k);
+                let trial = [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
+                self.resolvents[k] = self.resolvent(trial, self.gamma, k);
                 for c in 0..2 {
                     residual[2 * k + c] = p[2 * k + c] - self.resolvents[k].traction[c];
                 }

@@ -25,10 +25,7 @@ impl March<'_> {
     ) -> Result<(), Error> {
         let bound = self.now.bound(&self.contact.patch);
         let old_traction = self.now.traction.clone();
-        // Tractions go on to change as they did in the last step, if that was more than noise.
-        if self.change > self.options.tolerance {
-            add_scaled(&mut self.now.traction, 1.0, &self.trend);
-        }
+        add_scaled(&mut self.now.traction, 1.0, &self.trend);
         self.outcome = Outcome::default();
         let mut control = self.control.take();
         let (time, load) = (self.time, self.contact.normal.load);
@@ -41,7 +38,12 @@ impl March<'_> {
                 self.now.kinematics = control.motion(&self.now.kinematics);
                 self.now.conduction = self.problem.conduction(&self.now.over_step);
             }
-            let moved = self.balance(arrivals, &bound, watch)?;
+            let mut moved = self.balance(arrivals, &bound, watch)?;
+            if !self.outcome.converged {
+                // Once more from the tractions before the step.
+                self.now.traction.clone_from(&old_traction);
+                moved = self.balance(arrivals, &bound, watch)?;
+            }
             let Some(control) = &mut control else { break moved };
             let force = summary::resultant(&self.contact.patch, &self.now.traction);
             let accuracy = (self.options.tolerance, norm(&bound), norm(&self.now.traction));
@@ -57,8 +59,6 @@ impl March<'_> {
         self.largest_traction = self.largest_traction.max(norm(&self.now.traction));
         let scale = measure(norm(&bound), self.largest_traction);
         self.change = relative_change(&old_traction, &self.now.traction, scale);
-        self.trend.clone_from(&self.now.traction);
-        add_scaled(&mut self.trend, -1.0, &old_traction);
         let element = |(k, moved): (usize, &Moved)| Element {
             index: self.contact.patch.cells[k].index,
             traction: self.now.traction_at(k),
@@ -67,6 +67,11 @@ impl March<'_> {
             track: moved.track,
             ..Element::default()
         };
+        self.trend.clone_from(&self.now.traction);
+        add_scaled(&mut self.trend, -1.0, &old_traction);
+        if !self.outcome.converged || missed.is_some() || self.change <= self.options.tolerance {
+            self.trend.fill(0.0);
+        }
         self.elements = moved.iter().enumerate().map(element).collect();
         self.past = self.record();
         self.moved = moved;

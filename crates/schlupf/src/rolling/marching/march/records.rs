@@ -16,6 +16,9 @@ impl March<'_> {
         self.work.operator_products += self.outcome.products as f64;
         self.work.outer_iterations += 1;
         self.compare_passages();
+        if self.outcome.residual.is_nan() {
+            self.outcome.residual = f64::INFINITY;
+        }
         let has_failed = self.outcome.residual > self.options.tolerance;
         self.failures = if has_failed { self.failures + 1 } else { 0 };
         self.keep_instant();

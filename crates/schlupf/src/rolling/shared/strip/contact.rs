@@ -43,7 +43,13 @@ impl StripContact {
         let missing = missing.unwrap_or_else(|| Missing::nothing(contact.patch.len()));
         let slaved = slaved(contact, &missing, &row);
         let calibration = Calibration::new(&missing, &contact.patch, &slaved.kept);
-        let local = calibration.at_cells.iter().map(|[xx, yy, xy]| {
+        let mut alone = own.repeat(contact.patch.len());
+        if !contact.compliance.couples_cells() {
+            // Partly covered cells, too.
+            contact.product(&vec![1.0; alone.len()]).at_cells(&mut alone);
+        }
+        let local = calibration.at_cells.iter().zip(alone.chunks_exact(2)).map(|(missing, own)| {
+            let [xx, yy, xy] = missing;
             let along = |own: f64, missing: f64| own + missing.max(-settings::most_reduced() * own);
             [[along(own[0], *xx), *xy], [*xy, along(own[1], *yy)]]
         });

@@ -16,6 +16,12 @@
 //!
 //! R = μpₙ (Y − G)/(μpₙ + κ + m), where m (μpₙ + κ + m) = |(κ + m) Y + μpₙ G|.
 //!
+//! With u the direction of (κ + m) Y + μpₙ G, primes for derivatives by m, and
+//! d = μpₙ + κ + m + m (1 + κ′) − (1 + κ′) u·Y − μpₙ u·G′,
+//!
+//! dm = u·[(κ + m) dY + μpₙ dG]/d,
+//! dR = [μpₙ (dY − dG − G′ dm) − R (1 + κ′) dm]/(μpₙ + κ + m).
+//!
 //! Where k_c is infinite, m = max(0, |Y| − μpₙ), and R reduces what exceeds μpₙ to it: in stick m =
 //! 0, in slip p = μpₙ along v. The derivative is then that of stick or of slip (semismooth Newton:
 //! Alart and Curnier 1991; Hüeber, Stadler and Wohlmuth 2008).
