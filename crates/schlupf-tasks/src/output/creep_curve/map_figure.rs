@@ -2,6 +2,7 @@
 
 use schlupf::Status;
 use schlupf::creep_curve::{Abscissa, VariedForce};
+use schlupf_case::field;
 
 use super::{Axis, CreepMap, CurveFamily};
 use crate::output::figures::Drawing as Named;
@@ -157,9 +158,10 @@ impl InUnit {
 /// What all curves have in common.
 fn conditions(family: &CurveFamily) -> String {
     let Some(first) = family.members.first() else { return String::new() };
+    let speed = field!("kinematics.speed");
     let is_varied = |field: &str| family.over.iter().any(|over| over == field);
     let mut parts = Vec::new();
-    if let Some(point) = first.curve.points.first().filter(|_| !is_varied("kinematics.speed")) {
+    if let Some(point) = first.curve.points.first().filter(|_| !is_varied(&speed)) {
         parts.push(format!("$v$_0 = {} m/s", marks::short(point.kinematics.speed)));
     }
     let load = first.curve.normal.load;
