@@ -20,11 +20,12 @@ use schlupf::state::State;
 use schlupf::wheel_rail::WheelSolution;
 use schlupf::{Method, Options, Problem, Quantity, Solver, Transient, Watch};
 
+use crate::FieldPath;
 use crate::case_file::{CaseFile, Overrides};
 use crate::edited;
 use crate::error::{CaseError, CaseErrors};
-use crate::fields;
 use crate::fields::choice::{Driver, ElasticityModel};
+use crate::fields::{self, Field, HISTORY};
 use crate::files::Folder;
 use crate::law_stiffness::{LawStiffness, MicroContact, StiffnessOrigin};
 use crate::names;
@@ -35,11 +36,8 @@ use crate::read::{self, Posed, WheelSolver};
 use crate::setting::Setting;
 use crate::subsurface::SubsurfaceRequest;
 
-/// What makes a history, each by itself.
-const HISTORY: [&str; 4] = ["history.file", "history.time", "history.shift_x", "history.shift_y"];
-
 /// Fields behind the laws of damage that are not its own.
-const FOR_DAMAGE: [&str; 6] = [
+const FOR_DAMAGE: [FieldPath; 6] = fields![
     "title",
     "kinematics.speed",
     "kinematics.wheel_radius",
@@ -93,8 +91,8 @@ pub enum Rolling {
 /// A field in effect.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Effective {
-    /// Dotted path.
-    pub path: &'static str,
+    /// Its path.
+    pub path: FieldPath,
     /// Its value as it was written, or the default.
     pub value: String,
     /// Where it was given.
@@ -106,8 +104,8 @@ pub struct Effective {
 impl CaseFile {
     /// Whether a history is given, or time steps are asked for.
     pub fn is_marched(&self) -> bool {
-        let driver = self.settings.chosen("solver.driver").ok();
-        self.settings.any_given(&HISTORY) || driver == Some(Driver::Marching)
+        let driver = self.settings.chosen(field!("solver.driver")).ok();
+        self.settings.any_given(HISTORY) || driver == Some(Driver::Marching)
     }
 
     /// The case with its problem: solves the normal contact of profiles and the micro model of a
@@ -137,7 +135,7 @@ impl CaseFile {
             problem,
             history: self.parts.history.clone(),
             method: self.method()?,
-            elasticity: self.settings.chosen("elasticity.model")?,
+            elasticity: self.settings.chosen(field!("elasticity.model"))?,
             driver: read::driver(&self.settings)?,
             options: self.options()?,
             cooling: read::cooling(&self.settings)?,
@@ -154,9 +152,10 @@ impl CaseFile {
     /// value the problem differs in its creepages, its speed, or by [`AtLoad`] only.
     ///
     /// [`AtLoad`]: schlupf::normal::at_load::AtLoad
-    pub fn condition(&self, path: &str) -> Option<Quantity> {
+    pub fn condition(&self, path: FieldPath) -> Option<Quantity> {
         /// From which, with the speed, other creepages follow.
-        const TURNING: [&str; 2] = ["kinematics.angular_velocity", "kinematics.yaw_angle"];
+        const TURNING: [FieldPath; 2] =
+            fields!["kinematics.angular_velocity", "kinematics.yaw_angle"];
         const CONDITIONS: [Quantity; 5] = [
             Quantity::CreepageX,
             Quantity::CreepageY,
@@ -164,7 +163,8 @@ impl CaseFile {
             Quantity::Speed,
             Quantity::Load,
         ];
-        let quantity = CONDITIONS.into_iter().find(|of| names::quantity_field(*of) == path)?;
+        let quantity =
+            CONDITIONS.into_iter().find(|of| names::quantity_field(*of) == Some(path))?;
         let is_one = match quantity {
             Quantity::Load => {
                 self.laws().pressure.is_some()
@@ -173,14 +173,14 @@ impl CaseFile {
             Quantity::Spin => true,
             _ => !self.settings.any_given(&TURNING),
         };
-        let is_used = fields::find(path).is_some_and(|field| self.settings.is_used(field));
+        let is_used = self.settings.is_used(path.field());
         let is_free = !self.settings.is_replaced(path) && !self.parts.has_wheel();
         (is_one && is_used && is_free).then_some(quantity)
     }
 
     /// Title for the summary and the figures.
     pub fn title(&self) -> Result<String, CaseError> {
-        self.settings.text("title")
+        self.settings.text(field!("title"))
     }
 
     /// How accurately to solve.
@@ -199,7 +199,7 @@ impl CaseFile {
     /// A wheel without a rolling radius.
     pub fn damage_laws(&self) -> Result<Laws, CaseError> {
         let laws = Laws {
-            wheel_radius: self.settings.number("kinematics.wheel_radius")?,
+            wheel_radius: self.settings.number(field!("kinematics.wheel_radius"))?,
             densities: self.materials().map(|material| material.density),
             ..read::damage(&self.settings)?
         };
@@ -212,9 +212,7 @@ impl CaseFile {
     pub fn notices(&self) -> Vec<Message> {
         let nothing = self.entries.is_empty().then_some(Notice::NothingGiven {});
         let is_of_material = |notice: &Notice| match notice {
-            Notice::NoEffect { field, .. } => {
-                fields::find(field).is_some_and(|field| field.is_of_material)
-            }
+            Notice::NoEffect { field, .. } => field.field().is_of_material,
             _ => false,
         };
         let idle = self.settings.idle().into_iter().filter(|notice| !is_of_material(notice));
@@ -249,39 +247,39 @@ impl CaseFile {
     /// fields are given in place of it.
     ///
     /// ```
-    /// use schlupf_case::{CaseFile, Folder, Overrides, Setting};
+    /// use schlupf_case::{CaseFile, Folder, Overrides, Setting, field};
     ///
     /// let text = "kinematics.speed = \"72 km/h\"";
     /// let file = CaseFile::from_str(text, "a case", Folder::new(""), Overrides::NONE)?;
-    /// assert_eq!(file.value("kinematics.speed"), Some(Setting::Number(20.0)));
+    /// assert_eq!(file.value(field!("kinematics.speed")), Some(Setting::Number(20.0)));
     /// # Ok::<(), schlupf_case::CaseErrors>(())
     /// ```
-    pub fn value(&self, path: &str) -> Option<Setting> {
+    pub fn value(&self, path: FieldPath) -> Option<Setting> {
         if self.settings.is_replaced(path) {
             return None;
         }
         self.settings.setting(path).ok()
     }
 
-    /// Dotted paths of the fields that are given, in the order of the file, overrides last.
-    pub fn given(&self) -> impl Iterator<Item = &str> {
-        self.entries.iter().map(|entry| entry.path.as_str())
+    /// Paths of the fields that are given, in the order of the file, overrides last.
+    pub fn given(&self) -> impl Iterator<Item = FieldPath> {
+        self.entries.iter().filter_map(|entry| Some(fields::find(&entry.path)?.path))
     }
 
     /// The text of the case with other values of some fields (in SI units, or dimensionless) and
     /// all overrides in it, comments and layout kept. Paths are those from `folder`, where the text
     /// is to be.
-    pub fn edited(&self, values: &[(&str, f64)], folder: &Path) -> Result<String, CaseError> {
+    pub fn edited(&self, values: &[(FieldPath, f64)], folder: &Path) -> Result<String, CaseError> {
         let own = self.files.locate("");
         let is_moved = edited::absolute(folder) != edited::absolute(&own);
         let mut text = edited::Edited::new(&self.source)?;
         text.take_over(&self.entries, is_moved.then_some(&own))?;
         for (path, value) in values {
-            if *path == "contact_law.stiffness" {
+            if *path == field!("contact_law.stiffness") {
                 // A case has k_c or the roughness that it follows from.
                 text.remove("contact_law.roughness");
             }
-            text.set_number(path, *value)?;
+            text.set_number(*path, *value)?;
         }
         Ok(text.finish())
     }
@@ -299,15 +297,16 @@ impl CaseFile {
 
     fn text_for_damage(text: &str, name: &str) -> Result<String, CaseError> {
         let mut kept = edited::Edited::new(&Source { name: name.into(), text: text.into() })?;
-        let is_needed = |path: &str| path.starts_with("damage.") || FOR_DAMAGE.contains(&path);
-        for field in fields::all().filter(|field| !is_needed(field.path)) {
-            kept.remove(field.path);
+        let is_needed =
+            |field: &Field| field.section() == "damage" || FOR_DAMAGE.contains(&field.path);
+        for field in fields::all().filter(|field| !is_needed(field)) {
+            kept.remove(&field.path);
         }
         Ok(kept.finish())
     }
 
     /// Files that the case names, each with the field that does, whether that has an effect or not.
-    pub fn files(&self) -> Vec<(&'static str, PathBuf)> {
+    pub fn files(&self) -> Vec<(FieldPath, PathBuf)> {
         fields::all()
             .filter(|field| matches!(field.kind, fields::Kind::Path))
             .filter_map(|field| Some((field.path, self.settings.given_text(field.path)?)))
@@ -331,9 +330,9 @@ impl Case {
 
     /// The value of a field with its SI unit (temperatures in degC), which may be empty, if it is a
     /// number: see [`CaseFile::value`].
-    pub fn number(&self, path: &str) -> Option<(f64, &'static str)> {
+    pub fn number(&self, path: FieldPath) -> Option<(f64, &'static str)> {
         match self.file.value(path)? {
-            Setting::Number(number) => Some((number, fields::find(path)?.kind.unit())),
+            Setting::Number(number) => Some((number, path.field().kind.unit())),
             _ => None,
         }
     }
@@ -371,12 +370,12 @@ impl Case {
             (Method::Fast(method), _) => {
                 let name = method.name();
                 let reason = format!("{name:?} solves steady rolling only, but there is {what}");
-                Err(self.contradiction("solver.method", &reason))
+                Err(self.contradiction(field!("solver.method"), &reason))
             }
             (Method::Full, Some(Driver::Steady)) => {
                 let reason =
                     format!("{what} needs solver.driver = \"marching\", but it is \"steady\"");
-                Err(self.contradiction("solver.driver", &reason))
+                Err(self.contradiction(field!("solver.driver"), &reason))
             }
             (Method::Full, Some(Driver::Marching) | None) => {
                 let history = self.history.clone().unwrap_or_default();
@@ -395,9 +394,9 @@ impl Case {
         if self.history.is_none() {
             return Ok(());
         }
-        let field = HISTORY.into_iter().find(|field| self.file.settings.is_given(field));
+        let field = HISTORY.iter().copied().find(|field| self.file.settings.is_given(*field));
         let reason = format!("{what} of steady rolling, but there is a history");
-        Err(self.contradiction(field.unwrap_or("history.time"), &reason))
+        Err(self.contradiction(field.unwrap_or(field!("history.time")), &reason))
     }
 
     /// What finds steady states of the case, without derivatives; see [`Self::require_steady`].
@@ -431,7 +430,7 @@ impl Case {
     }
 
     /// An error at the place of a field, with the reason why it cannot be.
-    pub fn contradiction(&self, field: &str, reason: &str) -> CaseError {
+    pub fn contradiction(&self, field: FieldPath, reason: &str) -> CaseError {
         self.file.settings.error(field, format!("{field}: {reason}"))
     }
 
@@ -459,16 +458,16 @@ impl Case {
     /// Rolling radius of the wheel (in m), where it has one: it may be straight where the pressure
     /// does not follow from the radii.
     pub fn wheel_radius(&self) -> Option<f64> {
-        self.file.settings.number("kinematics.wheel_radius").ok()
+        self.file.settings.number(field!("kinematics.wheel_radius")).ok()
     }
 
     /// Files that the case names, each with the field that does, whether that has an effect or not.
-    pub fn files(&self) -> Vec<(&'static str, PathBuf)> {
+    pub fn files(&self) -> Vec<(FieldPath, PathBuf)> {
         self.file.files()
     }
 
     /// The text of the case with other values of some fields: see [`CaseFile::edited`].
-    pub fn edited(&self, values: &[(&str, f64)], folder: &Path) -> Result<String, CaseError> {
+    pub fn edited(&self, values: &[(FieldPath, f64)], folder: &Path) -> Result<String, CaseError> {
         self.file.edited(values, folder)
     }
 

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
+use crate::FieldPath;
 use crate::document::{Content, Entry, Origin};
 use crate::error::CaseError;
 use crate::fields::{self, Kind, readable};
@@ -36,9 +37,9 @@ impl Edited {
         folder: Option<&PathBuf>,
     ) -> Result<(), CaseError> {
         for field in fields::all() {
-            let is_given = entries.iter().any(|entry| entry.path == field.path);
+            let is_given = entries.iter().any(|entry| *entry.path == *field.path);
             if !is_given {
-                self.remove(field.path);
+                self.remove(&field.path);
             }
         }
         for entry in entries {
@@ -68,15 +69,15 @@ impl Edited {
     }
 
     /// Sets a field to a number in its SI unit, to six digits.
-    pub fn set_number(&mut self, path: &str, number: f64) -> Result<(), CaseError> {
+    pub fn set_number(&mut self, path: FieldPath, number: f64) -> Result<(), CaseError> {
         let text = readable(number);
-        let unit = fields::find(path).map_or("", |field| field.kind.unit());
+        let unit = path.field().kind.unit();
         let value = if unit.is_empty() {
             text.parse::<f64>().unwrap_or(number).into()
         } else {
             format!("{text} {unit}").into()
         };
-        self.set(path, value)
+        self.set(&path, value)
     }
 
     /// The text.
@@ -166,7 +167,7 @@ pub fn absolute(path: &Path) -> PathBuf {
 mod tests {
     use schlupf::unwatched;
 
-    use crate::{Case, CaseFile, Folder, Overrides};
+    use crate::{Case, CaseFile, FieldPath, Folder, Overrides};
     use std::path::Path;
 
     fn read(text: &str, folder: &Path, overrides: &[String]) -> Case {
@@ -175,7 +176,7 @@ mod tests {
         file.pose(&unwatched).unwrap()
     }
 
-    fn edited(text: &str, overrides: &[&str], values: &[(&str, f64)], folder: &str) -> String {
+    fn edited(text: &str, overrides: &[&str], values: &[(FieldPath, f64)], folder: &str) -> String {
         let overrides: Vec<String> = overrides.iter().map(|text| (*text).to_owned()).collect();
         let case = read(text, Path::new("here"), &overrides);
         let text = case.edited(values, Path::new(folder)).unwrap();
@@ -187,9 +188,9 @@ mod tests {
     fn comments_and_layout_stay() {
         let text = "# mine\ntitle = \"a\"\n\n[friction]   # law\ncoefficient  = 0.40  # guessed\n\n[grid]\ncells_x = 8\ncells_y = 9\n";
         let values = [
-            ("friction.coefficient", 0.330_236_480_8),
-            ("friction.temperature_at_zero_friction", 1853.087),
-            ("contact_law.stiffness", 4.871_234_5e6),
+            (field!("friction.coefficient"), 0.330_236_480_8),
+            (field!("friction.temperature_at_zero_friction"), 1853.087),
+            (field!("contact_law.stiffness"), 4.871_234_5e6),
         ];
         assert_eq!(
             edited(text, &["grid.cells_x=10", "grid.cells_y="], &values, "here"),
@@ -201,7 +202,7 @@ mod tests {
 
     #[test]
     fn inline_tables_and_dotted_keys_are_edited_in_place() {
-        let values = [("friction.coefficient", 0.3)];
+        let values = [(field!("friction.coefficient"), 0.3)];
         let text = "friction = { coefficient = 0.4 }\n";
         assert_eq!(edited(text, &[], &values, "here"), "friction = { coefficient = 0.3 }\n");
         let text = "friction.model = \"constant\"\n";
@@ -218,7 +219,7 @@ mod tests {
             "[contact_law]\nroughness.rms_height = \"1 um\"\n",
             "[contact_law.roughness]\nrms_height = \"1 um\"\n",
         ] {
-            let text = edited(old, &[], &[("contact_law.stiffness", 4e6)], "here");
+            let text = edited(old, &[], &[(field!("contact_law.stiffness"), 4e6)], "here");
             assert_eq!(text.trim_start_matches('\n'), new, "{old}");
         }
     }

@@ -38,9 +38,9 @@ pub enum Cause {
 
 impl CaseError {
     /// An error of the input.
-    pub fn new(field: &str, message: impl Into<String>, place: Place) -> Self {
+    pub fn new(field: impl AsRef<str>, message: impl Into<String>, place: Place) -> Self {
         Self {
-            field: shortened(field).into_owned(),
+            field: shortened(field.as_ref()).into_owned(),
             message: message.into(),
             place,
             help: None,

@@ -9,17 +9,17 @@ use crate::case::Case;
 use crate::case_file::CaseFile;
 use crate::document;
 use crate::error::{CaseError, CaseErrors};
-use crate::fields;
+use crate::fields::{self, FieldPath};
 use crate::notice::Notice;
 use crate::place::Place;
 use crate::range::even_values;
-use schlupf::message::{quoted, shortened};
+use schlupf::message::quoted;
 
 /// A field and the values that it takes, one after the other.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Family {
-    /// Dotted path of the field.
-    pub field: &'static str,
+    /// Path of the field.
+    pub field: FieldPath,
     /// Its values as text, without quotes.
     pub values: Vec<String>,
     shapes_contact: bool,
@@ -42,11 +42,7 @@ impl Family {
             return Err(CaseError::new("", message, place()));
         };
         let path = path.trim();
-        let Some(field) = fields::find(path) else {
-            let help = fields::closest_path(path).map(|meant| format!("did you mean `{meant}`?"));
-            let message = format!("unknown field `{}`", shortened(path));
-            return Err(CaseError::new(path, message, place()).help(help));
-        };
+        let field = fields::named(path, place)?;
         let refused = |reason: String| Err(CaseError::new(path, reason, place()));
         let is_number = matches!(field.kind, fields::Kind::Quantity(_) | fields::Kind::Number);
         let values: Vec<String> = if is_number && values.contains("..") {

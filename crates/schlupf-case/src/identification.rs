@@ -13,7 +13,7 @@ use schlupf::message::quoted;
 
 /// Dotted path of the field of a parameter. That of the roughness stands for its k_c.
 pub fn field(parameter: Parameter) -> &'static str {
-    names::path(parameter.quantity()).unwrap_or_default()
+    names::path(parameter.quantity())
 }
 
 /// The parameters that an option lists, such as

@@ -6,12 +6,13 @@
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+#[macro_use]
+pub mod fields;
 mod case;
 mod case_file;
 pub mod document;
 mod edited;
 pub mod error;
-pub mod fields;
 pub mod files;
 pub mod place;
 mod presets;
@@ -40,6 +41,7 @@ pub use case::{Case, Effective, Rolling};
 pub use case_file::{CaseFile, LARGEST_CASE, Overrides};
 pub use error::{CaseError, CaseErrors, Cause};
 pub use family::Family;
+pub use fields::FieldPath;
 pub use fields::choice::{Driver, ElasticityModel};
 pub use files::{Files, Folder, InputFile, LARGEST_FILE, read_up_to};
 pub use law_stiffness::{LawStiffness, MicroContact, MicroKey, StiffnessOrigin, caveats};

@@ -6,60 +6,63 @@ use std::sync::{Mutex, PoisonError};
 use schlupf::Quantity;
 use schlupf::message::Words;
 
-use crate::fields::{self, SECTIONS};
+use crate::fields::{self, FieldPath, SECTIONS};
 
-/// Dotted path of the field, or the section, that gives a quantity, if one does.
-pub fn path(quantity: Quantity) -> Option<&'static str> {
-    let sections = SECTIONS.iter().map(|section| (section.quantities, section.name));
-    let mut given = fields::all().map(|field| (field.quantities, field.path)).chain(sections);
-    given.find(|(quantities, _)| quantities.contains(&quantity)).map(|(_, path)| path)
+/// Path of the field that gives a quantity, if one does.
+pub fn quantity_field(quantity: Quantity) -> Option<FieldPath> {
+    fields::all().find(|field| field.quantities.contains(&quantity)).map(|field| field.path)
 }
 
-/// The same, empty where there is none.
-pub fn quantity_field(quantity: Quantity) -> &'static str {
-    path(quantity).unwrap_or_default()
+/// Dotted path of the field, or the section, that gives a quantity; empty where none does.
+pub fn path(quantity: Quantity) -> &'static str {
+    let section = || SECTIONS.iter().find(|section| section.quantities.contains(&quantity));
+    let field = quantity_field(quantity).map(FieldPath::as_str);
+    field.or_else(|| section().map(|section| section.name)).unwrap_or_default()
 }
 
 /// What fields are called where options of a command give them.
 #[derive(Debug, Clone, Copy)]
 pub struct FieldNames {
-    option: fn(&str) -> Option<&'static str>,
+    option: fn(FieldPath) -> Option<&'static str>,
 }
 
 impl FieldNames {
     /// As the case file has them.
     pub const CASE: Self = Self { option: |_| None };
 
-    /// Some by options: that of a dotted path.
-    pub const fn of_options(option: fn(&str) -> Option<&'static str>) -> Self {
+    /// Some by options: that of a path.
+    pub const fn of_options(option: fn(FieldPath) -> Option<&'static str>) -> Self {
         Self { option }
     }
 
     /// The option that gives a field, if one does.
-    pub fn option(self, path: &str) -> Option<&'static str> {
+    pub fn option(self, path: FieldPath) -> Option<&'static str> {
         (self.option)(path)
     }
 
     /// What a field is called.
-    pub fn name(self, path: &str) -> &str {
-        self.option(path).unwrap_or(path)
+    pub fn name(self, path: FieldPath) -> &'static str {
+        self.option(path).unwrap_or(path.as_str())
     }
 
     /// How a flag is set: `fill_holes = true`, or by its option.
-    pub fn switch(self, path: &str) -> String {
-        let field = path.rsplit('.').next().unwrap_or(path);
-        self.option(path).map_or_else(|| format!("{field} = true"), str::to_owned)
+    pub fn switch(self, path: FieldPath) -> String {
+        self.option(path).map_or_else(|| format!("{} = true", path.name()), str::to_owned)
     }
 }
 
 impl Words for FieldNames {
     fn word(&self, quantity: Quantity) -> Cow<'static, str> {
-        match (quantity, path(quantity)) {
-            (Quantity::Heights, _) => "the surface".into(),
-            (Quantity::InitialState, _) => "the initial state".into(),
-            (_, Some(path)) => self.name(path).into(),
-            (_, None) => quantity.name().into(),
-        }
+        let word = match (quantity, quantity_field(quantity)) {
+            (Quantity::Heights, _) => "the surface",
+            (Quantity::InitialState, _) => "the initial state",
+            (_, Some(path)) => self.name(path),
+            (_, None) => match path(quantity) {
+                "" => quantity.name(),
+                section => section,
+            },
+        };
+        word.into()
     }
 }
 
@@ -76,9 +79,9 @@ impl Noting {
     }
 
     /// The fields of all quantities that were asked for.
-    pub fn fields(self) -> impl Iterator<Item = &'static str> {
+    pub fn fields(self) -> impl Iterator<Item = FieldPath> {
         let asked = self.asked.into_inner().unwrap_or_else(PoisonError::into_inner);
-        asked.into_iter().filter_map(path)
+        asked.into_iter().filter_map(quantity_field)
     }
 }
 

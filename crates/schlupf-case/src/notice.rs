@@ -3,7 +3,7 @@
 use schlupf::message::{Message, messages};
 use schlupf::requirement::with_unit;
 
-use crate::fields::{self, Field, Requirement, creepage_in_per_cent, readable};
+use crate::fields::{self, Field, FieldPath, Requirement, creepage_in_per_cent, readable};
 use crate::names::FieldNames;
 use crate::place::Place;
 
@@ -14,7 +14,7 @@ messages! {
     Notice of &'static str:
 
     /// A case file gives nothing.
-    "nothing-given" NothingGiven {} "title", |subject, words| {
+    "nothing-given" NothingGiven {} field!("title").as_str(), |subject, words| {
         "the case gives no fields: all have their defaults, free rolling of a steel wheel on a steel rail; \
          `schlupf init` writes a case to start from"
             .to_owned()
@@ -24,25 +24,25 @@ messages! {
     "no-effect" NoEffect {
         /// Where it was given.
         place: Place,
-        /// Dotted path.
-        field: &'static str,
+        /// Its path.
+        field: FieldPath,
         /// What it would need, or what excludes it, such as `with heat.model = "none"`.
         because: String,
-    } *field, |subject, words| format!("{place}: {field} has no effect {because}");
+    } field.as_str(), |subject, words| format!("{place}: {field} has no effect {because}");
 
     /// A number that is far from what it is in almost all cases.
     "unusual-value" UnusualValue {
         /// Where it was given.
         place: Place,
-        /// Dotted path.
-        field: &'static str,
+        /// Its path.
+        field: FieldPath,
         /// What it is, in the unit of the field.
         value: f64,
         /// What it is in almost all cases.
         usual: Requirement,
         /// Its unit; empty if it is dimensionless.
         unit: &'static str,
-    } *field, |subject, words| {
+    } field.as_str(), |subject, words| {
         let is = with_unit(*value, unit);
         let usual = usual.text(unit, &FieldNames::CASE);
         let advice = if unit.is_empty() {
@@ -157,51 +157,51 @@ messages! {
 
     /// Axes of a profile that its shape hardly shows, or other ones than those of its format.
     "profile-axes" ProfileAxes {
-        /// Dotted path.
-        field: &'static str,
+        /// Its path.
+        field: FieldPath,
         /// What was taken and why.
         text: String,
-    } *field, |subject, words| format!("{subject}: {text}");
+    } field.as_str(), |subject, words| format!("{subject}: {text}");
 
     /// Numbers of a profile in an unusual unit.
     "profile-units" ProfileUnits {
-        /// Dotted path.
-        field: &'static str,
+        /// Its path.
+        field: FieldPath,
         /// What was read, and what it would be in other units.
         text: String,
-    } *field, |subject, words| format!("{subject}: {text}");
+    } field.as_str(), |subject, words| format!("{subject}: {text}");
 
     /// Points of a profile that are not in order.
     "profile-order" ProfileOrder {
-        /// Dotted path.
-        field: &'static str,
+        /// Its path.
+        field: FieldPath,
         /// Where.
         text: String,
-    } *field, |subject, words| format!("{subject}: {text}");
+    } field.as_str(), |subject, words| format!("{subject}: {text}");
 
     /// A part of a profile that was measured twice.
     "profile-overlap" ProfileOverlap {
-        /// Dotted path.
-        field: &'static str,
+        /// Its path.
+        field: FieldPath,
         /// Where, and how far apart.
         text: String,
-    } *field, |subject, words| format!("{subject}: {text}");
+    } field.as_str(), |subject, words| format!("{subject}: {text}");
 
     /// A setting in the file of a profile that is not applied.
     "profile-setting" ProfileSetting {
-        /// Dotted path.
-        field: &'static str,
+        /// Its path.
+        field: FieldPath,
         /// The setting, and what to do.
         setting: String,
-    } *field, |subject, words| format!("{subject}: the file's setting is not applied: {setting}");
+    } field.as_str(), |subject, words| format!("{subject}: the file's setting is not applied: {setting}");
 
     /// A flange that does not belong to the usual position of its back.
     "flange-back" FlangeBack {
-        /// Dotted path.
-        field: &'static str,
+        /// Its path.
+        field: FieldPath,
         /// What was taken and why.
         text: String,
-    } *field, |subject, words| format!("{subject}: {text}");
+    } field.as_str(), |subject, words| format!("{subject}: {text}");
 
     /// A rail that ends, on its inner side, above the depth down to which its gauge is measured.
     "gauge-depth-not-reached" GaugeDepthNotReached {
@@ -209,7 +209,7 @@ messages! {
         reached: f64,
         /// Depth down to which the gauge is measured, in m.
         wanted: f64,
-    } "track.gauge_depth", |subject, words| format!(
+    } field!("track.gauge_depth").as_str(), |subject, words| format!(
         "{subject} is {:.2} mm, but on its inner side the rail's profile ends {:.2} mm below its top: \
          the gauge is taken at that end, so the rail is too far inwards by what is missing; give a \
          longer profile, or the depth at which the gauge was measured",

@@ -2,22 +2,19 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use crate::FieldPath;
 use crate::document::{Content, Value};
 use crate::error::CaseError;
-use crate::fields::{self, Default, Field, Kind, Requirement};
+use crate::fields::{self, Allowed, Field, Kind, Requirement};
 use crate::place::Place;
 use crate::setting::{Refusal, Setting};
 use crate::units::Measure;
-use schlupf::message::{quoted, shortened};
+use schlupf::message::quoted;
 
 /// The ends of a range `START..END` of a field, in SI units. A start without unit has that of the
 /// end.
-pub fn range(option: &str, path: &str, text: &str) -> Result<[f64; 2], CaseError> {
-    let Some(field) = fields::find(path) else {
-        let place = Place::Override { option: option.into(), text: text.to_owned() };
-        return Err(CaseError::new(path, format!("unknown field `{}`", shortened(path)), place));
-    };
-    range_of(option, field, text)
+pub fn range(option: &str, path: FieldPath, text: &str) -> Result<[f64; 2], CaseError> {
+    range_of(option, &path.field().allowed(), text)
 }
 
 /// The ends of a range of lengths (in m) that increases from zero or above.
@@ -51,7 +48,7 @@ pub fn length(option: &str, text: &str) -> Result<f64, CaseError> {
 pub fn pressures(option: &str, text: &str) -> Result<Vec<f64>, CaseError> {
     const STEPS: u32 = 5;
     let field = alone("pressure", &Measure::PRESSURE, Requirement::Between(1.0, 1e14));
-    let field = Field { usual: Some(Requirement::Between(1e5, 1e11)), ..field };
+    let field = Allowed { usual: Some(Requirement::Between(1e5, 1e11)), ..field };
     if text.contains("..") {
         let [start, end] = range_of(option, &field, text)?;
         let step = (end - start) / f64::from(STEPS);
@@ -71,25 +68,25 @@ pub fn pressures(option: &str, text: &str) -> Result<Vec<f64>, CaseError> {
 const LONGEST: f64 = 1e3;
 
 /// What is no field of a case file but is read as one.
-const fn alone(path: &'static str, measure: &'static Measure, requirement: Requirement) -> Field {
-    Field::new(path, Kind::Quantity(measure), requirement, Default::Nothing, "")
+const fn alone(name: &'static str, measure: &'static Measure, requirement: Requirement) -> Allowed {
+    Allowed { name, kind: Kind::Quantity(measure), requirement, usual: None }
 }
 
 /// Lengths in a contact and around it.
-const fn length_field(requirement: Requirement) -> Field {
+const fn length_field(requirement: Requirement) -> Allowed {
     let field = alone("length", &Measure::LENGTH, requirement);
-    Field { usual: Some(Requirement::Magnitude(0.1)), ..field }
+    Allowed { usual: Some(Requirement::Magnitude(0.1)), ..field }
 }
 
-fn single(option: &str, what: &str, text: &str, field: &Field) -> Result<f64, CaseError> {
+fn single(option: &str, what: &str, text: &str, field: &Allowed) -> Result<f64, CaseError> {
     number(field, text).map_err(|refusal| {
         let place = Place::Override { option: option.into(), text: text.to_owned() };
         CaseError::new("", refusal.message(what), place).help(refusal.help)
     })
 }
 
-fn range_of(option: &str, field: &Field, text: &str) -> Result<[f64; 2], CaseError> {
-    let path = field.path;
+fn range_of(option: &str, field: &Allowed, text: &str) -> Result<[f64; 2], CaseError> {
+    let path = field.name;
     let place = Place::Override { option: option.into(), text: text.to_owned() };
     let unit = field.kind.unit();
     let example = format!("\"0..2 {}\"", field.units_of(2.0).first().unwrap_or(&unit));
@@ -155,7 +152,7 @@ pub(crate) fn even_values(
             (ends, number.ok_or_else(refused)?)
         }
     };
-    let range = range_of(option, field, ends.trim())?;
+    let range = range_of(option, &field.allowed(), ends.trim())?;
     let (range, unit) = as_given(ends).unwrap_or((range, field.kind.unit()));
     let step = (range[1] - range[0]) / (count - 1) as f64;
     let value = |k: usize| {
@@ -180,10 +177,15 @@ fn as_given(range: &str) -> Option<([f64; 2], &str)> {
 /// The angle (in rad) that an option gives for a direction.
 pub fn direction(option: &str, text: &str) -> Result<f64, CaseError> {
     let field = alone("direction", &Measure::ANGLE, Requirement::Magnitude(TAU));
-    single(option, option, text, &Field { usual: Some(Requirement::Magnitude(FRAC_PI_2)), ..field })
+    single(
+        option,
+        option,
+        text,
+        &Allowed { usual: Some(Requirement::Magnitude(FRAC_PI_2)), ..field },
+    )
 }
 
-fn number(field: &Field, text: &str) -> Result<f64, Refusal> {
+fn number(field: &Allowed, text: &str) -> Result<f64, Refusal> {
     let plain = matches!(field.kind, Kind::Number).then(|| text.parse().ok()).flatten();
     let content = plain.map_or_else(|| Content::Text(text.to_owned()), Content::Float);
     let value = Value { content, span: 0..0 };
@@ -208,11 +210,11 @@ mod tests {
     use super::*;
 
     fn creepage(text: &str) -> Result<[f64; 2], CaseError> {
-        range("--creepage-x", "kinematics.creepage_x", text)
+        range("--creepage-x", field!("kinematics.creepage_x"), text)
     }
 
     fn spin(text: &str) -> Result<[f64; 2], CaseError> {
-        range("--spin", "kinematics.spin", text)
+        range("--spin", field!("kinematics.spin"), text)
     }
 
     #[test]
@@ -242,11 +244,10 @@ mod tests {
         assert!(message("0..2 1/m").contains("write the number alone"));
         let message = |text| spin(text).unwrap_err().to_string();
         assert!(message("0..2").contains("the unit is missing"), "{}", message("0..2"));
-        let help = range("--force-x", "kinematics.force_x", "0..-20").unwrap_err().help;
+        let help = range("--force-x", field!("kinematics.force_x"), "0..-20").unwrap_err().help;
         assert_eq!(help.as_deref(), Some("such as \"0..-20 N\" or \"0..-20 kN\""));
         assert!(message("0 1/m..2 m").contains("`m` is the unit of a length"));
         assert!(message("1 m..2 1/m").contains("the start of the range must be an inverse length"));
-        assert!(range("--x", "no.field", "0..1").is_err());
     }
 
     #[test]

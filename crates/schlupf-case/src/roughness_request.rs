@@ -5,6 +5,7 @@ use std::sync::Arc;
 use schlupf::Watch;
 use schlupf::interface::roughness::tangential_curve::SimilarBodies;
 
+use crate::FieldPath;
 use crate::case_file::CaseFile;
 use crate::document::{self, Entry, Origin};
 use crate::error::{CaseError, CaseErrors};
@@ -22,8 +23,8 @@ pub struct GivenByOption {
     pub option: Arc<str>,
     /// What stands after it.
     pub text: String,
-    /// Dotted path of the field.
-    pub field: String,
+    /// Path of the field.
+    pub field: FieldPath,
     /// Its value, as in a case file.
     pub value: String,
 }
@@ -66,7 +67,7 @@ impl CaseFile {
 
 fn is_replaced(entry: &Entry, by_options: bool) -> bool {
     let path = entry.path.as_str();
-    matches!(path, "solver.method" | "contact_law.stiffness")
+    fields!["solver.method", "contact_law.stiffness"].iter().any(|field| **field == *path)
         || by_options && path.starts_with(ROUGHNESS)
 }
 

@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use crate::document::Content;
-use crate::fields::{ALTERNATIVES, Default, Field, Kind, Requirement, SECTIONS, Section};
+use crate::fields::{ALTERNATIVES, Field, FieldPath, Kind, Requirement, SECTIONS, Section};
 use crate::names::FieldNames;
 
 /// The JSON schema (2020-12) of a case file.
@@ -58,13 +58,11 @@ fn section_schema(section: &Section) -> Value {
 
 /// Fields of a section that exclude each other, pair by pair.
 fn exclusions(section: &Section) -> Vec<Value> {
-    let name = |path: &'static str| {
-        section.fields.iter().find(|field| field.path == path).map(Field::name)
-    };
+    let name = |path: &FieldPath| (path.section() == section.name).then(|| path.name());
     let mut exclusions = Vec::new();
     for pair in ALTERNATIVES {
-        for first in pair.first.iter().filter_map(|path| name(path)) {
-            for second in pair.second.iter().filter_map(|path| name(path)) {
+        for first in pair.first.iter().filter_map(name) {
+            for second in pair.second.iter().filter_map(name) {
                 exclusions.push(json!({ "not": { "required": [first, second] } }));
             }
         }
@@ -80,9 +78,7 @@ fn field_schema(field: &Field) -> Value {
     if !uses.is_empty() {
         description.push(format!("used with {}", uses.join(", or with ")));
     }
-    if let Default::Same(text) | Default::Computed(text) = field.default {
-        description.push(format!("default: {text}"));
-    }
+    description.extend(field.default.in_words().map(|text| format!("default: {text}")));
     if let Some(value) = field.default_value() {
         schema["default"] = literal(&value.content);
     }

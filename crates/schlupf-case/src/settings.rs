@@ -6,6 +6,7 @@ use std::sync::Arc;
 use schlupf::Quantity;
 use schlupf::error::WheelRailError;
 
+use crate::FieldPath;
 use crate::document::{Content, Entry, Origin, Value};
 use crate::error::{CaseError, Cause};
 use crate::fields::{
@@ -16,12 +17,12 @@ use crate::names::{self, FieldNames, Noting};
 use crate::notice::Notice;
 use crate::place::Place;
 use crate::setting::{Refusal, Setting};
-use schlupf::message::{quoted, quoted_path, shortened};
+use schlupf::message::{quoted, quoted_path};
 
 /// The settings of a case.
 #[derive(Debug, Clone)]
 pub struct Settings {
-    given: HashMap<&'static str, Given>,
+    given: HashMap<FieldPath, Given>,
     /// Where to say that something is missing.
     file: Place,
     /// What fields are called in messages.
@@ -52,9 +53,9 @@ impl Settings {
         let mut settings = Self { given: HashMap::new(), file, names, files };
         let mut errors = Vec::new();
         for entry in entries {
-            match fields::find(&entry.path) {
-                None => errors.push(unknown_field(entry)),
-                Some(field) => match field.read(&entry.value) {
+            match fields::named(&entry.path, || entry.origin.place(&entry.key)) {
+                Err(unknown) => errors.push(unknown),
+                Ok(field) => match field.read(&entry.value) {
                     Ok(setting) => settings.insert(field, setting, entry),
                     Err(refusal) => errors.push(settings.refused(field.path, &refusal, entry)),
                 },
@@ -72,12 +73,12 @@ impl Settings {
     }
 
     /// The file that a field names.
-    pub fn input_file(&self, path: &str) -> Result<InputFile, CaseError> {
+    pub fn input_file(&self, path: FieldPath) -> Result<InputFile, CaseError> {
         Ok(InputFile::new(self.text(path)?, Arc::clone(&self.files)))
     }
 
     /// Name and bytes of the file that a field names.
-    pub fn read_file(&self, path: &str) -> Result<(String, Vec<u8>), CaseError> {
+    pub fn read_file(&self, path: FieldPath) -> Result<(String, Vec<u8>), CaseError> {
         let file = self.input_file(path)?;
         let name = file.path().display().to_string();
         let bytes = file.read().map_err(|error| {
@@ -92,11 +93,11 @@ impl Settings {
     }
 
     /// What a field is called in messages.
-    pub fn name<'a>(&self, path: &'a str) -> &'a str {
+    pub fn name(&self, path: FieldPath) -> &'static str {
         self.names.name(path)
     }
 
-    fn refused(&self, path: &str, refusal: &Refusal, entry: &Entry) -> CaseError {
+    fn refused(&self, path: FieldPath, refusal: &Refusal, entry: &Entry) -> CaseError {
         let place = entry.origin.place(&refusal.span);
         let message = refusal.message(self.name(path));
         CaseError::new(path, message, place).help(refusal.help.clone())
@@ -109,17 +110,17 @@ impl Settings {
     }
 
     /// Whether a field was given and belongs to the models that were chosen.
-    pub fn is_given(&self, path: &str) -> bool {
-        self.given.contains_key(path) && fields::find(path).is_some_and(|field| self.is_used(field))
+    pub fn is_given(&self, path: FieldPath) -> bool {
+        self.given.contains_key(&path) && self.is_used(path.field())
     }
 
     /// Whether any of these fields was given.
-    pub fn any_given(&self, paths: &[&str]) -> bool {
-        paths.iter().any(|path| self.is_given(path))
+    pub fn any_given(&self, paths: &[FieldPath]) -> bool {
+        paths.iter().any(|path| self.is_given(*path))
     }
 
     /// A number, in SI units or degC: the one given or the default.
-    pub fn number(&self, path: &str) -> Result<f64, CaseError> {
+    pub fn number(&self, path: FieldPath) -> Result<f64, CaseError> {
         match self.setting(path)? {
             Setting::Number(number) => Ok(number),
             _ => Err(self.missing(path)),
@@ -127,22 +128,22 @@ impl Settings {
     }
 
     /// A number that may be left out.
-    pub fn optional_number(&self, path: &str) -> Result<Option<f64>, CaseError> {
+    pub fn optional_number(&self, path: FieldPath) -> Result<Option<f64>, CaseError> {
         if self.is_given(path) { self.number(path).map(Some) } else { Ok(None) }
     }
 
     /// A number of cells or iterations.
-    pub fn count(&self, path: &str) -> Result<usize, CaseError> {
+    pub fn count(&self, path: FieldPath) -> Result<usize, CaseError> {
         self.number(path).map(|number| number as usize)
     }
 
     /// What was chosen.
-    pub fn chosen<C: Choose>(&self, path: &str) -> Result<C, CaseError> {
+    pub fn chosen<C: Choose>(&self, path: FieldPath) -> Result<C, CaseError> {
         C::named(self.choice(path)?).ok_or_else(|| self.missing(path))
     }
 
     /// The name that was chosen.
-    fn choice(&self, path: &str) -> Result<&'static str, CaseError> {
+    fn choice(&self, path: FieldPath) -> Result<&'static str, CaseError> {
         match self.setting(path)? {
             Setting::Choice(name) => Ok(name),
             _ => Err(self.missing(path)),
@@ -150,7 +151,7 @@ impl Settings {
     }
 
     /// Whether or not.
-    pub fn flag(&self, path: &str) -> Result<bool, CaseError> {
+    pub fn flag(&self, path: FieldPath) -> Result<bool, CaseError> {
         match self.setting(path)? {
             Setting::Flag(flag) => Ok(flag),
             _ => Err(self.missing(path)),
@@ -158,7 +159,7 @@ impl Settings {
     }
 
     /// Text or a path.
-    pub fn text(&self, path: &str) -> Result<String, CaseError> {
+    pub fn text(&self, path: FieldPath) -> Result<String, CaseError> {
         match self.setting(path)? {
             Setting::Text(text) => Ok(text),
             _ => Err(self.missing(path)),
@@ -166,27 +167,27 @@ impl Settings {
     }
 
     /// Text or a path, where it was given.
-    pub fn given_text(&self, path: &str) -> Option<&str> {
-        match &self.given.get(path)?.setting {
+    pub fn given_text(&self, path: FieldPath) -> Option<&str> {
+        match &self.given.get(&path)?.setting {
             Setting::Text(text) => Some(text),
             _ => None,
         }
     }
 
     /// An array of numbers in SI units, where it was given.
-    pub fn series(&self, path: &str) -> Option<&[f64]> {
-        match &self.given.get(path)?.setting {
+    pub fn series(&self, path: FieldPath) -> Option<&[f64]> {
+        match &self.given.get(&path)?.setting {
             Setting::Series(series) => Some(series),
             _ => None,
         }
     }
 
     /// A number or a name: the one given or the default.
-    pub fn setting(&self, path: &str) -> Result<Setting, CaseError> {
-        if let Some(given) = self.given.get(path) {
+    pub fn setting(&self, path: FieldPath) -> Result<Setting, CaseError> {
+        if let Some(given) = self.given.get(&path) {
             return Ok(given.setting.clone());
         }
-        let Some(field) = fields::find(path) else { return Err(self.missing(path)) };
+        let field = path.field();
         match field.default {
             Default::Text(_) => self
                 .default_value(field)
@@ -204,7 +205,7 @@ impl Settings {
     }
 
     /// The setting of another field, as the default of one that may have a stricter requirement.
-    fn same_as(&self, field: &Field, other: &str) -> Result<Setting, CaseError> {
+    fn same_as(&self, field: &Field, other: FieldPath) -> Result<Setting, CaseError> {
         let setting = self.setting(other)?;
         match setting {
             Setting::Number(number) if !field.requirement.holds(number) => {
@@ -222,7 +223,7 @@ impl Settings {
     }
 
     /// Whether a field has the same value in other settings, to the digits that conversion leaves.
-    pub fn agrees(&self, other: &Self, path: &str) -> bool {
+    pub fn agrees(&self, other: &Self, path: FieldPath) -> bool {
         const ROUNDING: f64 = 1e-12;
         match (self.setting(path), other.setting(path)) {
             (Ok(Setting::Number(one)), Ok(Setting::Number(other))) => {
@@ -234,16 +235,16 @@ impl Settings {
     }
 
     /// Where a field was given.
-    pub fn place(&self, path: &str) -> Place {
-        self.given.get(path).map_or(Place::Default, |given| given.place.clone())
+    pub fn place(&self, path: FieldPath) -> Place {
+        self.given.get(&path).map_or(Place::Default, |given| given.place.clone())
     }
 
     /// A field's value as it was written, or its default.
-    pub fn shown(&self, path: &str) -> String {
-        if let Some(given) = self.given.get(path) {
+    pub fn shown(&self, path: FieldPath) -> String {
+        if let Some(given) = self.given.get(&path) {
             return given.value.content.shown();
         }
-        let Some(field) = fields::find(path) else { return String::new() };
+        let field = path.field();
         match (field.default, self.default_value(field)) {
             (_, Some(value)) => value.content.shown(),
             (Default::Same(other), _) => self.shown(other),
@@ -253,7 +254,7 @@ impl Settings {
     }
 
     /// An error of a field, at its place.
-    pub fn error(&self, path: &str, message: impl Into<String>) -> CaseError {
+    pub fn error(&self, path: FieldPath, message: impl Into<String>) -> CaseError {
         CaseError::new(path, message, self.place(path))
     }
 
@@ -271,45 +272,44 @@ impl Settings {
             error if error.is_of_convergence() => Cause::NotConverged,
             _ => Cause::Input,
         };
-        let path = names::path(quantity);
+        let path = names::quantity_field(quantity);
         let given = path
             .into_iter()
             .chain(path.into_iter().flat_map(fields::related))
             .chain(noting.fields())
-            .find(|path| self.is_given(path));
+            .find(|path| self.is_given(*path));
         let error = match given {
             Some(given) => self.error(given, message).help(self.per_cent(given, quantity)),
-            None => CaseError::new(path.unwrap_or_default(), message, self.file.clone()),
+            None => CaseError::new(names::path(quantity), message, self.file.clone()),
         };
         CaseError { cause, ..error }
     }
 
     /// Advice where a given creepage is too large to be a part of one; the numbers of a history's
     /// file are not here.
-    fn per_cent(&self, path: &str, quantity: Quantity) -> Option<String> {
-        let largest = match &self.given.get(path)?.setting {
+    fn per_cent(&self, path: FieldPath, quantity: Quantity) -> Option<String> {
+        let largest = match &self.given.get(&path)?.setting {
             Setting::Number(number) => *number,
             Setting::Series(series) => series.iter().fold(0.0, |a: f64, b| a.max(b.abs())),
             _ => f64::NAN,
         };
-        let of_file = path == "history.file" && quantity == Quantity::HistoryCreepageX;
+        let of_file = path == field!("history.file") && quantity == Quantity::HistoryCreepageX;
         let help = of_file.then(|| NOT_PER_CENT.to_owned());
-        help.or_else(|| fields::creepage_in_per_cent(path, largest))
+        help.or_else(|| fields::creepage_in_per_cent(&path, largest))
     }
 
-    fn missing(&self, path: &str) -> CaseError {
+    fn missing(&self, path: FieldPath) -> CaseError {
         let mut companions = fields::companions(path).iter();
-        if let Some(companion) = companions.find(|other| self.is_given(other)) {
-            return self.missing_beside(path, companion);
+        if let Some(companion) = companions.find(|other| self.is_given(**other)) {
+            return self.missing_beside(path, *companion);
         }
-        let field = fields::find(path);
-        let model = field.and_then(|field| field.uses().find(|used| self.is_chosen(*used)));
+        let field = path.field();
+        let model = field.uses().find(|used| self.is_chosen(*used));
         let because = model.map_or_else(String::new, |(model, _)| {
             format!(", which {model} = {} needs", self.shown(model))
         });
-        let doc = field.map_or("", |field| field.doc);
-        let message = format!("{path} is missing{because}: {doc}");
-        let example = field.and_then(Field::assignment);
+        let message = format!("{path} is missing{because}: {}", field.doc);
+        let example = field.assignment();
         let place =
             model.map(|(model, _)| self.place(model)).filter(|place| *place != Place::Default);
         CaseError::new(path, message, place.unwrap_or_else(|| self.file.clone()))
@@ -317,33 +317,31 @@ impl Settings {
     }
 
     /// A field is missing that another one, which was given, needs.
-    pub fn missing_beside(&self, path: &str, other: &str) -> CaseError {
-        let field = fields::find(path);
-        let doc = field.map_or("", |field| field.doc);
+    pub fn missing_beside(&self, path: FieldPath, other: FieldPath) -> CaseError {
+        let field = path.field();
         let name = self.name(path);
-        let is_choice = fields::find(other).is_some_and(|field| !field.kind.choices().is_empty());
+        let is_choice = !other.field().kind.choices().is_empty();
         let value = if is_choice { format!(" = {}", self.shown(other)) } else { String::new() };
         let other_name = self.name(other);
-        let message = format!("{name} is missing, which {other_name}{value} needs: {doc}");
-        let example = field.and_then(Field::assignment);
+        let message = format!("{name} is missing, which {other_name}{value} needs: {}", field.doc);
+        let example = field.assignment();
         CaseError::new(path, message, self.place(other))
             .help(example.map(|example| format!("such as {example}")))
     }
 
     /// A field is missing that something beside the solution needs.
-    pub fn missing_for(&self, path: &str, purpose: &str) -> CaseError {
-        let field = fields::find(path);
-        let doc = field.map_or("", |field| field.doc);
-        let message = format!("{path} is missing, which {purpose} needs: {doc}");
-        let example = field.and_then(Field::assignment);
+    pub fn missing_for(&self, path: FieldPath, purpose: &str) -> CaseError {
+        let field = path.field();
+        let message = format!("{path} is missing, which {purpose} needs: {}", field.doc);
+        let example = field.assignment();
         CaseError::new(path, message, self.file.clone())
-            .help(example.map(|example| format!("such as {example} in [{}]", section_of(path))))
+            .help(example.map(|example| format!("such as {example} in [{}]", path.section())))
     }
 
     /// Whether a field belongs to the models that were chosen and the fields that were given.
     pub fn is_used(&self, field: &Field) -> bool {
         let companions = fields::companions(field.path);
-        let has_one = companions.iter().any(|with| self.given.contains_key(*with));
+        let has_one = companions.iter().any(|with| self.given.contains_key(with));
         if !companions.is_empty() && !has_one {
             return false;
         }
@@ -356,18 +354,18 @@ impl Settings {
     }
 
     /// Whether a field gives the value of another one that is used and was left out.
-    fn is_default_of_another(&self, path: &str) -> bool {
+    fn is_default_of_another(&self, path: FieldPath) -> bool {
         let has_default = |field: &&Field| matches!(field.default, Default::Same(of) if of == path);
-        let is_left_out = |field: &&Field| !self.given.contains_key(field.path);
+        let is_left_out = |field: &&Field| !self.given.contains_key(&field.path);
         fields::all().filter(has_default).filter(is_left_out).any(|field| self.is_used(field))
     }
 
     /// Whether a field is used, and not only a default of a section that may be left out and is.
     pub fn has_effect(&self, field: &Field) -> bool {
-        let section = SECTIONS.iter().find(|section| section.name == section_of(field.path));
+        let section = SECTIONS.iter().find(|section| section.name == field.section());
         let is_left_out = section.is_some_and(|section| {
             let is_optional = |field: &Field| !matches!(field.default, Default::Text(_));
-            let is_given = |field: &Field| self.given.contains_key(field.path);
+            let is_given = |field: &Field| self.given.contains_key(&field.path);
             section.fields.iter().all(is_optional) && !section.fields.iter().any(is_given)
         });
         self.is_used(field) && !is_left_out && !self.is_replaced(field.path)
@@ -375,12 +373,12 @@ impl Settings {
 
     /// Whether a field is only a default, in place of which others are given, or which does not
     /// count with the models that were chosen.
-    pub fn is_replaced(&self, path: &str) -> bool {
+    pub fn is_replaced(&self, path: FieldPath) -> bool {
         if self.is_given(path) {
             return false;
         }
-        let any_given = |fields: &[&str]| self.any_given(fields);
-        let counts_with = fields::find(path).and_then(|field| field.default_with);
+        let any_given = |fields: &[FieldPath]| self.any_given(fields);
+        let counts_with = path.field().default_with;
         counts_with.is_some_and(|choice| !self.is_chosen(choice))
             || ALTERNATIVES.iter().any(|Alternatives { first, second, .. }| {
                 first.contains(&path) && any_given(second)
@@ -390,11 +388,8 @@ impl Settings {
 
     /// Whether a choice is made with one of these names, and counts itself.
     fn is_chosen(&self, (model, names): UsedWith) -> bool {
-        self.choice(model).is_ok_and(|choice| names.contains(&choice)) && self.counts(model)
-    }
-
-    fn counts(&self, path: &str) -> bool {
-        fields::find(path).is_some_and(|field| self.is_used(field))
+        self.choice(model).is_ok_and(|choice| names.contains(&choice))
+            && self.is_used(model.field())
     }
 
     /// Fields that were given and have no effect. A model that was chosen by an override makes the
@@ -402,7 +397,7 @@ impl Settings {
     pub fn idle(&self) -> Vec<Notice> {
         let mut notices = Vec::new();
         for field in fields::all() {
-            let Some(given) = self.given.get(field.path).filter(|_| !self.is_used(field)) else {
+            let Some(given) = self.given.get(&field.path).filter(|_| !self.is_used(field)) else {
                 continue;
             };
             let path = field.path;
@@ -411,20 +406,23 @@ impl Settings {
             let idle_with = field.idle_with.filter(|choice| self.is_chosen(*choice));
             let uses = field.uses().filter(|_| idle_with.is_none()).chain(idle_with);
             let models: Vec<_> =
-                uses.map(|(model, _)| model).filter(|model| self.counts(model)).collect();
+                uses.map(|(model, _)| model).filter(|model| self.is_used(model.field())).collect();
             let is_chosen = idle_with.is_none() && field.uses().any(|used| self.is_chosen(used));
             if models.is_empty() || is_chosen {
                 let companions = fields::companions(path);
                 if !companions.is_empty() {
-                    notices.push(notice(format!("without {}", companions.join(" or "))));
+                    let names: Vec<&str> = companions.iter().map(|path| &**path).collect();
+                    notices.push(notice(format!("without {}", names.join(" or "))));
                 }
                 continue;
             }
-            let overridden = |path: &str| matches!(self.place(path), Place::Override { .. });
-            let on_purpose = models.iter().any(|model| overridden(model));
+            let overridden = |path| matches!(self.place(path), Place::Override { .. });
+            let on_purpose = models.iter().any(|model| overridden(*model));
             if !(on_purpose && matches!(given.origin, Origin::File(_))) {
-                let chosen: Vec<String> =
-                    models.iter().map(|model| format!("{model} = {}", self.shown(model))).collect();
+                let chosen: Vec<String> = models
+                    .iter()
+                    .map(|model| format!("{model} = {}", self.shown(*model)))
+                    .collect();
                 notices.push(notice(format!("with {}", chosen.join(" and "))));
             }
         }
@@ -434,7 +432,7 @@ impl Settings {
     /// Fields in use that were given as numbers far from what they are in almost all cases.
     pub fn unusual(&self) -> Vec<Notice> {
         let given = |field: &'static Field| {
-            let given = self.given.get(field.path).filter(|_| self.is_used(field))?;
+            let given = self.given.get(&field.path).filter(|_| self.is_used(field))?;
             let values: &[f64] = match &given.setting {
                 Setting::Number(number) => std::slice::from_ref(number),
                 Setting::Series(series) => series,
@@ -446,7 +444,8 @@ impl Settings {
     }
 
     fn contradictions(&self) -> Vec<CaseError> {
-        let given = |paths: &'static [&str]| paths.iter().copied().find(|path| self.is_given(path));
+        let given =
+            |paths: &'static [FieldPath]| paths.iter().copied().find(|path| self.is_given(*path));
         ALTERNATIVES
             .iter()
             .filter_map(|pair| Some((given(pair.first)?, given(pair.second)?, pair.reason)))
@@ -454,7 +453,7 @@ impl Settings {
             .collect()
     }
 
-    fn contradiction(&self, first: &str, second: &str, reason: &str) -> CaseError {
+    fn contradiction(&self, first: FieldPath, second: FieldPath, reason: &str) -> CaseError {
         let overridden = |path| matches!(self.place(path), Place::Override { .. });
         let (later, earlier) = if overridden(first) && !overridden(second) {
             (first, second)
@@ -473,7 +472,7 @@ impl Settings {
             Place::Override { option, text } if !overridden(earlier) => {
                 // Not every option can remove a field.
                 let is_assignment =
-                    text.split_once('=').is_some_and(|(path, _)| path.trim() == later);
+                    text.split_once('=').is_some_and(|(path, _)| path.trim() == &*later);
                 let or = format!(", or with {option} {earlier}=");
                 format!(
                     "remove {earlier} from the file{}",
@@ -487,8 +486,8 @@ impl Settings {
 
     /// A field's value as the user gave it: what stands after its own option, else as in the case
     /// file.
-    fn given_as(&self, path: &str) -> String {
-        let given = self.given.get(path).map(|given| (&given.origin, &given.value.content));
+    fn given_as(&self, path: FieldPath) -> String {
+        let given = self.given.get(&path).map(|given| (&given.origin, &given.value.content));
         match given {
             Some((Origin::Override { option, text }, Content::Text(_)))
                 if self.names.option(path) == Some(&**option) =>
@@ -498,24 +497,4 @@ impl Settings {
             _ => self.shown(path),
         }
     }
-}
-
-/// Name of the section that a path begins with.
-fn section_of(path: &str) -> &str {
-    path.rsplit_once('.').map_or("", |(section, _)| section)
-}
-
-fn unknown_field(entry: &Entry) -> CaseError {
-    let path = &entry.path;
-    let place = entry.origin.place(&entry.key);
-    let section = section_of(path);
-    let help = match (fields::closest_path(path), fields::section(section)) {
-        (Some(meant), _) => format!("did you mean `{meant}`?"),
-        (None, Some(section)) if !section.name.is_empty() => {
-            let names: Vec<_> = section.fields.iter().map(Field::name).collect();
-            format!("the fields of [{}] are {}", section.name, names.join(", "))
-        }
-        _ => "`schlupf init -` shows all fields".to_owned(),
-    };
-    CaseError::new(path, format!("unknown field `{}`", shortened(path)), place).help(help)
 }

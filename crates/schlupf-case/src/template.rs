@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::fields::{Default, Field, Kind, SECTIONS, Section, UsedWith, find};
+use crate::fields::{Field, Kind, SECTIONS, Section, UsedWith};
 use crate::presets::Preset;
 
 const HEAD: &str = "\
@@ -61,16 +61,14 @@ impl Template<'_> {
     }
 
     fn line(&self, field: &Field) -> String {
-        let assignment = match self.given.get(field.path) {
+        let assignment = match self.given.get(&*field.path) {
             Some(literal) => format!("{} = {literal}", field.name()),
             None => field.assignment().unwrap_or_default(),
         };
         let comment = if self.is_active(field) { "" } else { "# " };
-        let doc = match field.default {
-            Default::Same(text) | Default::Computed(text) => {
-                format!("{}; default: {text}", field.doc)
-            }
-            Default::Nothing | Default::Text(_) => field.doc.to_owned(),
+        let doc = match field.default.in_words() {
+            Some(text) => format!("{}; default: {text}", field.doc),
+            None => field.doc.to_owned(),
         };
         format!("{:COMMENT_COLUMN$}# {doc}", format!("{comment}{assignment}"))
     }
@@ -79,14 +77,14 @@ impl Template<'_> {
     /// models of the case use it.
     fn is_active(&self, field: &Field) -> bool {
         let is_chosen = |(model, names): UsedWith| {
-            let given = self.given.get(model).map(|literal| literal.trim_matches('"'));
-            let chosen = given.or_else(|| find(model).and_then(|model| model.default.text()));
+            let given = self.given.get(&*model).map(|literal| literal.trim_matches('"'));
+            let chosen = given.or_else(|| model.field().default.text());
             chosen.is_some_and(|chosen| names.contains(&chosen))
         };
         let is_used = field.uses().count() == 0 || field.uses().any(is_chosen);
         let is_array = matches!(field.kind, Kind::Quantities(_) | Kind::Numbers);
         let is_default = field.default.text().is_some() && is_used && !is_array;
-        is_default || self.given.contains_key(field.path)
+        is_default || self.given.contains_key(&*field.path)
     }
 }
 

@@ -22,9 +22,9 @@ fn assert_refused(field: &Field, value: &str) {
         panic!("{text:?} was accepted")
     };
     let message = errors.first.to_string();
-    assert_eq!(errors.first.field, field.path, "{text:?}: {message}");
+    assert_eq!(errors.first.field, field.path.as_str(), "{text:?}: {message}");
     let place = format!("case.toml:{line}:");
-    for part in [place.as_str(), field.path] {
+    for part in [place.as_str(), &field.path] {
         assert!(message.contains(part), "{text:?}: {part:?} is not in {message:?}");
     }
     let zeros = |text: &str| text.contains("000000");

@@ -11,7 +11,7 @@ use schlupf::heat::partition::Partition;
 use schlupf::interface::friction::FrictionState;
 use schlupf::material::Material;
 use schlupf::unwatched;
-use schlupf_case::{Case, CaseFile, Folder, Overrides, Place};
+use schlupf_case::{Case, CaseFile, Folder, Overrides, Place, field};
 
 fn texts(notices: &[schlupf::message::Message]) -> Vec<String> {
     notices.iter().map(|notice| notice.text.clone()).collect()
@@ -218,11 +218,11 @@ fn the_effective_fields_tell_where_they_come_from() {
     let case = read(text, &["normal.load=60 kN"]);
     let effective = case.effective();
     let find = |path| effective.iter().find(|field| field.path == path).unwrap();
-    assert!(matches!(find("title").place, Place::Text { .. }));
-    assert!(matches!(find("normal.load").place, Place::Override { .. }));
-    assert_eq!(find("normal.load").value, "\"60 kN\"");
-    assert_eq!(find("elasticity.bedding_y").value, "\"1.0e13 N/m^3\"");
-    assert!(effective.iter().all(|field| field.path != "normal.semi_axis_x"));
+    assert!(matches!(find(field!("title")).place, Place::Text { .. }));
+    assert!(matches!(find(field!("normal.load")).place, Place::Override { .. }));
+    assert_eq!(find(field!("normal.load")).value, "\"60 kN\"");
+    assert_eq!(find(field!("elasticity.bedding_y")).value, "\"1.0e13 N/m^3\"");
+    assert!(effective.iter().all(|field| field.path != field!("normal.semi_axis_x")));
 }
 
 /// Both files hold the same pressure on 2 by 3 points with spacings 1 mm and 2 mm.
@@ -309,7 +309,7 @@ fn friction_over_y_comes_from_a_file_too() {
     let state = FrictionState { y: -2.5e-3, ..FrictionState::default() };
     let response = case.problem.friction.law.respond(&state);
     assert_relative_eq!(response.coefficient, 0.3, max_relative = 1e-12);
-    assert_eq!(case.files(), [("friction.variation_file", folder.path().join("f.csv"))]);
+    assert_eq!(case.files(), [(field!("friction.variation_file"), folder.path().join("f.csv"))]);
 }
 
 #[test]

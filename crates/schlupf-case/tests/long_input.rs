@@ -9,7 +9,7 @@ use std::sync::Arc;
 use schlupf::kinematics::Kinematics;
 use schlupf::unwatched;
 use schlupf_case::{
-    CaseFile, Family, InputFile, Overrides, range, read_displacements, read_points,
+    CaseFile, Family, InputFile, Overrides, field, range, read_displacements, read_points,
 };
 
 use support::read;
@@ -72,7 +72,8 @@ fn long_values_keys_and_units_are_quoted_short() {
         let error = Family::parse("--over", &text).err().map(|error| error.to_string());
         assert_short(what, &error.unwrap_or_default());
     }
-    let error = range("--speed", "kinematics.speed", &long).err().map(|error| error.to_string());
+    let error =
+        range("--speed", field!("kinematics.speed"), &long).err().map(|error| error.to_string());
     assert_short("a range", &error.unwrap_or_default());
 }
 

@@ -132,7 +132,7 @@ fn files_go_through_the_micro_model() {
     assert_relative_eq!(short, long, max_relative = 1e-6);
     let set = with_samples("", &["contact_law.roughness=wave.x3p"]).unwrap();
     assert_eq!(set.law_stiffness.stiffness, short);
-    assert_eq!(set.files()[0].0, "contact_law.roughness.file");
+    assert_eq!(&*set.files()[0].0, "contact_law.roughness.file");
     // The same surface on both bodies is twice as high.
     let both = ["contact_law.roughness.second_file=wave.x3p"];
     let both = with_samples("[contact_law]\nroughness = \"wave.x3p\"", &both).unwrap();

@@ -5,8 +5,8 @@ use std::io::ErrorKind;
 use std::path::Path;
 
 use schlupf_case::{
-    Case, CaseErrors, Effective, FieldNames, Place, Preset, conditions, schema as case_schema,
-    template, template_with,
+    Case, CaseErrors, Effective, FieldNames, FieldPath, Place, Preset, conditions, fields,
+    schema as case_schema, template, template_with,
 };
 use schlupf_tasks::contact_law;
 use schlupf_tasks::output::significant;
@@ -61,13 +61,12 @@ pub fn check(arguments: &CheckArguments) -> Result<u8, Failure> {
         creepages(&case, &effective),
         profiles::text(&file),
     );
-    let section = |path: &str| path.rsplit_once('.').map(|(section, _)| section.to_owned());
     let is_default = |field: &Effective| matches!(field.place, Place::Default);
     let given = effective.iter().filter(|field| !is_default(field));
-    let given: Vec<Option<String>> = given.map(|field| section(field.path)).collect();
+    let given: Vec<&str> = given.map(|field| field.path.section()).collect();
     // Defaults of a section for another command would only be in the way.
     let is_of_other =
-        |field: &Effective| !field.tasks.is_empty() && !given.contains(&section(field.path));
+        |field: &Effective| !field.tasks.is_empty() && !given.contains(&field.path.section());
     for field in effective.into_iter().filter(|field| !is_of_other(field)) {
         let origin = match field.place {
             Place::Default => "  (default)",
@@ -104,7 +103,7 @@ fn resolution(case: &Case, effective: &[Effective]) -> String {
 
 /// A line with the creepages where they follow from the motion of the wheel.
 fn creepages(case: &Case, effective: &[Effective]) -> String {
-    const MOTION: [&str; 2] = ["kinematics.angular_velocity", "kinematics.yaw_angle"];
+    const MOTION: &[FieldPath] = &fields!["kinematics.angular_velocity", "kinematics.yaw_angle"];
     if effective.iter().all(|field| !MOTION.contains(&field.path)) {
         return String::new();
     }

@@ -127,9 +127,11 @@ impl CaseFile {
 
     /// The value of a field in effect, in SI units; `None` if it has none.
     fn value<'py>(&self, py: Python<'py>, path: &str) -> PyResult<Bound<'py, PyAny>> {
-        match self.file.value(path) {
+        let field = fields::named(path, || Place::Default);
+        let field = field.map_err(|error| errors::of_case(py, &error.into()))?;
+        match self.file.value(field.path) {
             None => Ok(py.None().into_bound(py)),
-            Some(Setting::Number(number)) if is_count(path) => {
+            Some(Setting::Number(number)) if matches!(field.kind, Kind::Count) => {
                 (number as i64).into_bound_py_any(py)
             }
             Some(Setting::Number(number)) => number.into_bound_py_any(py),
@@ -142,7 +144,7 @@ impl CaseFile {
 
     /// Paths of the fields that are given.
     fn given(&self) -> Vec<String> {
-        self.file.given().map(str::to_owned).collect()
+        self.file.given().map(|path| path.to_string()).collect()
     }
 
     /// Fields in effect: path, value as text, and whether it is the default.
@@ -150,7 +152,7 @@ impl CaseFile {
         let case = self.run(py, &Arc::default(), |file, watch| file.pose(watch))?;
         let case = case.map_err(|errors| errors::of_case(py, &errors))?;
         let fields = case.effective().into_iter();
-        Ok(fields.map(|f| (f.path, f.value, matches!(f.place, Place::Default))).collect())
+        Ok(fields.map(|f| (f.path.as_str(), f.value, matches!(f.place, Place::Default))).collect())
     }
 
     /// Solves the case, from a state as JSON if there is one; in time with the fields of every so
@@ -174,11 +176,6 @@ impl CaseFile {
         })?;
         report.map(Solution::new).map_err(|errors| errors::of_case(py, &errors))
     }
-}
-
-/// Whether a field is a whole number.
-fn is_count(path: &str) -> bool {
-    fields::find(path).is_some_and(|field| matches!(field.kind, Kind::Count))
 }
 
 fn checked(py: Python<'_>, file: Result<schlupf_case::CaseFile, CaseErrors>) -> PyResult<CaseFile> {

@@ -12,8 +12,10 @@ use schlupf::progress::Stage;
 use schlupf::tally::{Tallied, Tally};
 use schlupf::wheel_rail::{Contact, WheelSolution};
 use schlupf::{Error, Method, Progress, Quantity, Status, Warning, Watch, parallel};
-use schlupf_case::fields::{self, Field};
-use schlupf_case::{CaseError, CaseErrors, Cause, FieldNames, Notice, Place, quantity_field};
+use schlupf_case::fields::Field;
+use schlupf_case::{
+    CaseError, CaseErrors, Cause, FieldNames, FieldPath, Notice, Place, field, fields,
+};
 use schlupf_tasks::solve::report;
 use schlupf_tasks::states::{Acting, CONTACTS, Entry, FAILED, NO_CONTACT, NoState, StateSolver};
 
@@ -25,13 +27,18 @@ use crate::records::described;
 use crate::solution::Solution;
 
 /// Fields that are conditions under a short name, too.
-const NAMED: [Quantity; 5] =
-    [Quantity::CreepageX, Quantity::CreepageY, Quantity::Spin, Quantity::Speed, Quantity::Load];
+const NAMED: &[FieldPath] = &fields![
+    "kinematics.creepage_x",
+    "kinematics.creepage_y",
+    "kinematics.spin",
+    "kinematics.speed",
+    "normal.load",
+];
 
 /// Short names of conditions, each with its field.
 #[pyfunction]
 pub fn conditions() -> Vec<(&'static str, &'static str)> {
-    NAMED.map(|quantity| (quantity.name(), quantity_field(quantity))).to_vec()
+    NAMED.iter().map(|path| (path.name(), path.as_str())).collect()
 }
 
 /// Arrays of fields by their paths.
@@ -45,11 +52,11 @@ struct Conditions<'a> {
 
 impl<'a> Conditions<'a> {
     /// Arrays of equal length.
-    fn of(arrays: &'a Arrays) -> PyResult<Self> {
+    fn of(py: Python<'_>, arrays: &'a Arrays) -> PyResult<Self> {
         let mut conditions = Self { fields: Vec::new(), values: Vec::new() };
         for (path, values) in arrays {
-            let no_field = || PyValueError::new_err(format!("no field: {path}"));
-            conditions.fields.push(fields::find(path).ok_or_else(no_field)?);
+            let field = fields::named(path, || Place::Default);
+            conditions.fields.push(field.map_err(|error| errors::of_case(py, &error.into()))?);
             conditions.values.push(values.as_slice()?);
         }
         let count = conditions.count();
@@ -76,7 +83,7 @@ impl<'a> Conditions<'a> {
 
     /// Whether a notice is about the value of a field that they vary.
     fn varies(&self, notice: &Message) -> bool {
-        let is_of = |field: &&Field| field.path == notice.quantity;
+        let is_of = |field: &&Field| *field.path == *notice.quantity;
         notice.code == Notice::UNUSUAL && self.fields.iter().any(is_of)
     }
 
@@ -432,7 +439,7 @@ pub fn batch<'py>(
     strict: bool,
 ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyArray1<u8>>, Warnings)> {
     let arrays: Arrays = arrays.items().extract()?;
-    let conditions = Conditions::of(&arrays)?;
+    let conditions = Conditions::of(py, &arrays)?;
     let raised = Arc::default();
     let planned = case.run(py, &raised, |file, watch| Plan::new(file, &conditions, watch))?;
     let plan = planned.map_err(|errors| errors::of_case(py, &errors))?;
@@ -490,7 +497,7 @@ impl BatchSolver {
     /// Solves with other values of fields, by their paths; the rest is that of the case.
     fn solve(&self, py: Python<'_>, arrays: &Bound<'_, PyDict>) -> PyResult<Solution> {
         let arrays: Arrays = arrays.items().extract()?;
-        let conditions = Conditions::of(&arrays)?;
+        let conditions = Conditions::of(py, &arrays)?;
         let work = |watch: Watch<'_>| {
             // A panic within a solution leaves a solver that starts anew.
             let mut solver = self.solver.lock().unwrap_or_else(PoisonError::into_inner);
@@ -515,7 +522,7 @@ fn reason(failure: NoState, file: &schlupf_case::CaseFile) -> CaseErrors {
         NoState::Failed(errors) => errors,
         NoState::Stopped => file.explain(&Error::Stopped {}).into(),
         NoState::NoContact => {
-            let load = quantity_field(Quantity::Load);
+            let load = field!("normal.load");
             let message = format!("{load}: the wheel does not touch the rail");
             let error = CaseError::new(load, message, Place::Default);
             CaseError { cause: Cause::NoContact, ..error }.into()

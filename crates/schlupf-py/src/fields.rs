@@ -5,7 +5,7 @@ use std::ffi::OsString;
 
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
-use schlupf_case::fields::{Default, Field, Kind, SECTIONS};
+use schlupf_case::fields::{Field, Kind, SECTIONS};
 use schlupf_case::{FieldNames, Preset};
 
 /// Sections in the order of the case file; each a dictionary with `name`, `doc` and `fields`.
@@ -30,21 +30,17 @@ pub fn field_table(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
 /// and documentation.
 fn entry<'py>(py: Python<'py>, field: &Field) -> PyResult<Bound<'py, PyDict>> {
     let entry = PyDict::new(py);
-    entry.set_item("path", field.path)?;
+    entry.set_item("path", field.path.as_str())?;
     entry.set_item("name", field.name())?;
     entry.set_item("kind", kind(field.kind))?;
     entry.set_item("units", field.kind.unit())?;
     let requirement = field.requirement.text(field.kind.unit(), &FieldNames::CASE);
     let requirement = if is_number(field.kind) { requirement } else { String::new() };
     entry.set_item("requirement", requirement)?;
-    let default = match field.default {
-        Default::Nothing => None,
-        Default::Text(text) | Default::Same(text) | Default::Computed(text) => Some(text),
-    };
-    entry.set_item("default", default)?;
+    entry.set_item("default", field.default.text().or(field.default.in_words()))?;
     let choices = field.kind.choices().iter().map(|choice| (choice.name, choice.doc));
     entry.set_item("choices", choices.collect::<Vec<_>>())?;
-    let uses = field.uses().map(|(path, names)| (path, names.to_vec()));
+    let uses = field.uses().map(|(path, names)| (path.as_str(), names.to_vec()));
     entry.set_item("used_with", uses.collect::<Vec<_>>())?;
     entry.set_item("doc", field.doc)?;
     Ok(entry)

@@ -8,7 +8,7 @@ use schlupf::normal::Pressure;
 use schlupf::simplified::FastContact;
 use schlupf::{Error, Method, Problem, Solution, Solver, Watch, parallel};
 use schlupf_case::fields::STIFFNESSES;
-use schlupf_case::{Case, CaseErrors, Effective, ElasticityModel, Place};
+use schlupf_case::{Case, CaseErrors, Effective, ElasticityModel, FieldPath, Place, field};
 
 use crate::request::Nothing;
 use crate::task::{Found, Given, Task, Wanted};
@@ -17,9 +17,9 @@ use crate::{Notice, TaskError, messages};
 /// What the fields that a method sets come from, in messages.
 const COMPARE: &str = "compare";
 
-const BOUND: &str = "fastsim.bound";
+const BOUND: FieldPath = field!("fastsim.bound");
 
-const MARGIN: &str = "elasticity.margin";
+const MARGIN: FieldPath = field!("elasticity.margin");
 
 /// `compare`.
 pub struct Compare;

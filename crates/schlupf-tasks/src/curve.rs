@@ -8,7 +8,7 @@ use schlupf::creep_curve::{
 };
 use schlupf::{Problem, Quantity, Watch, parallel};
 use schlupf_case::fields::Choice;
-use schlupf_case::{Case, Family, FieldNames, quantity_field};
+use schlupf_case::{Case, Family, FieldNames, FieldPath, field, fields, quantity_field};
 
 use crate::TaskError;
 use crate::request::{Kind, Rule, request};
@@ -18,24 +18,24 @@ request! {
     /// Which curves: what varies along each, what is another for each, and where the points are.
     Request {
         /// Vary the longitudinal creepage, such as 0..0.05; several creepages vary together.
-        creepage_x: Option<[f64; 2]> = Kind::range(Quantity::CreepageX);
+        creepage_x: Option<[f64; 2]> = Kind::range(field!("kinematics.creepage_x"));
         /// Vary the lateral creepage.
-        creepage_y: Option<[f64; 2]> = Kind::range(Quantity::CreepageY);
+        creepage_y: Option<[f64; 2]> = Kind::range(field!("kinematics.creepage_y"));
         /// Vary the spin creepage, such as "0..2 1/m".
-        spin: Option<[f64; 2]> = Kind::range(Quantity::Spin);
+        spin: Option<[f64; 2]> = Kind::range(field!("kinematics.spin"));
         /// Vary the total creepage in a direction, in place of both creepages.
-        creepage: Option<[f64; 2]> = Kind::range(Quantity::CreepageX);
+        creepage: Option<[f64; 2]> = Kind::range(field!("kinematics.creepage_x"));
         /// Direction of the total creepage, from longitudinal (0 deg) to lateral (90 deg).
         direction: Option<f64> = Kind::angle();
         /// Vary the longitudinal force on the wheel, such as "0..-20 kN" (negative in braking), in
         /// place of all creepages: its creepage is found.
-        force_x: Option<[f64; 2]> = Kind::range(Quantity::ForceX);
+        force_x: Option<[f64; 2]> = Kind::range(field!("kinematics.force_x"));
         /// Vary the same over the load, such as 0..0.25 (positive in braking).
-        traction_coefficient: Option<[f64; 2]> = Kind::range(Quantity::ForceOverLoad);
+        traction_coefficient: Option<[f64; 2]> = Kind::range(field!("kinematics.traction_coefficient"));
         /// Vary the lateral force on the wheel.
-        force_y: Option<[f64; 2]> = Kind::range(Quantity::ForceY);
+        force_y: Option<[f64; 2]> = Kind::range(field!("kinematics.force_y"));
         /// Vary the spin moment on the wheel, such as "0..20 N m".
-        moment_z: Option<[f64; 2]> = Kind::range(Quantity::MomentZ);
+        moment_z: Option<[f64; 2]> = Kind::range(field!("kinematics.moment_z"));
         /// Draw one curve for each value of a field, such as 10, 20 and 30 m/s of kinematics.speed.
         /// At least three numbers make a map over the creepage and the field, two fields one of
         /// the largest force over both.
@@ -67,6 +67,19 @@ const VARIED: &[&str] = &[
     "force_y",
     "moment_z",
 ];
+/// Fields that say how the wheel moves in each direction.
+const LONGITUDINAL: &[FieldPath] = &fields![
+    "kinematics.creepage_x",
+    "kinematics.angular_velocity",
+    "kinematics.wheel_radius",
+    "kinematics.force_x",
+    "kinematics.traction_coefficient",
+    "kinematics.wheel_torque",
+];
+const LATERAL: &[FieldPath] =
+    &fields!["kinematics.creepage_y", "kinematics.yaw_angle", "kinematics.force_y"];
+const TURNING: &[FieldPath] = &fields!["kinematics.spin", "kinematics.moment_z"];
+
 const CREEPAGES: &[&str] = VARIED.split_at(4).0;
 const FORCES: &[&str] = VARIED.split_at(4).1;
 
@@ -129,7 +142,7 @@ impl Request {
             });
             traced.map_err(|error| self.failure(&member.case, &member.values, &error))
         })?;
-        let over = self.over.iter().map(|family| family.field.to_owned()).collect();
+        let over = self.over.iter().map(|family| family.field.to_string()).collect();
         Ok(CurveFamily::new(title, over, sampling, found))
     }
 
@@ -188,7 +201,7 @@ impl Request {
     fn check_fields(&self) -> Result<(), TaskError> {
         let over = self.asked.name("over");
         for (k, Family { field, .. }) in self.over.iter().enumerate() {
-            if let Some(name) = self.in_place_of(field) {
+            if let Some(name) = self.in_place_of(*field) {
                 let reason =
                     format!("{over} must not vary {field}, in place of which {name} varies");
                 return Err(TaskError::Request(reason));
@@ -260,25 +273,19 @@ impl Request {
     }
 
     /// What varies and makes a field of the case count for nothing.
-    fn in_place_of(&self, field: &str) -> Option<String> {
+    fn in_place_of(&self, field: FieldPath) -> Option<String> {
         let force = |creepage| {
             self.force().filter(|(_, force, _)| force.creepage() == creepage).map(|(name, ..)| name)
         };
         let given = |name: &'static str| self.asked.has(name).then_some(name);
-        let name = match field {
-            "kinematics.creepage_x"
-            | "kinematics.angular_velocity"
-            | "kinematics.wheel_radius"
-            | "kinematics.force_x"
-            | "kinematics.traction_coefficient"
-            | "kinematics.wheel_torque" => {
-                given("creepage").or(given("creepage_x")).or(force(Quantity::CreepageX))
-            }
-            "kinematics.creepage_y" | "kinematics.yaw_angle" | "kinematics.force_y" => {
-                given("creepage").or(given("creepage_y")).or(force(Quantity::CreepageY))
-            }
-            "kinematics.spin" | "kinematics.moment_z" => given("spin").or(force(Quantity::Spin)),
-            _ => None,
+        let name = if LONGITUDINAL.contains(&field) {
+            given("creepage").or(given("creepage_x")).or(force(Quantity::CreepageX))
+        } else if LATERAL.contains(&field) {
+            given("creepage").or(given("creepage_y")).or(force(Quantity::CreepageY))
+        } else if TURNING.contains(&field) {
+            given("spin").or(force(Quantity::Spin))
+        } else {
+            None
         };
         name.map(|name| self.asked.name(name))
     }
@@ -287,7 +294,7 @@ impl Request {
     /// of several, or of the case.
     fn failure(&self, case: &Case, values: &[FieldValue], error: &schlupf::Error) -> TaskError {
         let field = quantity_field(error.quantity());
-        if self.in_place_of(field).is_some() {
+        if field.is_some_and(|field| self.in_place_of(field).is_some()) {
             let given = self.asked.given(&[CREEPAGES, &["direction"], FORCES].concat());
             let of_curve = self.over.iter().zip(values);
             let of_curve =

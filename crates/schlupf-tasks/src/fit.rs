@@ -12,8 +12,8 @@ use schlupf::method::FastMethod;
 use schlupf::{Error, Method, Quantity, Watch};
 use schlupf_case::identification::{field, parameters, read_data};
 use schlupf_case::{
-    CREEP_COLUMNS, Case, CaseError, CaseErrors, CaseFile, Cause, FieldNames, Folder, InputFile,
-    Overrides, Place,
+    CREEP_COLUMNS, Case, CaseError, CaseErrors, CaseFile, Cause, FieldNames, FieldPath, Folder,
+    InputFile, Overrides, Place, field, fields, quantity_field,
 };
 
 use crate::request::{Kind, request};
@@ -219,7 +219,7 @@ impl Model {
 }
 
 /// Forces in place of creepages, by their fields.
-const FORCES: [&str; 5] = [
+const FORCES: &[FieldPath] = &fields![
     "kinematics.force_x",
     "kinematics.traction_coefficient",
     "kinematics.wheel_torque",
@@ -229,10 +229,7 @@ const FORCES: [&str; 5] = [
 
 /// Refuses forces that a fit does not hold, but would ignore.
 fn refuse_forces(file: &CaseFile, case: &Case) -> Result<(), CaseError> {
-    let Some(field) = FORCES.into_iter().find(|field| file.given().any(|path| path == *field))
-    else {
-        return Ok(());
-    };
+    let Some(field) = file.given().find(|path| FORCES.contains(path)) else { return Ok(()) };
     let reason = if case.wheel.is_some() {
         "a fit with normal.model = \"wheel-rail\" is one of the largest contact with the creepages of \
          the data, so a force on the wheel must be left out, but is given"
@@ -266,13 +263,16 @@ fn fitted_case(
     path: &Path,
 ) -> Result<String, CaseErrors> {
     let folder = folder(path);
-    let stiffness = field(Parameter::ContactStiffness);
+    let stiffness = field!("contact_law.stiffness");
     let mut values = Vec::new();
     for estimate in &fit.estimates {
         match (estimate.parameter, contact_stiffness) {
             // k_c is what a case has.
             (Parameter::Roughness, Some(value)) => values.push((stiffness, value)),
-            (parameter, _) => values.push((field(parameter), estimate.value)),
+            (parameter, _) => {
+                let path = quantity_field(parameter.quantity());
+                values.extend(path.map(|path| (path, estimate.value)));
+            }
         }
     }
     let is_written = values.iter().any(|(name, _)| *name == stiffness);

@@ -2,9 +2,9 @@
 
 use schlupf::Error;
 use schlupf::message::{Message, messages};
-use schlupf_case::{Case, FieldNames};
+use schlupf_case::{Case, FieldNames, field};
 
-const CALIBRATION: &str = "elasticity.calibration";
+const CALIBRATION: &str = field!("elasticity.calibration").as_str();
 
 messages! {
     /// A notice about a field of a case.
@@ -14,7 +14,7 @@ messages! {
     "not-available" NotAvailable {
         /// Why.
         reason: String,
-    } "solver.method", |subject, words| format!("not available: {reason}");
+    } field!("solver.method").as_str(), |subject, words| format!("not available: {reason}");
 
     /// An output has nothing in it, because the method gives no fields.
     "empty-output" EmptyOutput {
@@ -24,7 +24,7 @@ messages! {
         what: &'static str,
         /// Name of the method.
         method: &'static str,
-    } "solver.method", |subject, words| {
+    } field!("solver.method").as_str(), |subject, words| {
         format!("{output}: {what}, because solver.method = {method:?} gives no fields")
     };
 
@@ -34,7 +34,7 @@ messages! {
         of_data: f64,
         /// Load of the case, in N.
         of_case: f64,
-    } "normal.load", |subject, words| format!(
+    } field!("normal.load").as_str(), |subject, words| format!(
         "the data have a load of {of_data:.4e} N, the case one of {of_case:.4e} N: are the units right?"
     );
 
@@ -42,7 +42,7 @@ messages! {
     "no-wear" NoWear {
         /// Its name.
         method: &'static str,
-    } "solver.method", |subject, words| format!(
+    } field!("solver.method").as_str(), |subject, words| format!(
         "the method {method} gives no fields: wear and melting are unknown"
     );
 
@@ -50,7 +50,7 @@ messages! {
     "wear-of-dry-steel" WearOfDrySteel {
         /// μ0, dimensionless.
         friction: f64,
-    } "damage.wear_map", |subject, words| format!(
+    } field!("damage.wear_map").as_str(), |subject, words| format!(
         "the coefficients of wear are those of dry steel on steel, but μ0 is {friction} or there is a \
          layer: what lowers friction lowers wear by more"
     );
@@ -63,7 +63,7 @@ messages! {
         temperature: f64,
         /// That of melting, in °C.
         limit: f64,
-    } "damage.melting_temperature", |subject, words| format!(
+    } field!("damage.melting_temperature").as_str(), |subject, words| format!(
         "{:.1} % of the contact is hotter than {limit} °C, up to {temperature:.0} °C: a surface \
          melts, and friction, wear and heat are no longer those of the laws", 100.0 * share
     );
@@ -87,7 +87,7 @@ messages! {
         rows: usize,
         /// The first of them, from 0.
         first: usize,
-    } "normal.model", |subject, words| format!(
+    } field!("normal.model").as_str(), |subject, words| format!(
         "in {rows} of the states the wheel has more contacts than the table has columns for, in row \
          {first} for the first time: those with the smallest forces are not counted"
     );
@@ -98,7 +98,7 @@ messages! {
         lateral: f64,
         /// Why.
         reason: String,
-    } "wheelset.lateral_position", |subject, words| {
+    } field!("wheelset.lateral_position").as_str(), |subject, words| {
         format!("at a lateral position of {} mm: {reason}", millimetres(*lateral))
     };
 
@@ -108,7 +108,7 @@ messages! {
         largest: f64,
         /// Why.
         reason: String,
-    } "wheelset.lateral_position", |subject, words| format!(
+    } field!("wheelset.lateral_position").as_str(), |subject, words| format!(
         "the equivalent conicity ends at an amplitude of {} mm: beyond, {reason}",
         millimetres(*largest)
     );
@@ -117,7 +117,7 @@ messages! {
     "no-periodic-motion" NoPeriodicMotion {
         /// Smallest and largest of them, in m.
         amplitudes: [f64; 2],
-    } "wheelset.lateral_position", |subject, words| format!(
+    } field!("wheelset.lateral_position").as_str(), |subject, words| format!(
         "the equivalent conicity by EN 15302 is unknown for amplitudes from {} to {} mm: there the \
          rolling radius difference drives the wheelset away from the middle, and no motion has such \
          an amplitude",
@@ -133,7 +133,7 @@ messages! {
         first: usize,
         /// Over which distance they hold, in m.
         distance: f64,
-    } "solver.method", |subject, words| format!(
+    } field!("solver.method").as_str(), |subject, words| format!(
         "{rows} of the states have no friction power, because the method gives no moment and they \
          have spin, the first in row {first}: the {distance:.4e} m over which they hold are left out"
     );

@@ -11,8 +11,8 @@ use schlupf_case::CaseErrors;
 use serde::Serialize;
 
 use crate::output::figures::color::{BLUE, GREEN, MUTED, VERMILION};
-use crate::output::figures::marks::{HEADING, title_block};
-use crate::output::figures::panels::{Curve, Panel, Stack};
+use crate::output::figures::marks::Heading;
+use crate::output::figures::panels::{self, Curve, Panel, Stack};
 use crate::output::figures::{Drawing, FigureError};
 use crate::output::json::{self, PROGRAM};
 use crate::output::report::{reasons, verdict};
@@ -182,19 +182,11 @@ impl PatchReport {
         let curves: Vec<Curve> = contacts.zip(COLORS.iter().cycle()).map(curve).collect();
         let widest = curves.iter().flat_map(|curve| &curve.points);
         let widest = widest.fold(0.0, |widest: f64, point| widest.max(point[0].abs()));
-        let stack = Stack {
-            x: [-widest, widest],
-            label: "$y$ (mm)",
-            panels: vec![Panel { label: "$p$_n (MPa)".to_owned(), height: 280.0, curves }],
-            shaded: Vec::new(),
-            shading: "",
-        };
-        let mut drawing = stack.drawing();
-        let remark = if self.status == Status::Converged { "" } else { "not converged" };
-        let about = "the largest one in each row of cells";
-        title_block(&mut drawing, "Normal pressure across rolling", [&self.title, about], remark);
-        stack.draw(&mut drawing, HEADING + 30.0);
-        drawing.finish()
+        let panel = Panel::new("$p$_n (MPa)", 280.0, curves);
+        let stack = Stack::over([-widest, widest], "$y$ (mm)", vec![panel]);
+        let about = "the largest one in each row of cells".to_owned();
+        let title = "Normal pressure across rolling";
+        panels::page(&Heading::new(title, &self.title, about, self.status), &[stack])
     }
 }
 

@@ -9,7 +9,7 @@ use schlupf::surface::HeightMap;
 use schlupf::surface::spectrum::{RadialSpectrum, Window};
 use schlupf::{Error, Watch};
 use schlupf_case::surface::{RoughSurface, SurfaceOrigin};
-use schlupf_case::{CaseErrors, InputFile, RoughnessRequest, caveats};
+use schlupf_case::{CaseErrors, InputFile, RoughnessRequest, caveats, field};
 
 use crate::TaskError;
 use crate::request::{Kind, Rule, request};
@@ -22,36 +22,36 @@ request! {
     /// Which surface to press; without a file and without `synthetic` that of the case.
     Request {
         /// Surface or profile of one body, or of both together (.csv, .npy, .x3p, .xyz).
-        surface: Option<InputFile> = Kind::file_of_case("contact_law.roughness.file"), positional();
+        surface: Option<InputFile> = Kind::file_of_case(field!("contact_law.roughness.file")), positional();
         /// Surface of the other body, on the same lattice: their heights are added.
-        second: Option<InputFile> = Kind::file_of_case("contact_law.roughness.second_file");
+        second: Option<InputFile> = Kind::file_of_case(field!("contact_law.roughness.second_file"));
         /// Make a self-affine surface, such as rms_height="1 um",hurst=0.8,longest="100 um",
         /// shortest="5 um",seed=1; also rms_slope and roll_off.
         synthetic: Option<String> = Kind::list("KEY=VALUE,…");
         /// Form to remove from a measured surface; by default a plane.
-        form: Option<String> = Kind::of_case("contact_law.roughness.form");
+        form: Option<String> = Kind::of_case(field!("contact_law.roughness.form"));
         /// Remove waves longer than this from a measured surface, such as "0.8 mm" (λc of the
         /// Gaussian filter, ISO 16610).
-        cutoff: Option<String> = Kind::of_case("contact_law.roughness.cutoff_wavelength");
+        cutoff: Option<String> = Kind::of_case(field!("contact_law.roughness.cutoff_wavelength"));
         /// Unit of the heights of an .npy file, of all lengths of an .xyz file, such as um.
-        unit: Option<String> = Kind::of_case("contact_law.roughness.unit");
+        unit: Option<String> = Kind::of_case(field!("contact_law.roughness.unit"));
         /// Spacing of the points of an .npy file or of heights alone, such as "1 um".
-        spacing: Option<String> = Kind::of_case("contact_law.roughness.spacing");
+        spacing: Option<String> = Kind::of_case(field!("contact_law.roughness.spacing"));
         /// Fill points without a height smoothly.
-        fill_holes: Option<String> = Kind::of_case("contact_law.roughness.fill_holes");
+        fill_holes: Option<String> = Kind::of_case(field!("contact_law.roughness.fill_holes"));
         /// Resample a surface whose cells are not square.
-        square_cells: Option<String> = Kind::of_case("contact_law.roughness.square_cells");
+        square_cells: Option<String> = Kind::of_case(field!("contact_law.roughness.square_cells"));
         /// Cells along x of the resampled or synthetic surface.
-        cells: Option<String> = Kind::of_case("contact_law.roughness.cells");
+        cells: Option<String> = Kind::of_case(field!("contact_law.roughness.cells"));
         /// Seed of a surface generated from a profile.
-        seed: Option<String> = Kind::of_case("contact_law.roughness.seed");
+        seed: Option<String> = Kind::of_case(field!("contact_law.roughness.seed"));
         /// Mean pressures: a range (six pressures) or a list; by default those of the case, of a
         /// surface given here without a case 0.2..1.2 GPa.
-        pressure: Option<String> = Kind::of_case("contact_law.roughness.pressures");
+        pressure: Option<String> = Kind::of_case(field!("contact_law.roughness.pressures"));
         /// Coefficient of friction; by default that of the case.
-        friction: Option<String> = Kind::of_case("friction.coefficient");
+        friction: Option<String> = Kind::of_case(field!("friction.coefficient"));
         /// Hardness of the softer body, such as "2.5 GPa"; by default the bodies are elastic.
-        hardness: Option<String> = Kind::of_case("contact_law.roughness.hardness");
+        hardness: Option<String> = Kind::of_case(field!("contact_law.roughness.hardness"));
         => RULES
     }
 }

@@ -15,7 +15,7 @@ use schlupf::solution::Resultant;
 use schlupf::wheel_rail::WheelSolution;
 use schlupf::{Error, Method, Problem, Quantity, Solution, Solver, Status, Warning, Watch};
 use schlupf_case::fields::{Field, Kind};
-use schlupf_case::{Case, CaseErrors, CaseFile, Cause, Notice, Place};
+use schlupf_case::{Case, CaseErrors, CaseFile, Cause, FieldPath, Notice, Place, field};
 
 /// The value of a field: numbers in SI units, temperatures in degC.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,7 +64,7 @@ pub fn notices(
     name: &str,
 ) -> Vec<Message> {
     let is_of = |message: &Message, code| {
-        message.code == code && fields.iter().any(|field| field.path == message.quantity)
+        message.code == code && fields.iter().any(|field| *field.path == *message.quantity)
     };
     let of_case = case.notices.iter().filter(|message| !is_of(message, Notice::UNUSUAL)).cloned();
     let own = fields.iter().zip(entries).filter_map(|(field, entry)| {
@@ -120,12 +120,12 @@ pub struct Acting<'a> {
 /// Solves states of a case, one after the other: each starts from those before.
 ///
 /// ```
-/// use schlupf_case::{CaseFile, Folder, Overrides, fields};
+/// use schlupf_case::{CaseFile, Folder, Overrides, field};
 /// use schlupf_tasks::states::{Entry, StateSolver};
 ///
 /// let text = "grid = { cells_x = 10, cells_y = 10 }";
 /// let file = CaseFile::from_str(text, "a case", Folder::new(""), Overrides::NONE)?;
-/// let load = fields::find("normal.load").into_iter().collect();
+/// let load = vec![field!("normal.load").field()];
 /// let mut solver = StateSolver::new(file, load);
 /// let state = solver.solve(&[Entry::Number(60e3)], "state 0", &schlupf::unwatched);
 /// let (_, solution) = state.unwrap();
@@ -343,7 +343,7 @@ fn solver(case: &Case, as_asked: bool) -> Box<dyn Solver> {
 }
 
 /// The field of the normal load.
-const LOAD: &str = "normal.load";
+const LOAD: FieldPath = field!("normal.load");
 
 impl Posed {
     /// Whether its solvers take other values without another case.

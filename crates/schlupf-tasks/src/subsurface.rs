@@ -5,7 +5,9 @@ use schlupf::error::MethodPurpose;
 use schlupf::grid::Grid;
 use schlupf::subsurface::{Measure, PointStress, SubsurfaceStress};
 use schlupf::{Error, Solution, Watch};
-use schlupf_case::{Case, CaseErrors, InputFile, POINT_COLUMNS, SubsurfaceRequest, read_points};
+use schlupf_case::{
+    Case, CaseErrors, InputFile, POINT_COLUMNS, SubsurfaceRequest, field, read_points,
+};
 
 use crate::request::{Kind, request};
 use crate::solve::solve;
@@ -127,9 +129,9 @@ fn check_size(
         return Ok(());
     };
     let field = match wanted.margin {
-        Some(_) => "subsurface.margin",
-        None if points > most as f64 => "subsurface.layers",
-        None => "grid.cells_x",
+        Some(_) => field!("subsurface.margin"),
+        None if points > most as f64 => field!("subsurface.layers"),
+        None => field!("grid.cells_x"),
     };
     Err(case.contradiction(field, &reason).into())
 }

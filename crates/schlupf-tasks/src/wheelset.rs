@@ -7,8 +7,8 @@ use schlupf::creep_curve::MAX_POINTS;
 use schlupf::message::Message;
 use schlupf::tally::{Tallied, Tally};
 use schlupf::wheel_rail::{Roll, RollingRadiusDifference, Support, WheelSolution};
-use schlupf::{Quantity, Watch, parallel};
-use schlupf_case::{CaseError, CaseErrors, CaseFile, Cause, FieldNames, Place};
+use schlupf::{Watch, parallel};
+use schlupf_case::{CaseError, CaseErrors, CaseFile, Cause, FieldNames, FieldPath, Place, field};
 
 use crate::notice::{Notice, millimetres};
 use crate::request::{Kind, request};
@@ -22,7 +22,7 @@ const FIRST_AMPLITUDE: f64 = 1e-3;
 const LAST_AMPLITUDE: f64 = 6e-3;
 const AMPLITUDES: f64 = 1e4;
 
-const LATERAL: &str = "wheelset.lateral_position";
+const LATERAL: FieldPath = field!("wheelset.lateral_position");
 
 /// Step of the positions from which it is found, in m.
 const RADIUS_STEP: f64 = 2e-5;
@@ -31,7 +31,7 @@ request! {
     /// Where to put the wheelset.
     Request {
         /// First and last lateral position of the wheelset.
-        lateral_position: [f64; 2] = Kind::range(Quantity::LateralPosition), default("-8..8 mm");
+        lateral_position: [f64; 2] = Kind::range(LATERAL), default("-8..8 mm");
         /// Number of positions.
         points: usize = Kind::count(2, MAX_POINTS), default(33);
     }
@@ -118,7 +118,7 @@ fn wheels(file: &CaseFile, lateral: f64, watch: Watch) -> Result<[WheelSolution;
 fn at_position(file: &CaseFile, mut errors: CaseErrors, lateral: f64) -> CaseErrors {
     let CaseError { field, message, place, .. } = &mut *errors.first;
     *message = format!("at a lateral position of {} mm: {message}", millimetres(lateral));
-    if field == LATERAL {
+    if *field == *LATERAL {
         *place = Place::File { name: file.name().to_owned() };
     }
     errors

@@ -1,24 +1,26 @@
 //! Fields of which only one side may be given.
 
+use super::FieldPath;
+
 /// Two groups of fields that say the same thing in different ways.
 #[derive(Debug)]
 pub struct Alternatives {
     /// One way.
-    pub first: &'static [&'static str],
+    pub first: &'static [FieldPath],
     /// The other way.
-    pub second: &'static [&'static str],
+    pub second: &'static [FieldPath],
     /// Why only one may be given.
     pub reason: &'static str,
 }
 
-const HEIGHTS: &[&str] = &[
+const HEIGHTS: &[FieldPath] = &fields![
     "contact_law.roughness.rms_height",
     "contact_law.roughness.rms_height_wheel",
     "contact_law.roughness.rms_height_rail",
 ];
 
 /// Fields that ask for the micro model, without a file.
-pub const MICRO_MODEL: &[&str] = &[
+pub const MICRO_MODEL: &[FieldPath] = &fields![
     "contact_law.roughness.longest_wavelength",
     "contact_law.roughness.roll_off_wavelength",
     "contact_law.roughness.shortest_wavelength",
@@ -31,7 +33,7 @@ pub const MICRO_MODEL: &[&str] = &[
 ];
 
 /// Fields that go with a surface file.
-pub const OF_FILE: &[&str] = &[
+pub const OF_FILE: &[FieldPath] = &fields![
     "contact_law.roughness.second_file",
     "contact_law.roughness.unit",
     "contact_law.roughness.spacing",
@@ -42,7 +44,7 @@ pub const OF_FILE: &[&str] = &[
 ];
 
 /// Stiffnesses of the elasticity: so many per area, then those for each cell.
-pub const STIFFNESSES: &[&str] = &[
+pub const STIFFNESSES: &[FieldPath] = &fields![
     "elasticity.bedding_x",
     "elasticity.bedding_y",
     "elasticity.coupling_x",
@@ -57,7 +59,7 @@ pub const STIFFNESSES: &[&str] = &[
 const PER_AREA: usize = 6;
 
 /// All fields of the roughness.
-pub const ROUGHNESS: &[&str] = &[
+pub const ROUGHNESS: &[FieldPath] = &fields![
     "contact_law.roughness.rms_height",
     "contact_law.roughness.rms_height_wheel",
     "contact_law.roughness.rms_height_rail",
@@ -81,8 +83,12 @@ pub const ROUGHNESS: &[&str] = &[
     "contact_law.roughness.pressures",
 ];
 
+/// Fields that make a history, each by itself.
+pub const HISTORY: &[FieldPath] =
+    &fields!["history.file", "history.time", "history.shift_x", "history.shift_y"];
+
 /// Fields that prescribe the longitudinal force.
-const LONGITUDINAL_FORCES: &[&str] = &[
+const LONGITUDINAL_FORCES: &[FieldPath] = &fields![
     "kinematics.force_x",
     "kinematics.traction_coefficient",
     "kinematics.wheel_torque",
@@ -92,43 +98,47 @@ const LONGITUDINAL_FORCES: &[&str] = &[
 /// All pairs of groups that exclude each other.
 pub const ALTERNATIVES: &[Alternatives] = &[
     Alternatives {
-        first: &["kinematics.angular_velocity"],
-        second: &["kinematics.creepage_x", "history.creepage_x", "history.speed"],
+        first: &fields!["kinematics.angular_velocity"],
+        second: &fields!["kinematics.creepage_x", "history.creepage_x", "history.speed"],
         reason: "the angular velocity determines the longitudinal creepage at a given speed",
     },
     Alternatives {
         first: LONGITUDINAL_FORCES,
-        second: &["kinematics.creepage_x", "kinematics.angular_velocity", "history.creepage_x"],
+        second: &fields![
+            "kinematics.creepage_x",
+            "kinematics.angular_velocity",
+            "history.creepage_x",
+        ],
         reason: "a longitudinal force determines the longitudinal creepage",
     },
     Alternatives {
-        first: &["kinematics.force_x", "history.force_x"],
-        second: &["kinematics.traction_coefficient", "kinematics.wheel_torque"],
+        first: &fields!["kinematics.force_x", "history.force_x"],
+        second: &fields!["kinematics.traction_coefficient", "kinematics.wheel_torque"],
         reason: "all of them prescribe the longitudinal force",
     },
     Alternatives {
-        first: &["kinematics.traction_coefficient"],
-        second: &["kinematics.wheel_torque"],
+        first: &fields!["kinematics.traction_coefficient"],
+        second: &fields!["kinematics.wheel_torque"],
         reason: "both prescribe the longitudinal force",
     },
     Alternatives {
-        first: &["kinematics.force_y", "history.force_y"],
-        second: &["kinematics.creepage_y", "kinematics.yaw_angle", "history.creepage_y"],
+        first: &fields!["kinematics.force_y", "history.force_y"],
+        second: &fields!["kinematics.creepage_y", "kinematics.yaw_angle", "history.creepage_y"],
         reason: "the lateral force determines the lateral creepage",
     },
     Alternatives {
-        first: &["kinematics.moment_z", "history.moment_z"],
-        second: &["kinematics.spin", "history.spin"],
+        first: &fields!["kinematics.moment_z", "history.moment_z"],
+        second: &fields!["kinematics.spin", "history.spin"],
         reason: "the moment determines the spin",
     },
     Alternatives {
-        first: &["kinematics.yaw_angle"],
-        second: &["kinematics.creepage_y", "history.creepage_y"],
+        first: &fields!["kinematics.yaw_angle"],
+        second: &fields!["kinematics.creepage_y", "history.creepage_y"],
         reason: "the yaw angle determines the lateral creepage",
     },
     Alternatives {
-        first: &["normal.peak_pressure"],
-        second: &["normal.load", "history.load"],
+        first: &fields!["normal.peak_pressure"],
+        second: &fields!["normal.load", "history.load"],
         reason: "with the semi-axes, the peak pressure determines the load",
     },
     Alternatives {
@@ -137,31 +147,31 @@ pub const ALTERNATIVES: &[Alternatives] = &[
         reason: "stiffnesses are given per area (bedding, coupling) or for each cell (spring)",
     },
     Alternatives {
-        first: &["elasticity.calibration"],
+        first: &fields!["elasticity.calibration"],
         second: STIFFNESSES,
         reason: "the calibration gives all stiffnesses",
     },
     Alternatives {
-        first: &["contact_law.stiffness"],
+        first: &fields!["contact_law.stiffness"],
         second: ROUGHNESS,
         reason: "the roughness determines k_c",
     },
     Alternatives {
-        first: &["contact_law.roughness.rms_height"],
-        second: &[
+        first: &fields!["contact_law.roughness.rms_height"],
+        second: &fields![
             "contact_law.roughness.rms_height_wheel",
             "contact_law.roughness.rms_height_rail",
         ],
         reason: "h_rms is that of both surfaces together, or given for each of them",
     },
     Alternatives {
-        first: &["contact_law.roughness.rms_slope"],
+        first: &fields!["contact_law.roughness.rms_slope"],
         second: HEIGHTS,
         reason: "with its spectrum, the slope determines the height of a surface",
     },
     Alternatives {
-        first: &["contact_law.roughness.file", "contact_law.roughness.second_file"],
-        second: &[
+        first: &fields!["contact_law.roughness.file", "contact_law.roughness.second_file"],
+        second: &fields![
             "contact_law.roughness.rms_height",
             "contact_law.roughness.rms_height_wheel",
             "contact_law.roughness.rms_height_rail",
@@ -175,13 +185,13 @@ pub const ALTERNATIVES: &[Alternatives] = &[
         reason: "the surface comes from a file or from a spectrum",
     },
     Alternatives {
-        first: &["contact_law.roughness.slope_factor"],
+        first: &fields!["contact_law.roughness.slope_factor"],
         second: MICRO_MODEL,
         reason: "γ is of the closed form; the micro model finds its own",
     },
     Alternatives {
-        first: &["history.file"],
-        second: &[
+        first: &fields!["history.file"],
+        second: &fields![
             "history.time",
             "history.speed",
             "history.creepage_x",
@@ -195,13 +205,13 @@ pub const ALTERNATIVES: &[Alternatives] = &[
         reason: "a history comes from a file or stands in the case",
     },
     Alternatives {
-        first: &["friction.variation_file"],
-        second: &["friction.variation_y", "friction.variation_factor"],
+        first: &fields!["friction.variation_file"],
+        second: &fields!["friction.variation_y", "friction.variation_factor"],
         reason: "friction over y comes from a file or stands in the case",
     },
     Alternatives {
-        first: &["damage.wear_map"],
-        second: &[
+        first: &fields!["damage.wear_map"],
+        second: &fields![
             "damage.wear_coefficient_mild",
             "damage.wear_coefficient_severe",
             "damage.wear_coefficient_catastrophic",
@@ -212,7 +222,7 @@ pub const ALTERNATIVES: &[Alternatives] = &[
 
 impl Alternatives {
     /// The fields on the other side of one.
-    pub fn opposite(&self, path: &str) -> &'static [&'static str] {
+    pub fn opposite(&self, path: FieldPath) -> &'static [FieldPath] {
         if self.first.contains(&path) {
             self.second
         } else if self.second.contains(&path) {
@@ -224,23 +234,26 @@ impl Alternatives {
 }
 
 /// Fields that count only beside one of others that have no default.
-const COMPANIONS: &[(&str, &[&str])] = &[
-    ("kinematics.wheel_radius", &["kinematics.angular_velocity", "kinematics.wheel_torque"]),
-    ("friction.second_half_speed", &["friction.second_coefficient"]),
-    ("friction.memory_speed", &["friction.memory_distance"]),
-    ("cooling.area", &["cooling.film_coefficient"]),
-    ("cooling.air_temperature", &["cooling.film_coefficient"]),
+const COMPANIONS: &[(FieldPath, &[FieldPath])] = &[
+    (
+        field!("kinematics.wheel_radius"),
+        &fields!["kinematics.angular_velocity", "kinematics.wheel_torque"],
+    ),
+    (field!("friction.second_half_speed"), &fields!["friction.second_coefficient"]),
+    (field!("friction.memory_speed"), &fields!["friction.memory_distance"]),
+    (field!("cooling.area"), &fields!["cooling.film_coefficient"]),
+    (field!("cooling.air_temperature"), &fields!["cooling.film_coefficient"]),
 ];
 
 /// The fields without any of which this one does not count; empty if it always does.
-pub fn companions(path: &str) -> &'static [&'static str] {
+pub fn companions(path: FieldPath) -> &'static [FieldPath] {
     COMPANIONS.iter().find(|(of, _)| *of == path).map_or(&[], |(_, companions)| companions)
 }
 
 /// Fields that decide together with another one whether a case is possible.
-const RELATED: &[(&str, &[&str])] = &[(
-    "friction.reference_temperature",
-    &[
+const RELATED: &[(FieldPath, &[FieldPath])] = &[(
+    field!("friction.reference_temperature"),
+    &fields![
         "friction.temperature_at_zero_friction",
         "friction.temperature_range",
         "wheel.bulk_temperature",
@@ -250,7 +263,7 @@ const RELATED: &[(&str, &[&str])] = &[(
 
 /// Fields to look at when another one is refused but has its default: its alternatives, and those
 /// that it has to fit.
-pub fn related(path: &str) -> impl Iterator<Item = &'static str> {
+pub fn related(path: FieldPath) -> impl Iterator<Item = FieldPath> {
     let alternatives = ALTERNATIVES.iter().flat_map(move |pair| pair.opposite(path));
     let related = RELATED.iter().filter(move |(of, _)| *of == path).flat_map(|(_, paths)| *paths);
     alternatives.chain(related).copied()

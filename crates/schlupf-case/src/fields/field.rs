@@ -1,6 +1,7 @@
 //! What a field is.
 
 use super::choice::Choice;
+use super::path::FieldPath;
 use super::suggestion::{NOT_PER_CENT, closest, creepage_in_per_cent, is_per_cent};
 use super::{Requirement, readable};
 use crate::document::{Content, Value};
@@ -28,7 +29,7 @@ pub struct Section {
 #[derive(Debug, Clone, Copy)]
 pub struct Field {
     /// Dotted path, such as `kinematics.speed`.
-    pub path: &'static str,
+    pub path: FieldPath,
     /// The quantities that it gives.
     pub quantities: &'static [Quantity],
     /// What may stand there.
@@ -59,7 +60,20 @@ pub struct Field {
 
 /// A choice that a field belongs to: the path of the choice and the names that the field is used
 /// with.
-pub type UsedWith = (&'static str, &'static [&'static str]);
+pub type UsedWith = (FieldPath, &'static [&'static str]);
+
+/// What may stand in a field, or in an option that is read as one.
+#[derive(Debug, Clone, Copy)]
+pub struct Allowed {
+    /// What it is called.
+    pub name: &'static str,
+    /// What may stand there.
+    pub kind: Kind,
+    /// What its number must be, in SI units.
+    pub requirement: Requirement,
+    /// What its number is in almost all cases, in SI units.
+    pub usual: Option<Requirement>,
+}
 
 /// What may stand in a field.
 #[derive(Debug, Clone, Copy)]
@@ -94,12 +108,21 @@ pub enum Default {
     /// This text.
     Text(&'static str),
     /// The same as another field.
-    Same(&'static str),
+    Same(FieldPath),
     /// Something that is computed.
     Computed(&'static str),
 }
 
 impl Default {
+    /// What it is, in words, where it is no text.
+    pub fn in_words(self) -> Option<&'static str> {
+        match self {
+            Self::Same(other) => Some(other.as_str()),
+            Self::Computed(text) => Some(text),
+            Self::Nothing | Self::Text(_) => None,
+        }
+    }
+
     /// The text, where it is one.
     pub fn text(self) -> Option<&'static str> {
         match self {
@@ -160,7 +183,7 @@ fn names(choices: &[Choice]) -> String {
 impl Field {
     /// Without an example, used with any choice.
     pub(crate) const fn new(
-        path: &'static str,
+        path: FieldPath,
         kind: Kind,
         requirement: Requirement,
         default: Default,
@@ -186,12 +209,12 @@ impl Field {
 
     /// Name of the section it stands in.
     pub fn section(&self) -> &'static str {
-        self.path.rsplit_once('.').map_or("", |(section, _)| section)
+        self.path.section()
     }
 
     /// Last part of its path.
     pub fn name(&self) -> &'static str {
-        self.path.rsplit_once('.').map_or(self.path, |(_, name)| name)
+        self.path.name()
     }
 
     /// The choices it belongs to, of which any will do; none where it is always used.
@@ -199,7 +222,20 @@ impl Field {
         self.used_with.into_iter().flatten()
     }
 
+    /// What may stand there.
+    pub fn allowed(&self) -> Allowed {
+        let Self { kind, requirement, usual, .. } = *self;
+        Allowed { name: self.path.as_str(), kind, requirement, usual }
+    }
+
     /// The value of the field, in SI units, or why it cannot stand there.
+    pub fn read(&self, value: &Value) -> Result<Setting, Refusal> {
+        self.allowed().read(value)
+    }
+}
+
+impl Allowed {
+    /// The value, in SI units, or why it cannot stand there.
     pub fn read(&self, value: &Value) -> Result<Setting, Refusal> {
         match (self.kind, &value.content) {
             (Kind::Text | Kind::Path, Content::Text(text)) => Ok(Setting::Text(text.clone())),
@@ -282,7 +318,7 @@ impl Field {
         if self.requirement.holds(number) {
             return Ok(number);
         }
-        let help = creepage_in_per_cent(self.path, number);
+        let help = creepage_in_per_cent(self.name, number);
         Err(Refusal::new(self.requirement.text(unit, &Names), value).help(help))
     }
 

@@ -6,17 +6,25 @@
 //! marks the fields that shape the contact; members of a family share the contact if none of those
 //! changes.
 
+#[macro_use]
+mod path;
 mod alternatives;
 pub mod choice;
 mod field;
 mod suggestion;
 mod table;
 
+use crate::error::CaseError;
+use crate::place::Place;
+use schlupf::message::shortened;
+
 pub use alternatives::{
-    ALTERNATIVES, Alternatives, MICRO_MODEL, OF_FILE, ROUGHNESS, STIFFNESSES, companions, related,
+    ALTERNATIVES, Alternatives, HISTORY, MICRO_MODEL, OF_FILE, ROUGHNESS, STIFFNESSES, companions,
+    related,
 };
 pub use choice::{Choice, Choose};
-pub use field::{Default, Field, Kind, Section, UsedWith};
+pub use field::{Allowed, Default, Field, Kind, Section, UsedWith};
+pub use path::FieldPath;
 pub use schlupf::requirement::{Requirement, readable};
 pub use suggestion::{NOT_PER_CENT, closest, creepage_in_per_cent, is_per_cent};
 pub use table::SECTIONS;
@@ -26,9 +34,28 @@ pub fn all() -> impl Iterator<Item = &'static Field> {
     SECTIONS.iter().flat_map(|section| section.fields)
 }
 
-/// The field with a dotted path.
+/// The field with a dotted path that a user gives.
 pub fn find(path: &str) -> Option<&'static Field> {
-    all().find(|field| field.path == path)
+    all().find(|field| &*field.path == path)
+}
+
+/// The field with a dotted path that a user gives at a place.
+///
+/// # Errors
+/// A path of no field, with the one that was probably meant.
+pub fn named(path: &str, place: impl FnOnce() -> Place) -> Result<&'static Field, CaseError> {
+    find(path).ok_or_else(|| {
+        let (of, _) = path.rsplit_once('.').unwrap_or_default();
+        let help = match (closest_path(path), section(of)) {
+            (Some(meant), _) => format!("did you mean `{meant}`?"),
+            (None, Some(section)) if !section.name.is_empty() => {
+                let names: Vec<_> = section.fields.iter().map(Field::name).collect();
+                format!("the fields of [{}] are {}", section.name, names.join(", "))
+            }
+            _ => "`schlupf init -` shows all fields".to_owned(),
+        };
+        CaseError::new(path, format!("unknown field `{}`", shortened(path)), place()).help(help)
+    })
 }
 
 /// The section with a name; the name of the top level is empty.
@@ -48,14 +75,15 @@ pub fn unusual(field: &Field, values: &[f64]) -> Option<(usize, usize)> {
 
 /// The dotted path that was probably meant: a field of the same section with a similar name, or a
 /// field of the same name in another section.
-pub fn closest_path(path: &str) -> Option<&'static str> {
+pub fn closest_path(path: &str) -> Option<FieldPath> {
     let (section, name) = path.rsplit_once('.').unwrap_or(("", path));
     let in_section = || all().filter(|field| field.section() == section);
     if let Some(neighbour) = closest(name, in_section().map(Field::name)) {
         return in_section().find(|field| field.name() == neighbour).map(|field| field.path);
     }
     let namesakes = || all().filter(|field| field.name() == name).map(|field| field.path);
-    closest(path, namesakes()).or_else(|| namesakes().next())
+    let meant = closest(path, namesakes().map(FieldPath::as_str));
+    namesakes().find(|path| meant.is_none_or(|meant| meant == &**path))
 }
 
 #[cfg(test)]
@@ -97,21 +125,13 @@ mod tests {
     }
 
     #[test]
-    fn every_reference_to_a_field_or_choice_exists() {
+    fn every_reference_to_a_choice_exists() {
         for field in all() {
-            if let Default::Same(path) = field.default {
-                assert!(find(path).is_some(), "{path}");
-            }
             for (path, names) in field.uses() {
-                let choices = find(path).unwrap().kind.choices();
+                let choices = path.field().kind.choices();
                 for name in names {
                     assert!(choices.iter().any(|choice| choice.name == *name), "{path} = {name}");
                 }
-            }
-        }
-        for alternatives in ALTERNATIVES {
-            for path in alternatives.first.iter().chain(alternatives.second) {
-                assert!(find(path).is_some(), "{path}");
             }
         }
     }
@@ -132,13 +152,13 @@ mod tests {
 
     #[test]
     fn misspelt_and_misplaced_fields_are_recognised() {
-        assert_eq!(closest_path("kinematics.creepage"), Some("kinematics.creepage_x"));
-        assert_eq!(closest_path("kinematics.sped"), Some("kinematics.speed"));
-        assert_eq!(closest_path("kinematics.load"), Some("normal.load"));
-        assert_eq!(closest_path("load"), Some("normal.load"));
-        assert_eq!(closest_path("wheel.youngs_modulus"), Some("wheel.young_modulus"));
+        assert_eq!(closest_path("kinematics.creepage"), Some(field!("kinematics.creepage_x")));
+        assert_eq!(closest_path("kinematics.sped"), Some(field!("kinematics.speed")));
+        assert_eq!(closest_path("kinematics.load"), Some(field!("normal.load")));
+        assert_eq!(closest_path("load"), Some(field!("normal.load")));
+        assert_eq!(closest_path("wheel.youngs_modulus"), Some(field!("wheel.young_modulus")));
         assert_eq!(closest_path("friction.mu"), None);
-        assert_eq!(closest_path("grid.cell_x"), Some("grid.cells_x"));
-        assert_eq!(closest_path("contactlaw.stiffness"), Some("contact_law.stiffness"));
+        assert_eq!(closest_path("grid.cell_x"), Some(field!("grid.cells_x")));
+        assert_eq!(closest_path("contactlaw.stiffness"), Some(field!("contact_law.stiffness")));
     }
 }

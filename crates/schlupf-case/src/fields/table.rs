@@ -12,17 +12,22 @@ macro_rules! section {
             $doc:literal $(, $attribute:ident($($value:expr),*))*;
         )*
     ) => {
-        pub(super) const $section: Section = Section {
-            name: $heading,
-            quantities: &[$(schlupf::Quantity::$of)?],
-            doc: $about,
-            tasks: &[$($($task),+)?],
-            fields: &[$(
-                Field::new(concat!($heading, ".", $name), $kind, $requirement, $default, $doc)
-                    .giving(&[$(schlupf::Quantity::$quantity),*])
-                    $(.$attribute($($value),*))*
-            ),*],
-        };
+        pub(super) struct $section;
+
+        impl $section {
+            pub(super) const PATHS: &[&str] = &[$(concat!($heading, ".", $name)),*];
+            pub(super) const SECTION: Section = Section {
+                name: $heading,
+                quantities: &[$(schlupf::Quantity::$of)?],
+                doc: $about,
+                tasks: &[$($($task),+)?],
+                fields: &[$(
+                    Field::new(field!($heading, ".", $name), $kind, $requirement, $default, $doc)
+                        .giving(&[$(schlupf::Quantity::$quantity),*])
+                        $(.$attribute($($value),*))*
+                ),*],
+            };
+        }
     };
 }
 
@@ -41,6 +46,7 @@ use super::choice::{
 };
 use super::field::Default::{Computed, Nothing, Same, Text};
 use super::field::{Field, Kind, Section};
+use super::path::FieldPath;
 use crate::units::Measure;
 use schlupf::Quantity;
 use schlupf::requirement::Requirement::{self, Between, Finite, Inside, Magnitude, Radius};
@@ -72,14 +78,14 @@ impl Field {
     }
 
     /// The same; the default counts with these names of a choice only.
-    const fn default_with(self, choice: &'static str, names: &'static [&'static str]) -> Self {
+    const fn default_with(self, choice: FieldPath, names: &'static [&'static str]) -> Self {
         Self { default_with: Some((choice, names)), ..self }
     }
 
     /// The same; with these names of a choice the default is another one.
     const fn default_else(
         self,
-        choice: &'static str,
+        choice: FieldPath,
         names: &'static [&'static str],
         text: &'static str,
     ) -> Self {
@@ -87,12 +93,12 @@ impl Field {
     }
 
     /// The same; it has no effect with these names of a choice.
-    const fn idle_with(self, choice: &'static str, names: &'static [&'static str]) -> Self {
+    const fn idle_with(self, choice: FieldPath, names: &'static [&'static str]) -> Self {
         Self { idle_with: Some((choice, names)), ..self }
     }
 
     /// The same with a choice that it belongs to, besides the one it may have.
-    const fn with(self, choice: &'static str, names: &'static [&'static str]) -> Self {
+    const fn with(self, choice: FieldPath, names: &'static [&'static str]) -> Self {
         Self { used_with: [Some((choice, names)), self.used_with[0]], ..self }
     }
 }
@@ -101,29 +107,39 @@ const fn quantity(measure: &'static Measure) -> Kind {
     Kind::Quantity(measure)
 }
 
-/// All sections, in the order of the case file.
-pub const SECTIONS: &[Section] = &[
-    TITLE,
-    KINEMATICS,
-    WHEEL,
-    RAIL,
-    NORMAL,
-    wheel_rail::TRACK,
-    wheel_rail::WHEELSET,
-    elasticity::ELASTICITY,
-    layer::LAYER,
-    contact_law::CONTACT_LAW,
-    contact_law::ROUGHNESS,
-    friction::FRICTION,
-    HEAT,
-    COOLING,
-    subsurface::SUBSURFACE,
-    damage::DAMAGE,
-    solver::GRID,
-    solver::SOLVER,
-    solver::FASTSIM,
-    HISTORY,
-];
+/// Lists the sections and, apart from them, their paths: fields refer to each other by these.
+macro_rules! sections {
+    ($($section:path,)*) => {
+        /// All sections, in the order of the case file.
+        pub const SECTIONS: &[Section] = &[$(<$section>::SECTION),*];
+
+        /// The paths of their fields.
+        pub(super) const PATHS: &[&[&str]] = &[$(<$section>::PATHS),*];
+    };
+}
+
+sections! {
+    Title,
+    Kinematics,
+    Wheel,
+    Rail,
+    Normal,
+    wheel_rail::Track,
+    wheel_rail::Wheelset,
+    elasticity::Elasticity,
+    layer::Layer,
+    contact_law::ContactLaw,
+    contact_law::Roughness,
+    friction::Friction,
+    Heat,
+    Cooling,
+    subsurface::Subsurface,
+    damage::Damage,
+    solver::Grid,
+    solver::Solver,
+    solver::Fastsim,
+    History,
+}
 
 /// Bounds that no rolling contact comes near, and within which no product or quotient leaves the
 /// range of double precision. Each in the SI unit of its fields, temperatures in degC.
@@ -160,23 +176,28 @@ const LOAD_OF_WHEEL: Requirement = Between(0.1, 1e6);
 const FORCE_OF_WHEEL: Requirement = Magnitude(1e6);
 
 /// What stands in front of all sections.
-const TITLE: Section = Section {
-    name: "",
-    quantities: &[],
-    doc: "",
-    tasks: &[],
-    fields: &[Field::new(
-        "title",
-        Kind::Text,
-        Finite,
-        Text("wheel on rail"),
-        "title of summary and figures",
-    )
-    .example("steel wheel, 80 kN, braking")],
-};
+struct Title;
+
+impl Title {
+    const PATHS: &[&str] = &["title"];
+    const SECTION: Section = Section {
+        name: "",
+        quantities: &[],
+        doc: "",
+        tasks: &[],
+        fields: &[Field::new(
+            field!("title"),
+            Kind::Text,
+            Finite,
+            Text("wheel on rail"),
+            "title of summary and figures",
+        )
+        .example("steel wheel, 80 kN, braking")],
+    };
+}
 
 section! {
-    KINEMATICS "kinematics"
+    Kinematics "kinematics"
         "How the wheel moves over the rail. Braking has a positive creepage and a negative force.";
 
     "speed" [Speed] quantity(&Measure::SPEED), SPEED, Text("108 km/h"), "v0, speed of the vehicle",
@@ -186,7 +207,7 @@ section! {
         usually(PART_OF_SPEED);
     "angular_velocity" [] quantity(&Measure::ANGULAR_VELOCITY), TURNING, Nothing,
         "ω of the wheel, in place of creepage_x", example("64.7 rad/s");
-    "wheel_radius" [] quantity(&Measure::LENGTH), ROLLING_RADIUS, Same("wheel.radius_x"),
+    "wheel_radius" [] quantity(&Measure::LENGTH), ROLLING_RADIUS, Same(field!("wheel.radius_x")),
         "R, rolling radius that goes with angular_velocity or wheel_torque", example("0.46 m"),
         usually(WHEEL_RADIUS);
     "creepage_y" [CreepageY] Kind::Number, Inside(-1.0, 1.0), Text("0.0"), "η, lateral creepage",
@@ -259,7 +280,7 @@ macro_rules! body {
 }
 
 body! {
-    WHEEL "wheel" "The wheel: elastic and thermal constants, temperature, curvature radii.",
+    Wheel "wheel" "The wheel: elastic and thermal constants, temperature, curvature radii.",
     "0.46 m", "inf", &["hertz", "profile", "wheel-rail"], Radius(1e-3, 5.0), {
         "profile" [WheelProfile] Kind::Path, Finite, Nothing,
             "profile: a file (CSV with the header `y [mm],z [mm]`, Simpack, Miniprof, or two columns in \
@@ -282,7 +303,7 @@ body! {
 }
 
 body! {
-    RAIL "rail" "The rail: the same fields as the wheel.",
+    Rail "rail" "The rail: the same fields as the wheel.",
     "inf", "300 mm", &["hertz", "profile"], RADIUS, {
         "profile" [RailProfile] Kind::Path, Finite, Nothing,
             "profile: a file or the name of one that is built in, such as \"60E1\"; as for the wheel",
@@ -305,7 +326,7 @@ body! {
 }
 
 section! {
-    NORMAL "normal"
+    Normal "normal"
         "Where the normal pressure comes from.";
 
     "model" [] Kind::Choice(NormalModel::CHOICES), Finite, Text("hertz"),
@@ -352,19 +373,19 @@ section! {
 }
 
 /// Path of the source of the pressure.
-const NORMAL_MODEL: &str = "normal.model";
+const NORMAL_MODEL: FieldPath = field!("normal.model");
 /// The model of two profiles and a position.
 const WHEEL_RAIL: &[&str] = &["wheel-rail"];
 /// Models that read a file.
 const FILES: &[&str] = &["tabulated", "profile"];
 
 /// Path of the model of the surface temperature.
-const HEAT_MODEL: &str = "heat.model";
+const HEAT_MODEL: FieldPath = field!("heat.model");
 /// Models in which friction heats.
 const HEATING: &[&str] = &["duhamel", "constant-source"];
 
 section! {
-    HEAT "heat"
+    Heat "heat"
         "Frictional heating of both surfaces.";
 
     "model" [HeatModel] Kind::Choice(HeatChoice::CHOICES), Finite, Text("duhamel"),
@@ -375,7 +396,7 @@ section! {
 }
 
 section! {
-    COOLING "cooling"
+    Cooling "cooling"
         "What cools the wheel in the long run, for `schlupf bulk`." for "bulk";
 
     "film_coefficient" [FilmCoefficient] quantity(&Measure::HEAT_TRANSFER), THERMAL, Nothing,
@@ -385,13 +406,13 @@ section! {
         "A, surface of the wheel that the air cools", example("1.5 m^2"),
         usually(Between(1e-4, 100.0));
     "air_temperature" [AirTemperature] quantity(&Measure::TEMPERATURE), TEMPERATURE,
-        Same("rail.bulk_temperature"),
+        Same(field!("rail.bulk_temperature")),
         "temperature of the air", example("20 degC"),
         usually(Between(-80.0, 200.0));
 }
 
 section! {
-    HISTORY "history"
+    History "history"
         "Transient rolling: values over time, linear in between, from arrays or from a CSV file; \
          before it, or alone, a shift at rest.";
 

@@ -2,24 +2,7 @@
 
 use std::fmt::Write;
 
-/// Sections in the order of a case file.
-const SECTIONS: [&str; 15] = [
-    "kinematics",
-    "wheel",
-    "rail",
-    "normal",
-    "track",
-    "wheelset",
-    "elasticity",
-    "layer",
-    "contact_law",
-    "friction",
-    "heat",
-    "grid",
-    "solver",
-    "fastsim",
-    "history",
-];
+use crate::fields::{FieldPath, SECTIONS};
 
 /// Digits of a number after its first one: enough for any input that people write, few enough to
 /// hide the rounding of conversions.
@@ -42,8 +25,8 @@ pub struct Document {
 /// A field with its value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Field {
-    /// Dotted path.
-    pub path: &'static str,
+    /// Its path.
+    pub path: FieldPath,
     /// Its value in TOML.
     value: String,
     /// The value as one number with its unit, which is empty where it has no dimension.
@@ -51,11 +34,6 @@ pub struct Field {
 }
 
 impl Field {
-    /// Section and name.
-    fn parts(&self) -> (&'static str, &'static str) {
-        self.path.split_once('.').unwrap_or(("", self.path))
-    }
-
     /// Whether it is that of another case, or differs in its number only.
     pub fn is_like(&self, other: &Self) -> bool {
         let unit = |field: &Self| field.number.as_ref().map(|(_, unit)| unit.clone());
@@ -66,7 +44,7 @@ impl Field {
 
 impl Document {
     /// A dimensionless number.
-    pub fn number(&mut self, path: &'static str, value: f64) {
+    pub fn number(&mut self, path: FieldPath, value: f64) {
         let text = number(value);
         // TOML tells whole numbers from others.
         let is_whole = text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'-');
@@ -80,23 +58,23 @@ impl Document {
     }
 
     /// A whole number.
-    pub fn count(&mut self, path: &'static str, value: usize) {
+    pub fn count(&mut self, path: FieldPath, value: usize) {
         let text = value.to_string();
         self.set(path, text.clone(), Some((text, String::new())));
     }
 
     /// A number with its unit.
-    pub fn quantity(&mut self, path: &'static str, value: f64, unit: &str) {
+    pub fn quantity(&mut self, path: FieldPath, value: f64, unit: &str) {
         self.set(path, quantity(value, unit), Some((number(value), unit.to_owned())));
     }
 
     /// Text, such as one of several names.
-    pub fn text(&mut self, path: &'static str, text: &str) {
+    pub fn text(&mut self, path: FieldPath, text: &str) {
         self.set(path, quoted(text), None);
     }
 
     /// Dimensionless numbers.
-    pub fn numbers(&mut self, path: &'static str, values: &[f64]) {
+    pub fn numbers(&mut self, path: FieldPath, values: &[f64]) {
         let values: Vec<String> = values
             .iter()
             .map(|value| {
@@ -108,12 +86,12 @@ impl Document {
     }
 
     /// Numbers with their unit.
-    pub fn quantities(&mut self, path: &'static str, values: &[f64], unit: &str) {
+    pub fn quantities(&mut self, path: FieldPath, values: &[f64], unit: &str) {
         let values: Vec<String> = values.iter().map(|value| quantity(*value, unit)).collect();
         self.set(path, format!("[{}]", values.join(", ")), None);
     }
 
-    fn set(&mut self, path: &'static str, value: String, number: Option<(String, String)>) {
+    fn set(&mut self, path: FieldPath, value: String, number: Option<(String, String)>) {
         let field = Field { path, value, number };
         // What is given twice has its last value.
         match self.fields.iter_mut().find(|known| known.path == path) {
@@ -132,14 +110,14 @@ impl Document {
             }
         }
         let _ = writeln!(text, "\ntitle = {}", quoted(&self.title));
-        for section in SECTIONS {
+        for section in SECTIONS.iter().map(|section| section.name) {
             let fields: Vec<_> =
-                self.fields.iter().filter(|field| field.parts().0 == section).collect();
+                self.fields.iter().filter(|field| field.path.section() == section).collect();
             if !fields.is_empty() {
                 let _ = writeln!(text, "\n[{section}]");
             }
             for field in fields {
-                let _ = writeln!(text, "{} = {}", field.parts().1, field.value);
+                let _ = writeln!(text, "{} = {}", field.path.name(), field.value);
             }
         }
         text
@@ -205,11 +183,11 @@ mod tests {
     fn a_document_is_toml_in_the_order_of_a_case_file() {
         let mut document = Document { title: "a \"b\"".to_owned(), ..Document::default() };
         document.comments.push("from a.inp".to_owned());
-        document.quantity("normal.load", 52_359.878 / 1e3, "kN");
-        document.number("kinematics.creepage_x", -0.0);
-        document.number("kinematics.creepage_y", 1e-5);
-        document.count("grid.cells_x", 20);
-        document.quantities("history.time", &[0.0, 0.1 + 0.2], "s");
+        document.quantity(field!("normal.load"), 52_359.878 / 1e3, "kN");
+        document.number(field!("kinematics.creepage_x"), -0.0);
+        document.number(field!("kinematics.creepage_y"), 1e-5);
+        document.count(field!("grid.cells_x"), 20);
+        document.quantities(field!("history.time"), &[0.0, 0.1 + 0.2], "s");
         let expected = "# from a.inp\n\ntitle = \"a \\\"b\\\"\"\n\n[kinematics]\ncreepage_x = 0.0\n\
                         creepage_y = 1e-5\n\n[normal]\nload = \"52.359878 kN\"\n\n[grid]\n\
                         cells_x = 20\n\n[history]\ntime = [\"0 s\", \"0.3 s\"]\n";

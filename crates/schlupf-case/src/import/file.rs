@@ -137,7 +137,7 @@ pub fn read(case: &ImportedCase, output: &Path) -> Result<CaseFile, CaseErrors> 
 
 /// What a case file is refused for, at the place that it was made from.
 fn at_case(case: &ImportedCase, error: &CaseError) -> CaseError {
-    let named = case.places.iter().find(|(field, _)| *field == error.field);
+    let named = case.places.iter().find(|(field, _)| **field == *error.field);
     let (place, message) = if let Some((_, place)) = named {
         (place.clone(), error.message.clone())
     } else {

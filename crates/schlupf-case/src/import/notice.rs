@@ -2,6 +2,8 @@
 
 use schlupf::message::{Message, Names, messages};
 
+use crate::FieldPath;
+
 messages! {
     /// A notice about an input file.
     Notice of &'static str:
@@ -26,12 +28,12 @@ messages! {
     );
 
     /// Another FASTSIM.
-    "other-fastsim" OtherFastsim {} "solver.method", |subject, words| "CONTACT's FASTSIM shifts its \
+    "other-fastsim" OtherFastsim {} field!("solver.method").as_str(), |subject, words| "CONTACT's FASTSIM shifts its \
         three flexibilities towards one and takes cells as a whole: forces differ by 1 to 2 % of the \
         friction limit".to_owned();
 
     /// Modified FASTSIM with lateral creepage or spin.
-    "other-slope-reduction" OtherSlopeReduction {} "fastsim.reduction_decay", |subject, words| "with \
+    "other-slope-reduction" OtherSlopeReduction {} field!("fastsim.reduction_decay").as_str(), |subject, words| "with \
         lateral creepage or spin modified FASTSIM differs more: the ratio of slip to adhesion that \
         reduces the slope has C11 √(ξ² + (η + φ a)²) in CONTACT, √((C11 ξ)² + (C22 η)²) here"
         .to_owned();
@@ -40,7 +42,7 @@ messages! {
     "moment-at-middle" MomentAtMiddle {
         /// Middle of the contact in the coordinates of the file, in mm.
         centre: [f64; 2],
-    } "kinematics.reference", |subject, words| format!(
+    } field!("kinematics.reference").as_str(), |subject, words| format!(
         "creepages are converted to the middle of the contact, ({}, {}) mm in the input, and the moment \
          is taken about it",
         crate::import::document::number(centre[0]),
@@ -52,15 +54,15 @@ messages! {
         the surface (S) are left out: `schlupf subsurface` computes them".to_owned();
 
     /// Contacts that are close together.
-    "whole-contacts" WholeContacts {} "normal.join_distance", |subject, words| "contacts closer than \
+    "whole-contacts" WholeContacts {} field!("normal.join_distance").as_str(), |subject, words| "contacts closer than \
         D_SEP are one contact: CONTACT attenuates their influence on each other down to D_COMB"
         .to_owned();
 
     /// Thresholds of profiles.
     "thresholds-left-out" ThresholdsLeftOut {
         /// The field of the profile.
-        profile: &'static str,
-    } *profile, |subject, words| "thresholds for kinks and \
+        profile: FieldPath,
+    } profile.as_str(), |subject, words| "thresholds for kinks and \
         errors of a profile (PRFOPT) are left out: it is taken as it is".to_owned();
 }
 

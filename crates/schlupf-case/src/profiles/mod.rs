@@ -20,6 +20,7 @@ use std::path::Path;
 use schlupf::Quantity;
 use schlupf::wheel_rail::ProfileCurve;
 
+use crate::FieldPath;
 use crate::error::CaseError;
 use crate::fields::choice::{LateralAxis, VerticalAxis};
 use crate::notice::Notice;
@@ -34,30 +35,30 @@ pub use reading::ProfileReading;
 /// Paths of the fields of a profile.
 #[derive(Debug)]
 pub struct ProfileFields {
-    profile: &'static str,
-    z: &'static str,
-    y: &'static str,
-    smoothing: &'static str,
+    profile: FieldPath,
+    z: FieldPath,
+    y: FieldPath,
+    smoothing: FieldPath,
     quantity: Quantity,
     is_wheel: bool,
 }
 
 /// Those of the wheel.
 pub const WHEEL: ProfileFields = ProfileFields {
-    profile: "wheel.profile",
-    z: "wheel.profile_z",
-    y: "wheel.profile_y",
-    smoothing: "wheel.profile_smoothing",
+    profile: field!("wheel.profile"),
+    z: field!("wheel.profile_z"),
+    y: field!("wheel.profile_y"),
+    smoothing: field!("wheel.profile_smoothing"),
     quantity: Quantity::WheelProfile,
     is_wheel: true,
 };
 
 /// Those of the rail.
 pub const RAIL: ProfileFields = ProfileFields {
-    profile: "rail.profile",
-    z: "rail.profile_z",
-    y: "rail.profile_y",
-    smoothing: "rail.profile_smoothing",
+    profile: field!("rail.profile"),
+    z: field!("rail.profile_z"),
+    y: field!("rail.profile_y"),
+    smoothing: field!("rail.profile_smoothing"),
     quantity: Quantity::RailProfile,
     is_wheel: false,
 };
@@ -78,7 +79,7 @@ pub struct Profile {
 /// Position of the flange back in profiles whose origin is at the running circle, in m.
 const FLANGE_BACK: f64 = -0.07;
 
-const FLANGE_BACK_FIELD: &str = "wheel.flange_back_position";
+const FLANGE_BACK_FIELD: FieldPath = field!("wheel.flange_back_position");
 
 /// Distances of the tip of a flange from its back, in m.
 const TIP: std::ops::RangeInclusive<f64> = 2e-3..=4e-2;
@@ -366,7 +367,7 @@ impl Reader<'_> {
             LateralAxis::Inwards => Some(true),
             LateralAxis::Auto => None,
         };
-        let depth = self.settings.number("track.gauge_depth")?;
+        let depth = self.settings.number(field!("track.gauge_depth"))?;
         let shape = orientation::inwards(points, self.fields.is_wheel, depth);
         // Most rails are symmetrical.
         let by_default = (!self.fields.is_wheel).then_some(false);
@@ -379,7 +380,7 @@ impl Reader<'_> {
     /// none.
     fn taken(
         &mut self,
-        field: &'static str,
+        field: FieldPath,
         [given, by_format, by_default]: [Option<bool>; 3],
         shape: f64,
         names: [&'static str; 2],

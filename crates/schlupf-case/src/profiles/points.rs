@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::FieldPath;
 use crate::error::CaseError;
 use crate::place::{Place, Source};
 use schlupf::message::quoted;
@@ -10,7 +11,7 @@ use schlupf::message::quoted;
 pub struct File {
     pub source: Arc<Source>,
     /// The field that names it.
-    pub field: &'static str,
+    pub field: FieldPath,
 }
 
 /// What a file says.
@@ -64,7 +65,7 @@ impl Content {
 impl File {
     /// # Errors
     /// Bytes that are no text.
-    pub fn new(name: String, bytes: &[u8], field: &'static str) -> Result<Self, CaseError> {
+    pub fn new(name: String, bytes: &[u8], field: FieldPath) -> Result<Self, CaseError> {
         let text = decoded(bytes);
         if text.contains('\0') {
             let message = format!("{field} must be a text file, but is not");

@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::outline::{Change, JUMP, LONGEST_TWIG, distance, median_step};
 use super::points::Row;
+use crate::FieldPath;
 use crate::fields::readable;
 
 /// A jump is a hole from this length (in m) on.
@@ -13,7 +14,7 @@ const HOLE_LENGTH: f64 = 2e-3;
 #[derive(Debug, Clone, PartialEq)]
 pub struct ProfileReading {
     /// Path of the field: `wheel.profile` or `rail.profile`.
-    pub field: &'static str,
+    pub field: FieldPath,
     /// The file, or the name of a built-in profile.
     pub name: String,
     /// What kind of file, and the unit of its numbers.

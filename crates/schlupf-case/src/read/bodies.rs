@@ -3,33 +3,34 @@
 use schlupf::material::{Body, Material};
 use schlupf::normal::hertz::Radii;
 
+use crate::FieldPath;
 use crate::error::CaseError;
 use crate::settings::Settings;
 
 /// Paths of a body's fields.
 #[derive(Debug)]
 pub struct Paths {
-    young_modulus: &'static str,
-    poisson_ratio: &'static str,
-    conductivity: &'static str,
-    density: &'static str,
-    specific_heat: &'static str,
-    bulk_temperature: &'static str,
-    radius_x: &'static str,
-    radius_y: &'static str,
+    young_modulus: FieldPath,
+    poisson_ratio: FieldPath,
+    conductivity: FieldPath,
+    density: FieldPath,
+    specific_heat: FieldPath,
+    bulk_temperature: FieldPath,
+    radius_x: FieldPath,
+    radius_y: FieldPath,
 }
 
 macro_rules! paths {
     ($body:literal) => {
         Paths {
-            young_modulus: concat!($body, ".young_modulus"),
-            poisson_ratio: concat!($body, ".poisson_ratio"),
-            conductivity: concat!($body, ".conductivity"),
-            density: concat!($body, ".density"),
-            specific_heat: concat!($body, ".specific_heat"),
-            bulk_temperature: concat!($body, ".bulk_temperature"),
-            radius_x: concat!($body, ".radius_x"),
-            radius_y: concat!($body, ".radius_y"),
+            young_modulus: field!($body, ".young_modulus"),
+            poisson_ratio: field!($body, ".poisson_ratio"),
+            conductivity: field!($body, ".conductivity"),
+            density: field!($body, ".density"),
+            specific_heat: field!($body, ".specific_heat"),
+            bulk_temperature: field!($body, ".bulk_temperature"),
+            radius_x: field!($body, ".radius_x"),
+            radius_y: field!($body, ".radius_y"),
         }
     };
 }

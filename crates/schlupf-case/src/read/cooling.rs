@@ -2,10 +2,11 @@
 
 use schlupf::bulk_temperature::Cooling;
 
+use crate::FieldPath;
 use crate::error::CaseError;
 use crate::settings::Settings;
 
-const FILM_COEFFICIENT: &str = "cooling.film_coefficient";
+const FILM_COEFFICIENT: FieldPath = field!("cooling.film_coefficient");
 
 /// How the air cools the wheel, where the case says so.
 pub fn cooling(settings: &Settings) -> Result<Option<Cooling>, CaseError> {
@@ -14,8 +15,8 @@ pub fn cooling(settings: &Settings) -> Result<Option<Cooling>, CaseError> {
     };
     Ok(Some(Cooling {
         film_coefficient,
-        area: settings.number("cooling.area")?,
-        air_temperature: settings.number("cooling.air_temperature")?,
+        area: settings.number(field!("cooling.area"))?,
+        air_temperature: settings.number(field!("cooling.air_temperature"))?,
     }))
 }
 

@@ -2,29 +2,33 @@
 
 use schlupf::damage::{ArchardWear, CrackFunction, EnergyWear, Laws, SurfaceFatigue, WearMap};
 
+use crate::FieldPath;
 use crate::error::CaseError;
 use crate::settings::Settings;
 use crate::tables;
 
-const MAP: &str = "damage.wear_map";
-const COEFFICIENTS: [&str; 3] = [
+const MAP: FieldPath = field!("damage.wear_map");
+const COEFFICIENTS: [FieldPath; 3] = fields![
     "damage.wear_coefficient_mild",
     "damage.wear_coefficient_severe",
     "damage.wear_coefficient_catastrophic",
 ];
-const CRACKS: [&str; 2] = ["damage.crack_t_gamma", "damage.crack_damage"];
+const CRACKS: [FieldPath; 2] = fields!["damage.crack_t_gamma", "damage.crack_damage"];
 
 /// The laws of fatigue and wear; the rest of [`Laws`] is that of the default.
 pub fn damage(settings: &Settings) -> Result<Laws, CaseError> {
-    let fatigue =
-        SurfaceFatigue { shear_yield_stress: settings.number("damage.shear_yield_stress")? };
-    let archard =
-        ArchardWear { hardness: settings.number("damage.hardness")?, map: wear_map(settings)? };
-    let energy = EnergyWear {
-        mild: settings.number("damage.wear_rate_mild")?,
-        catastrophic: settings.number("damage.wear_rate_catastrophic")?,
+    let fatigue = SurfaceFatigue {
+        shear_yield_stress: settings.number(field!("damage.shear_yield_stress"))?,
     };
-    let melting_temperature = settings.number("damage.melting_temperature")?;
+    let archard = ArchardWear {
+        hardness: settings.number(field!("damage.hardness"))?,
+        map: wear_map(settings)?,
+    };
+    let energy = EnergyWear {
+        mild: settings.number(field!("damage.wear_rate_mild"))?,
+        catastrophic: settings.number(field!("damage.wear_rate_catastrophic"))?,
+    };
+    let melting_temperature = settings.number(field!("damage.melting_temperature"))?;
     let cracks = cracks(settings)?;
     Ok(Laws { fatigue, cracks, archard, energy, melting_temperature, ..Laws::default() })
 }

@@ -14,19 +14,20 @@ use schlupf::history::History;
 use schlupf::material::Material;
 use schlupf::normal::PressureSource;
 
+use crate::FieldPath;
 use crate::error::CaseError;
 use crate::fields::choice::ElasticityModel;
 use crate::settings::Settings;
 
-const BEDDINGS: [&str; 2] = ["elasticity.bedding_x", "elasticity.bedding_y"];
+const BEDDINGS: [FieldPath; 2] = fields!["elasticity.bedding_x", "elasticity.bedding_y"];
 
 /// Couplings of the displacements along x and along y: along rolling, and across.
-const COUPLINGS: [[&str; 2]; 2] = [
-    ["elasticity.coupling_x", "elasticity.coupling_x_across"],
-    ["elasticity.coupling_y", "elasticity.coupling_y_across"],
+const COUPLINGS: [[FieldPath; 2]; 2] = [
+    fields!["elasticity.coupling_x", "elasticity.coupling_x_across"],
+    fields!["elasticity.coupling_y", "elasticity.coupling_y_across"],
 ];
 
-const SPRINGS: [&str; 4] = [
+const SPRINGS: [FieldPath; 4] = fields![
     "elasticity.spring_x",
     "elasticity.spring_y",
     "elasticity.spring_coupling_x",
@@ -72,7 +73,7 @@ impl Deformation {
 
 /// How the bodies deform, as far as that needs no patch.
 pub fn deformation(settings: &Settings, bodies: [&Material; 2]) -> Result<Deformation, CaseError> {
-    let model: Arc<dyn Elasticity> = match settings.chosen("elasticity.model")? {
+    let model: Arc<dyn Elasticity> = match settings.chosen(field!("elasticity.model"))? {
         ElasticityModel::Rigid => Arc::new(Rigid),
         ElasticityModel::HalfSpace => Arc::new(half_space(settings, bodies)?),
         ElasticityModel::Winkler if settings.any_given(&BEDDINGS) => Arc::new(winkler(settings)?),
@@ -85,7 +86,7 @@ pub fn deformation(settings: &Settings, bodies: [&Material; 2]) -> Result<Deform
 }
 
 fn layer(settings: &Settings, bodies: [&Material; 2]) -> Result<Arc<dyn Elasticity>, CaseError> {
-    let margin = settings.optional_number("elasticity.margin")?;
+    let margin = settings.optional_number(field!("elasticity.margin"))?;
     if settings.any_given(&SPRINGS) {
         return Ok(Arc::new(discrete(settings, margin)?));
     }
@@ -120,7 +121,7 @@ fn per_area(settings: &Settings, margin: Option<f64>) -> Result<ElasticLayer, Ca
 }
 
 fn discrete(settings: &Settings, margin: Option<f64>) -> Result<ElasticLayer, CaseError> {
-    let springs = |bedding: &str, coupling: &str| -> Result<Springs, CaseError> {
+    let springs = |bedding: FieldPath, coupling: FieldPath| -> Result<Springs, CaseError> {
         Ok(Springs { bedding: settings.number(bedding)?, coupling: settings.number(coupling)? })
     };
     let x = springs(SPRINGS[0], SPRINGS[2])?;

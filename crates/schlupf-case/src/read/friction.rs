@@ -15,6 +15,7 @@ use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
 use schlupf::interface::friction::{Friction, FrictionLaw};
 
+use crate::FieldPath;
 use crate::error::CaseError;
 use crate::fields::choice::{FrictionModel, SpeedModel};
 use crate::settings::Settings;
@@ -22,10 +23,10 @@ use crate::tables;
 
 type Law = Arc<dyn FrictionLaw>;
 
-const MODEL: &str = "friction.model";
-const SPEED_MODEL: &str = "friction.speed_model";
-const VARIATION: [&str; 2] = ["friction.variation_y", "friction.variation_factor"];
-const FILE: &str = "friction.variation_file";
+const MODEL: FieldPath = field!("friction.model");
+const SPEED_MODEL: FieldPath = field!("friction.speed_model");
+const VARIATION: [FieldPath; 2] = fields!["friction.variation_y", "friction.variation_factor"];
+const FILE: FieldPath = field!("friction.variation_file");
 
 /// The law of friction and the temperature that it counts from.
 pub fn friction(settings: &Settings) -> Result<Friction, CaseError> {
@@ -39,10 +40,11 @@ pub fn friction(settings: &Settings) -> Result<Friction, CaseError> {
         let across = Across::new(law, y, factor).map_err(|error| settings.explain(&error))?;
         law = Arc::new(across);
     }
-    let reference_temperature = settings.number("friction.reference_temperature")?;
-    let memory = match settings.optional_number("friction.memory_distance")? {
+    let reference_temperature = settings.number(field!("friction.reference_temperature"))?;
+    let memory = match settings.optional_number(field!("friction.memory_distance"))? {
         Some(distance) => {
-            let least_speed = settings.optional_number("friction.memory_speed")?.unwrap_or(0.0);
+            let least_speed =
+                settings.optional_number(field!("friction.memory_speed"))?.unwrap_or(0.0);
             let memory = FrictionMemory::new(distance, least_speed);
             Some(memory.map_err(|error| settings.explain(&error))?)
         }
@@ -66,18 +68,18 @@ fn speed_model(settings: &Settings) -> Result<Option<SlipLaw>, CaseError> {
 }
 
 fn law(settings: &Settings, model: FrictionModel) -> Result<Law, CaseError> {
-    let coefficient = settings.number("friction.coefficient")?;
+    let coefficient = settings.number(field!("friction.coefficient"))?;
     let explain = |error| settings.explain(&error);
     Ok(match model {
         FrictionModel::Constant => Arc::new(Constant::new(coefficient).map_err(explain)?),
         FrictionModel::TemperatureLinear => {
-            let limit = settings.number("friction.temperature_at_zero_friction")?;
-            let floor = settings.number("friction.minimum_coefficient")?;
+            let limit = settings.number(field!("friction.temperature_at_zero_friction"))?;
+            let floor = settings.number(field!("friction.minimum_coefficient"))?;
             Arc::new(TemperatureLinear::new(coefficient, limit, floor).map_err(explain)?)
         }
         FrictionModel::TemperaturePiecewiseLinear => {
-            let hot = settings.number("friction.hot_coefficient")?;
-            let range = settings.number("friction.temperature_range")?;
+            let hot = settings.number(field!("friction.hot_coefficient"))?;
+            let range = settings.number(field!("friction.temperature_range"))?;
             let law = TemperaturePiecewiseLinear::new(coefficient, hot, range);
             Arc::new(law.map_err(explain)?)
         }
@@ -103,9 +105,9 @@ fn of_slip_speed(settings: &Settings, law: SlipLaw) -> Result<Law, CaseError> {
         SlipLaw::Rational => Arc::new(Rational(terms(settings)?)),
         SlipLaw::Linear => Arc::new(Linear(terms(settings)?)),
         SlipLaw::Polach => {
-            let coefficient = settings.number("friction.coefficient")?;
-            let limit_ratio = settings.number("friction.limit_ratio")?;
-            let decay = settings.number("friction.decay")?;
+            let coefficient = settings.number(field!("friction.coefficient"))?;
+            let limit_ratio = settings.number(field!("friction.limit_ratio"))?;
+            let decay = settings.number(field!("friction.decay"))?;
             let law = Polach::new(coefficient, limit_ratio, decay);
             Arc::new(law.map_err(|error| settings.explain(&error))?)
         }
@@ -114,12 +116,12 @@ fn of_slip_speed(settings: &Settings, law: SlipLaw) -> Result<Law, CaseError> {
 
 /// One or two terms that fall with the slip speed.
 fn terms(settings: &Settings) -> Result<SlipTerms, CaseError> {
-    let coefficient = settings.number("friction.coefficient")?;
-    let kinetic = settings.number("friction.kinetic_coefficient")?;
-    let half_speed = settings.number("friction.half_speed")?;
-    let second = match settings.optional_number("friction.second_coefficient")? {
+    let coefficient = settings.number(field!("friction.coefficient"))?;
+    let kinetic = settings.number(field!("friction.kinetic_coefficient"))?;
+    let half_speed = settings.number(field!("friction.half_speed"))?;
+    let second = match settings.optional_number(field!("friction.second_coefficient"))? {
         Some(coefficient) => {
-            let half_speed = settings.number("friction.second_half_speed")?;
+            let half_speed = settings.number(field!("friction.second_half_speed"))?;
             Some(SecondTerm { coefficient, half_speed })
         }
         None => None,

@@ -2,13 +2,13 @@
 
 use schlupf::history::History;
 
+use crate::FieldPath;
 use crate::error::CaseError;
-use crate::fields;
 use crate::notice::Notice;
 use crate::settings::Settings;
 use crate::tables;
 
-const SERIES: [&str; 8] = [
+const SERIES: [FieldPath; 8] = fields![
     "history.speed",
     "history.creepage_x",
     "history.creepage_y",
@@ -21,7 +21,8 @@ const SERIES: [&str; 8] = [
 
 /// Values over time and the shift before them, where the case has them.
 pub fn history(settings: &Settings) -> Result<Option<History>, CaseError> {
-    let [x, y] = ["history.shift_x", "history.shift_y"].map(|path| settings.optional_number(path));
+    let [x, y] =
+        fields!["history.shift_x", "history.shift_y"].map(|path| settings.optional_number(path));
     let (x, y) = (x?, y?);
     let shift = x.or(y).map(|_| [x.unwrap_or(0.0), y.unwrap_or(0.0)]);
     let over_time = over_time(settings)?;
@@ -33,27 +34,27 @@ pub fn history(settings: &Settings) -> Result<Option<History>, CaseError> {
 
 /// Values of a history's file that are far from what they are in almost all cases.
 pub fn unusual(settings: &Settings, history: &History) -> Vec<Notice> {
-    if !settings.is_given("history.file") {
+    if !settings.is_given(field!("history.file")) {
         return Vec::new();
     }
-    let place = settings.place("history.file");
+    let place = settings.place(field!("history.file"));
     let History { speed, creepage_x, creepage_y, spin, load, force_x, force_y, moment_z, .. } =
         history;
     let series = [speed, creepage_x, creepage_y, spin, load, force_x, force_y, moment_z];
-    let unusual = |(path, values): (&str, &Option<Vec<f64>>)| {
-        Notice::of_unusual(fields::find(path)?, values.as_deref()?, &place)
+    let unusual = |(path, values): (FieldPath, &Option<Vec<f64>>)| {
+        Notice::of_unusual(path.field(), values.as_deref()?, &place)
     };
     SERIES.into_iter().zip(series).filter_map(unusual).collect()
 }
 
 fn over_time(settings: &Settings) -> Result<Option<History>, CaseError> {
-    if settings.is_given("history.file") {
-        let (name, bytes) = settings.read_file("history.file")?;
+    if settings.is_given(field!("history.file")) {
+        let (name, bytes) = settings.read_file(field!("history.file"))?;
         return tables::history_from_csv(name, bytes).map(Some);
     }
-    let Some(time) = settings.series("history.time") else {
+    let Some(time) = settings.series(field!("history.time")) else {
         return if settings.any_given(&SERIES) {
-            settings.setting("history.time").map(|_| None)
+            settings.setting(field!("history.time")).map(|_| None)
         } else {
             Ok(None)
         };
@@ -81,7 +82,7 @@ fn inline(settings: &Settings, time: &[f64]) -> Result<History, CaseError> {
     match tables::check_history(&history) {
         Ok(()) => Ok(history),
         Err((_, message)) => {
-            Err(settings.error("history.time", format!("history.time: {message}")))
+            Err(settings.error(field!("history.time"), format!("history.time: {message}")))
         }
     }
 }

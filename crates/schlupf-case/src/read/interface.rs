@@ -4,13 +4,14 @@ use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement
 use schlupf::material::Material;
 
 use super::roughness::{self, OfRoughness};
+use crate::FieldPath;
 use crate::error::CaseError;
 use crate::fields::choice::ContactLawModel;
 use crate::law_stiffness::{LawStiffness, StiffnessOrigin};
 use crate::settings::Settings;
 
-const MODEL: &str = "contact_law.model";
-const STIFFNESS: &str = "contact_law.stiffness";
+const MODEL: FieldPath = field!("contact_law.model");
+const STIFFNESS: FieldPath = field!("contact_law.stiffness");
 
 /// How traction grows with sliding.
 pub fn contact_law(settings: &Settings, stiffness: f64) -> Result<ContactLaw, CaseError> {

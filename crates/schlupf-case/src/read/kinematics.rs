@@ -3,6 +3,7 @@
 use schlupf::kinematics::{Kinematics, ReferencePoint};
 use schlupf::prescribed_forces::{LongitudinalForce, PrescribedForces};
 
+use crate::FieldPath;
 use crate::error::CaseError;
 use crate::fields::choice::{NormalModel, Reference};
 use crate::fields::readable;
@@ -10,39 +11,46 @@ use crate::settings::Settings;
 
 /// Creepages as given, or from the angular velocity and the yaw angle, in any combination.
 pub fn kinematics(settings: &Settings) -> Result<Kinematics, CaseError> {
-    let speed = settings.number("kinematics.speed")?;
-    if settings.chosen::<NormalModel>("normal.model")? == NormalModel::WheelRail {
+    let speed = settings.number(field!("kinematics.speed"))?;
+    if settings.chosen::<NormalModel>(field!("normal.model"))? == NormalModel::WheelRail {
         // Creepages follow from the motion of the wheelset.
         return Ok(Kinematics::free_rolling(speed));
     }
-    let yaw_angle = settings.optional_number("kinematics.yaw_angle")?;
+    let yaw_angle = settings.optional_number(field!("kinematics.yaw_angle"))?;
     let creepage_y = match yaw_angle {
         Some(angle) => -angle.sin(),
-        None => settings.number("kinematics.creepage_y")?,
+        None => settings.number(field!("kinematics.creepage_y"))?,
     };
-    let creepage_x = match settings.optional_number("kinematics.angular_velocity")? {
+    let creepage_x = match settings.optional_number(field!("kinematics.angular_velocity"))? {
         Some(angular_velocity) => {
-            let radius = settings.number("kinematics.wheel_radius")?;
+            let radius = settings.number(field!("kinematics.wheel_radius"))?;
             let angle = yaw_angle.unwrap_or_else(|| -creepage_y.asin());
             let wheel = Kinematics::from_wheel(speed, angular_velocity, radius, angle);
             check_rolling(settings, &wheel)?;
             wheel.creepage_x
         }
-        None => settings.number("kinematics.creepage_x")?,
+        None => settings.number(field!("kinematics.creepage_x"))?,
     };
-    let spin = settings.number("kinematics.spin")?;
+    let spin = settings.number(field!("kinematics.spin"))?;
     Ok(Kinematics { speed, creepage_x, creepage_y, spin })
 }
+
+const FORCES: [FieldPath; 5] = fields![
+    "kinematics.force_x",
+    "kinematics.traction_coefficient",
+    "kinematics.wheel_torque",
+    "kinematics.force_y",
+    "kinematics.moment_z",
+];
 
 /// Forces in place of creepages.
 pub fn prescribed(settings: &Settings) -> Result<PrescribedForces, CaseError> {
     let [force_x, over_load, torque, y, moment_z] =
-        ["force_x", "traction_coefficient", "wheel_torque", "force_y", "moment_z"]
-            .map(|name| settings.optional_number(&format!("kinematics.{name}")));
+        FORCES.map(|path| settings.optional_number(path));
     let mut x = force_x?.map(LongitudinalForce::Force);
     x = x.or(over_load?.map(LongitudinalForce::OverLoad));
     if let Some(torque) = torque? {
-        let radius = settings.number("kinematics.wheel_radius")?;
+        let radius = settings.number(field!("kinematics.wheel_radius"))?;
         x = Some(LongitudinalForce::Torque { torque, radius });
     }
     Ok(PrescribedForces { x, y: y?, moment_z: moment_z? })
@@ -50,12 +58,12 @@ pub fn prescribed(settings: &Settings) -> Result<PrescribedForces, CaseError> {
 
 /// The point at which the creepages hold and about which the moment is taken.
 pub fn reference(settings: &Settings) -> Result<ReferencePoint, CaseError> {
-    const FIELD: &str = "kinematics.reference";
+    const FIELD: FieldPath = field!("kinematics.reference");
     match settings.chosen(FIELD)? {
         Reference::Patch => return Ok(ReferencePoint::Patch),
         Reference::File => {}
     }
-    let model: NormalModel = settings.chosen("normal.model")?;
+    let model: NormalModel = settings.chosen(field!("normal.model"))?;
     match model {
         NormalModel::Tabulated | NormalModel::Profile | NormalModel::WheelRail => {
             return Ok(ReferencePoint::File);
@@ -65,14 +73,14 @@ pub fn reference(settings: &Settings) -> Result<ReferencePoint, CaseError> {
     let message = format!(
         "{FIELD} must be \"patch\" with normal.model = {}, which has no file and so no other origin, but is \
          \"file\"",
-        settings.shown("normal.model")
+        settings.shown(field!("normal.model"))
     );
     Err(settings.error(FIELD, message))
 }
 
 /// Checks that a wheel with an angular velocity rolls forwards; the core would name the creepage.
 fn check_rolling(settings: &Settings, wheel: &Kinematics) -> Result<(), CaseError> {
-    const FIELD: &str = "kinematics.angular_velocity";
+    const FIELD: FieldPath = field!("kinematics.angular_velocity");
     let rolling = wheel.circumferential_speed();
     if rolling > 0.0 {
         return Ok(());

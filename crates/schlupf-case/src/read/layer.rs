@@ -2,13 +2,14 @@
 
 use schlupf::interface::third_body::{ThirdBodyLayer, YieldLimit};
 
+use crate::FieldPath;
 use crate::error::CaseError;
 use crate::settings::Settings;
 
-const THICKNESS: &str = "layer.thickness";
-const SHEAR_MODULUS: &str = "layer.shear_modulus";
-const YIELD_STRESS: &str = "layer.yield_stress";
-const HARDENING: &str = "layer.hardening";
+const THICKNESS: FieldPath = field!("layer.thickness");
+const SHEAR_MODULUS: FieldPath = field!("layer.shear_modulus");
+const YIELD_STRESS: FieldPath = field!("layer.yield_stress");
+const HARDENING: FieldPath = field!("layer.hardening");
 
 /// The layer between the surfaces, if there is one.
 pub fn layer(settings: &Settings) -> Result<Option<ThirdBodyLayer>, CaseError> {

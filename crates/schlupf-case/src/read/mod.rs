@@ -213,7 +213,7 @@ impl Parts {
             method: method(settings)?,
             driver: driver(settings)?,
             options: Options { sensitivity: false, extrapolate: false, ..options(settings)? },
-            radius: settings.number("kinematics.wheel_radius")?,
+            radius: settings.number(field!("kinematics.wheel_radius"))?,
             known: None,
         })
     }
@@ -223,9 +223,9 @@ impl Parts {
         let is_known = matches!(self.stiffness, OfRoughness::Known(_))
             && matches!(self.deformation, Deformation::Known(_));
         Ok(is_known
-            && match settings.chosen("normal.model")? {
+            && match settings.chosen(field!("normal.model"))? {
                 NormalModel::Hertz | NormalModel::Tabulated => true,
-                NormalModel::Ellipse => settings.is_given("normal.load"),
+                NormalModel::Ellipse => settings.is_given(field!("normal.load")),
                 NormalModel::Profile | NormalModel::WheelRail => false,
             })
     }

@@ -12,14 +12,15 @@ use schlupf::normal::tabulated::{PressureTable, Tabulated};
 
 use super::bodies::{RAIL, WHEEL, radii};
 use super::wheel_rail::Unsolved;
+use crate::FieldPath;
 use crate::error::CaseError;
 use crate::fields::choice::NormalModel;
 use crate::settings::Settings;
 use crate::tables::{self, NpyFile};
 
-const FILE: &str = "normal.file";
-const LOAD: &str = "normal.load";
-const SPACINGS: [&str; 2] = ["normal.spacing_x", "normal.spacing_y"];
+const FILE: FieldPath = field!("normal.file");
+const LOAD: FieldPath = field!("normal.load");
+const SPACINGS: [FieldPath; 2] = fields!["normal.spacing_x", "normal.spacing_y"];
 
 /// The source of the normal pressure.
 pub fn source(
@@ -27,7 +28,7 @@ pub fn source(
     wheel: &Material,
     rail: &Material,
 ) -> Result<Arc<dyn PressureSource>, CaseError> {
-    Ok(match settings.chosen("normal.model")? {
+    Ok(match settings.chosen(field!("normal.model"))? {
         NormalModel::Hertz => Arc::new(hertz(settings, contact_modulus(wheel, rail))?),
         NormalModel::Ellipse => Arc::new(ellipse(settings)?),
         NormalModel::Tabulated => Arc::new(tabulated(settings)?),
@@ -38,24 +39,24 @@ pub fn source(
 
 fn hertz(settings: &Settings, contact_modulus: f64) -> Result<Hertz, CaseError> {
     let (wheel, rail) = (radii(settings, &WHEEL)?, radii(settings, &RAIL)?);
-    let load = settings.number("normal.load")?;
+    let load = settings.number(field!("normal.load"))?;
     Hertz::new(wheel, rail, contact_modulus, load).map_err(|error| settings.explain(&error))
 }
 
 fn ellipse(settings: &Settings) -> Result<Ellipse, CaseError> {
-    let a = settings.number("normal.semi_axis_x")?;
-    let b = settings.number("normal.semi_axis_y")?;
-    let ellipse = match settings.optional_number("normal.peak_pressure")? {
+    let a = settings.number(field!("normal.semi_axis_x"))?;
+    let b = settings.number(field!("normal.semi_axis_y"))?;
+    let ellipse = match settings.optional_number(field!("normal.peak_pressure"))? {
         Some(peak_pressure) => Ellipse::from_peak_pressure(a, b, peak_pressure),
         None if settings.is_given(LOAD) => Ellipse::from_load(a, b, settings.number(LOAD)?),
-        None => return Err(settings.missing_beside(LOAD, "normal.model")),
+        None => return Err(settings.missing_beside(LOAD, field!("normal.model"))),
     };
     ellipse.map_err(|error| settings.explain(&error))
 }
 
 fn tabulated(settings: &Settings) -> Result<Tabulated, CaseError> {
     let table = table(settings)?;
-    let load = settings.optional_number("normal.load")?;
+    let load = settings.optional_number(field!("normal.load"))?;
     Tabulated::new(table, load).map_err(|error| settings.explain(&error))
 }
 
@@ -69,10 +70,10 @@ fn table(settings: &Settings) -> Result<PressureTable, CaseError> {
 
 fn profile(settings: &Settings, contact_modulus: f64) -> Result<Profile, CaseError> {
     if !settings.is_given(LOAD) {
-        return Err(settings.missing_beside(LOAD, "normal.model"));
+        return Err(settings.missing_beside(LOAD, field!("normal.model")));
     }
     let distance = distance(settings)?;
-    let (load, cells) = (settings.number(LOAD)?, settings.count("normal.cells")?);
+    let (load, cells) = (settings.number(LOAD)?, settings.count(field!("normal.cells"))?);
     Profile::new(distance, contact_modulus, load, cells).map_err(|error| settings.explain(&error))
 }
 
@@ -117,7 +118,7 @@ impl File {
             let spacings = Some([spacing(SPACINGS[0])?, spacing(SPACINGS[1])?]);
             return Ok(Self { name, bytes, spacings });
         }
-        if let Some(spacing) = SPACINGS.into_iter().find(|path| settings.is_given(path)) {
+        if let Some(spacing) = SPACINGS.into_iter().find(|path| settings.is_given(*path)) {
             let message = format!(
                 "{spacing} must be given with an .npy file only, but is {} with {}, which holds its own positions",
                 settings.shown(spacing),

@@ -1,5 +1,6 @@
 //! `[grid]`, `[solver]` and `[fastsim]`.
 
+use crate::FieldPath;
 use crate::look_up_table::StoredTable;
 use schlupf::method::{
     AreaReduction, Brush, FastMethod, Flexibilities, SharedTable, SlopeReduction, TractionBound,
@@ -11,50 +12,53 @@ use crate::error::CaseError;
 use crate::fields::choice::{BoundChoice, BranchChoice, Driver, FlexibilitiesChoice, MethodChoice};
 use crate::settings::Settings;
 
-const TABLE: &str = "solver.table";
+const TABLE: FieldPath = field!("solver.table");
 
 /// Numerical options.
 pub fn options(settings: &Settings) -> Result<Options, CaseError> {
     Ok(Options {
-        cells_x: settings.count("grid.cells_x")?,
-        cells_y: settings.count("grid.cells_y")?,
-        branch: match settings.chosen("solver.branch")? {
+        cells_x: settings.count(field!("grid.cells_x"))?,
+        cells_y: settings.count(field!("grid.cells_y"))?,
+        branch: match settings.chosen(field!("solver.branch"))? {
             BranchChoice::LowSlip => Branch::LowSlip,
             BranchChoice::HighSlip => Branch::HighSlip,
         },
-        tolerance: settings.number("solver.tolerance")?,
-        max_iterations: settings.count("solver.max_iterations")?,
-        max_steps: settings.count("solver.max_steps")?,
-        slip_threshold: settings.number("solver.slip_threshold")?,
-        sensitivity: settings.flag("solver.sensitivity")?,
+        tolerance: settings.number(field!("solver.tolerance"))?,
+        max_iterations: settings.count(field!("solver.max_iterations"))?,
+        max_steps: settings.count(field!("solver.max_steps"))?,
+        slip_threshold: settings.number(field!("solver.slip_threshold"))?,
+        sensitivity: settings.flag(field!("solver.sensitivity"))?,
         fields_every: 0,
-        extrapolate: settings.flag("solver.extrapolate")?,
+        extrapolate: settings.flag(field!("solver.extrapolate"))?,
         keeps_state: true,
     })
 }
 
 /// The driver that was asked for.
 pub fn driver(settings: &Settings) -> Result<Option<Driver>, CaseError> {
-    settings.is_given("solver.driver").then(|| settings.chosen("solver.driver")).transpose()
+    settings
+        .is_given(field!("solver.driver"))
+        .then(|| settings.chosen(field!("solver.driver")))
+        .transpose()
 }
 
 /// What is solved, with the parameters of a fast method.
 pub fn method(settings: &Settings) -> Result<Method, CaseError> {
-    let method = match settings.chosen("solver.method")? {
+    let method = match settings.chosen(field!("solver.method"))? {
         MethodChoice::Full => return Ok(Method::Full),
         MethodChoice::KalkerLinear => FastMethod::KalkerLinear,
         MethodChoice::ShenHedrickElkins => FastMethod::ShenHedrickElkins,
         MethodChoice::Polach => FastMethod::Polach(AreaReduction {
-            area_adhesion: settings.number("solver.polach_area_adhesion")?,
-            area_slip: settings.number("solver.polach_area_slip")?,
+            area_adhesion: settings.number(field!("solver.polach_area_adhesion"))?,
+            area_slip: settings.number(field!("solver.polach_area_slip"))?,
         }),
         MethodChoice::Table => FastMethod::Table(SharedTable(&look_up_table(settings)?.table)),
         MethodChoice::Fastsim => FastMethod::Fastsim(brush(settings)?),
         MethodChoice::ModifiedFastsim => {
             let reduction = SlopeReduction {
-                initial: settings.number("fastsim.initial_reduction")?,
-                limit_ratio: settings.number("fastsim.reduction_limit_ratio")?,
-                decay: settings.number("fastsim.reduction_decay")?,
+                initial: settings.number(field!("fastsim.initial_reduction"))?,
+                limit_ratio: settings.number(field!("fastsim.reduction_limit_ratio"))?,
+                decay: settings.number(field!("fastsim.reduction_decay"))?,
             };
             FastMethod::ModifiedFastsim(brush(settings)?, reduction)
         }
@@ -67,7 +71,7 @@ pub fn method(settings: &Settings) -> Result<Method, CaseError> {
 fn look_up_table(settings: &Settings) -> Result<&'static StoredTable, CaseError> {
     if !settings.is_given(TABLE) {
         return crate::look_up_table::standard().map_err(|error| {
-            settings.error("solver.method", format!("the standard table {error}"))
+            settings.error(field!("solver.method"), format!("the standard table {error}"))
         });
     }
     let (name, bytes) = settings.read_file(TABLE)?;
@@ -76,15 +80,15 @@ fn look_up_table(settings: &Settings) -> Result<&'static StoredTable, CaseError>
 }
 
 /// The bound of FASTSIM.
-const BOUND: &str = "fastsim.bound";
+const BOUND: FieldPath = field!("fastsim.bound");
 
 fn brush(settings: &Settings) -> Result<Brush, CaseError> {
-    let flexibilities = match settings.chosen("fastsim.flexibilities")? {
+    let flexibilities = match settings.chosen(field!("fastsim.flexibilities"))? {
         FlexibilitiesChoice::Three => Flexibilities::Three,
         FlexibilitiesChoice::One => Flexibilities::One,
     };
     // The paraboloid exceeds the pressure by a third, so a layer would flow where it does not.
-    let flows = settings.is_given("layer.yield_stress");
+    let flows = settings.is_given(field!("layer.yield_stress"));
     let bound = match settings.chosen(BOUND)? {
         BoundChoice::Parabolic if flows && settings.is_given(BOUND) => {
             let reason = "must be \"elliptic\" with layer.yield_stress: the paraboloid exceeds the \

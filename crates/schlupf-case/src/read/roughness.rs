@@ -16,9 +16,10 @@ use schlupf::surface::form::Form;
 use schlupf::surface::holes::Holes;
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
 
+use crate::FieldPath;
 use crate::error::CaseError;
 use crate::fields::choice::FormTakenOff;
-use crate::fields::{MICRO_MODEL, OF_FILE, ROUGHNESS, readable};
+use crate::fields::{self, MICRO_MODEL, OF_FILE, ROUGHNESS, readable};
 use crate::law_stiffness::{LawStiffness, MicroContact, MicroKey, StiffnessOrigin};
 use crate::names;
 use crate::place::Place;
@@ -26,21 +27,21 @@ use crate::settings::Settings;
 use crate::surface::{Cells, RoughSurface, SurfaceOptions, SurfaceOrigin, SurfaceSource};
 
 const SECTION: &str = "contact_law.roughness.";
-const RMS_HEIGHT: &str = "contact_law.roughness.rms_height";
-const OF_BODIES: [&str; 2] =
-    ["contact_law.roughness.rms_height_wheel", "contact_law.roughness.rms_height_rail"];
-const SLOPE_FACTOR: &str = "contact_law.roughness.slope_factor";
-const RMS_SLOPE: &str = "contact_law.roughness.rms_slope";
-const FILE: &str = "contact_law.roughness.file";
-const SECOND_FILE: &str = "contact_law.roughness.second_file";
-const LONGEST: &str = "contact_law.roughness.longest_wavelength";
-const ROLL_OFF: &str = "contact_law.roughness.roll_off_wavelength";
-const SHORTEST: &str = "contact_law.roughness.shortest_wavelength";
-const HURST: &str = "contact_law.roughness.hurst";
-const CUTOFF: &str = "contact_law.roughness.cutoff_wavelength";
-const FORM: &str = "contact_law.roughness.form";
-const PRESSURES: &str = "contact_law.roughness.pressures";
-const HARDNESS: &str = "contact_law.roughness.hardness";
+const RMS_HEIGHT: FieldPath = field!("contact_law.roughness.rms_height");
+const OF_BODIES: [FieldPath; 2] =
+    fields!["contact_law.roughness.rms_height_wheel", "contact_law.roughness.rms_height_rail"];
+const SLOPE_FACTOR: FieldPath = field!("contact_law.roughness.slope_factor");
+const RMS_SLOPE: FieldPath = field!("contact_law.roughness.rms_slope");
+const FILE: FieldPath = field!("contact_law.roughness.file");
+const SECOND_FILE: FieldPath = field!("contact_law.roughness.second_file");
+const LONGEST: FieldPath = field!("contact_law.roughness.longest_wavelength");
+const ROLL_OFF: FieldPath = field!("contact_law.roughness.roll_off_wavelength");
+const SHORTEST: FieldPath = field!("contact_law.roughness.shortest_wavelength");
+const HURST: FieldPath = field!("contact_law.roughness.hurst");
+const CUTOFF: FieldPath = field!("contact_law.roughness.cutoff_wavelength");
+const FORM: FieldPath = field!("contact_law.roughness.form");
+const PRESSURES: FieldPath = field!("contact_law.roughness.pressures");
+const HARDNESS: FieldPath = field!("contact_law.roughness.hardness");
 
 /// Hurst exponent and seed where none is given.
 const TYPICAL_HURST: f64 = 0.8;
@@ -97,7 +98,7 @@ pub fn stiffness(
     if let Some(request) = request(settings, materials)? {
         return Ok(Some(OfRoughness::MicroModel(request)));
     }
-    let Some(given) = ROUGHNESS.iter().copied().find(|path| settings.is_given(path)) else {
+    let Some(given) = ROUGHNESS.iter().copied().find(|path| settings.is_given(*path)) else {
         return Ok(None);
     };
     let known = from_height(settings, &bodies(settings, materials)?, given)?;
@@ -111,9 +112,9 @@ pub fn request(
 ) -> Result<Option<MicroRequest>, CaseError> {
     let source = if settings.is_given(FILE) {
         files(settings)?
-    } else if let Some(of_file) = OF_FILE.iter().find(|path| settings.is_given(path)) {
+    } else if let Some(of_file) = OF_FILE.iter().copied().find(|path| settings.is_given(*path)) {
         return Err(settings.missing_beside(FILE, of_file));
-    } else if let Some(micro) = MICRO_MODEL.iter().find(|path| settings.is_given(path)) {
+    } else if let Some(micro) = MICRO_MODEL.iter().copied().find(|path| settings.is_given(*path)) {
         spectrum(settings, micro)?
     } else {
         return Ok(None);
@@ -171,7 +172,7 @@ fn bodies(settings: &Settings, materials: [&Material; 2]) -> Result<SimilarBodie
     let combined = HalfSpace::new(materials[0], materials[1]);
     let combined = combined.map_err(|error| settings.explain(&error))?;
     Ok(SimilarBodies {
-        friction_coefficient: settings.number("friction.coefficient")?,
+        friction_coefficient: settings.number(field!("friction.coefficient"))?,
         poisson_ratio: combined.poisson_ratio(),
     })
 }
@@ -191,7 +192,7 @@ fn rms_height(settings: &Settings) -> Result<Option<f64>, CaseError> {
 fn from_height(
     settings: &Settings,
     bodies: &SimilarBodies,
-    given: &str,
+    given: FieldPath,
 ) -> Result<LawStiffness, CaseError> {
     let height = rms_height(settings)?.ok_or_else(|| settings.missing_beside(RMS_HEIGHT, given))?;
     let slope_factor = settings.optional_number(SLOPE_FACTOR)?.unwrap_or(TYPICAL_GAMMA);
@@ -200,8 +201,8 @@ fn from_height(
     Ok(LawStiffness { stiffness, origin })
 }
 
-fn spectrum(settings: &Settings, given: &str) -> Result<SurfaceSource, CaseError> {
-    let needed = |path: &'static str| {
+fn spectrum(settings: &Settings, given: FieldPath) -> Result<SurfaceSource, CaseError> {
+    let needed = |path: FieldPath| {
         settings.optional_number(path)?.ok_or_else(|| settings.missing_beside(path, given))
     };
     let longest_wavelength = needed(LONGEST)?;
@@ -230,12 +231,12 @@ fn spectrum(settings: &Settings, given: &str) -> Result<SurfaceSource, CaseError
 }
 
 fn files(settings: &Settings) -> Result<SurfaceSource, CaseError> {
-    let given = |path: &str| settings.is_given(path);
-    let yes = |path: &str| Ok(given(path) && settings.flag(path)?);
-    let text = |path: &str| if given(path) { settings.text(path).map(Some) } else { Ok(None) };
-    let spacing = settings.optional_number("contact_law.roughness.spacing")?;
-    let fill = yes("contact_law.roughness.fill_holes")?;
-    let square = yes("contact_law.roughness.square_cells")?;
+    let given = |path: FieldPath| settings.is_given(path);
+    let yes = |path: FieldPath| Ok(given(path) && settings.flag(path)?);
+    let text = |path: FieldPath| if given(path) { settings.text(path).map(Some) } else { Ok(None) };
+    let spacing = settings.optional_number(field!("contact_law.roughness.spacing"))?;
+    let fill = yes(field!("contact_law.roughness.fill_holes"))?;
+    let square = yes(field!("contact_law.roughness.square_cells"))?;
     let form = if given(FORM) { settings.chosen(FORM)? } else { FormTakenOff::Plane };
     let form = match form {
         FormTakenOff::Plane => Some(Form::Plane),
@@ -244,7 +245,7 @@ fn files(settings: &Settings) -> Result<SurfaceSource, CaseError> {
         FormTakenOff::Nothing => None,
     };
     let options = SurfaceOptions {
-        unit: text("contact_law.roughness.unit")?,
+        unit: text(field!("contact_law.roughness.unit"))?,
         spacing: spacing.map(|spacing| [spacing, spacing]),
         holes: if fill { Holes::Fill } else { Holes::Refuse },
         cells: if square { Cells::MakeSquare } else { Cells::RefuseNonSquare },
@@ -259,8 +260,8 @@ fn files(settings: &Settings) -> Result<SurfaceSource, CaseError> {
 
 fn source(settings: &Settings, origin: SurfaceOrigin) -> Result<SurfaceSource, CaseError> {
     let number = |path| settings.optional_number(path);
-    let cells = number("contact_law.roughness.cells")?.map(|cells| cells as usize);
-    let seed = number("contact_law.roughness.seed")?.map_or(FIRST_SEED, |seed| seed as u64);
+    let cells = number(field!("contact_law.roughness.cells"))?.map(|cells| cells as usize);
+    let seed = number(field!("contact_law.roughness.seed"))?.map_or(FIRST_SEED, |seed| seed as u64);
     Ok(SurfaceSource { origin, cells, seed })
 }
 
@@ -350,14 +351,15 @@ fn placed(settings: &Settings, error: CaseError) -> CaseError {
 }
 
 fn place_of(settings: &Settings, field: &str) -> Place {
-    let fields = [field, FILE, SHORTEST].into_iter().chain(ROUGHNESS.iter().copied());
-    let mut given = fields.filter(|path| settings.is_given(path));
+    let own = fields::find(field).map(|field| field.path);
+    let others = [FILE, SHORTEST].into_iter().chain(ROUGHNESS.iter().copied());
+    let mut given = own.into_iter().chain(others).filter(|path| settings.is_given(*path));
     given.next().map_or(Place::Default, |path| settings.place(path))
 }
 
 /// An error of the micro model, at the place of the roughness if it is about that.
 pub fn explain(settings: &Settings, error: &schlupf::Error) -> CaseError {
-    let field = names::path(error.quantity()).unwrap_or_default();
+    let field = names::path(error.quantity());
     if !field.starts_with(SECTION) {
         return settings.explain(error);
     }

@@ -10,12 +10,12 @@ use crate::subsurface::SubsurfaceRequest;
 /// Where to compute stresses below the surface.
 pub fn subsurface(settings: &Settings) -> Result<SubsurfaceRequest, CaseError> {
     Ok(SubsurfaceRequest {
-        side: match settings.chosen("subsurface.body")? {
+        side: match settings.chosen(field!("subsurface.body"))? {
             BodyChoice::Rail => Side::Rail,
             BodyChoice::Wheel => Side::Wheel,
         },
-        depth: settings.optional_number("subsurface.depth")?,
-        layers: settings.count("subsurface.layers")?,
-        margin: settings.optional_number("subsurface.margin")?,
+        depth: settings.optional_number(field!("subsurface.depth"))?,
+        layers: settings.count(field!("subsurface.layers"))?,
+        margin: settings.optional_number(field!("subsurface.margin"))?,
     })
 }

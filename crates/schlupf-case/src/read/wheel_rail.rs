@@ -13,16 +13,17 @@ use schlupf::wheel_rail::{
 use schlupf::{Error, Options, Problem, Solver, Watch};
 
 use super::roughness::OfRoughness;
+use crate::FieldPath;
 use crate::error::CaseError;
-use crate::fields::ROUGHNESS;
 use crate::fields::choice::{BranchChoice, ForceAxis, NormalModel, RowMotion, WheelSide};
+use crate::fields::{HISTORY, ROUGHNESS};
 use crate::notice::Notice;
 use crate::profiles::{self, ProfileReading};
 use crate::settings::Settings;
 
-const LOAD: &str = "normal.load";
-const HEIGHT: &str = "wheelset.height";
-const ROLL: &str = "wheelset.roll_angle";
+const LOAD: FieldPath = field!("normal.load");
+const HEIGHT: FieldPath = field!("wheelset.height");
+const ROLL: FieldPath = field!("wheelset.roll_angle");
 
 /// Cells across a contact where the case does not say how many.
 const CELLS: usize = 64;
@@ -47,7 +48,7 @@ pub struct WheelRequest {
 
 /// The wheel that a case describes, if its normal contact is that of two profiles.
 pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
-    if settings.chosen::<NormalModel>("normal.model")? != NormalModel::WheelRail {
+    if settings.chosen::<NormalModel>(field!("normal.model"))? != NormalModel::WheelRail {
         return Ok(None);
     }
     let explain = |error: Error| settings.explain(&error);
@@ -55,14 +56,14 @@ pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
     let on_rail = profiles::read(settings, &profiles::RAIL)?;
     let wheel = WheelShape {
         profile: on_wheel.curve,
-        nominal_radius: settings.number("wheel.radius_x")?,
+        nominal_radius: settings.number(field!("wheel.radius_x"))?,
         flange_back_position: on_wheel.flange_back,
     };
-    let rail = RailShape { profile: on_rail.curve, cant: settings.number("rail.cant")? };
+    let rail = RailShape { profile: on_rail.curve, cant: settings.number(field!("rail.cant"))? };
     let track = Track {
-        gauge: settings.number("track.gauge")?,
-        gauge_depth: settings.number("track.gauge_depth")?,
-        flange_back_distance: settings.number("track.flange_back_distance")?,
+        gauge: settings.number(field!("track.gauge"))?,
+        gauge_depth: settings.number(field!("track.gauge_depth"))?,
+        flange_back_distance: settings.number(field!("track.flange_back_distance"))?,
     };
     let pair = Pair::new(&wheel, &rail, &track).map_err(explain)?;
     let [reached, wanted] = [pair.gauge_depth(), track.gauge_depth];
@@ -74,28 +75,30 @@ pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
     let notices = on_wheel.notices.into_iter().chain(on_rail.notices).chain(too_short).collect();
     let wheel = WheelOnRail {
         pair: Arc::new(pair),
-        side: match settings.chosen("wheelset.side")? {
+        side: match settings.chosen(field!("wheelset.side"))? {
             WheelSide::Left => Side::Left,
             WheelSide::Right => Side::Right,
         },
         position: Position {
-            lateral: settings.number("wheelset.lateral_position")?,
-            yaw: settings.number("wheelset.yaw_angle")?,
+            lateral: settings.number(field!("wheelset.lateral_position"))?,
+            yaw: settings.number(field!("wheelset.yaw_angle"))?,
             roll: settings.optional_number(ROLL)?.unwrap_or(0.0),
         },
         motion: motion(settings)?,
         drive: drive(settings)?,
         support: support(settings)?,
         joining: Joining {
-            distance: settings.number("normal.join_distance")?,
-            angle: settings.number("normal.join_angle")?,
+            distance: settings.number(field!("normal.join_distance"))?,
+            angle: settings.number(field!("normal.join_angle"))?,
         },
-        rows: match settings.chosen("normal.row_motion")? {
+        rows: match settings.chosen(field!("normal.row_motion"))? {
             RowMotion::Automatic => RowsMove::Automatic,
             RowMotion::Surface => RowsMove::WithSurface,
             RowMotion::Plane => RowsMove::WithPlane,
         },
-        cells: settings.optional_number("normal.cells")?.map_or(CELLS, |cells| cells as usize),
+        cells: settings
+            .optional_number(field!("normal.cells"))?
+            .map_or(CELLS, |cells| cells as usize),
     };
     wheel.check().map_err(explain)?;
     let readings = [on_wheel.reading, on_rail.reading];
@@ -109,15 +112,15 @@ pub fn refuse_others(
     has_history: bool,
 ) -> Result<(), CaseError> {
     if has_history {
-        let given = HISTORY.into_iter().find(|path| settings.is_given(path));
-        let path = given.unwrap_or("history.time");
+        let given = HISTORY.iter().copied().find(|path| settings.is_given(*path));
+        let path = given.unwrap_or(field!("history.time"));
         let message = format!(
             "{path} must be left out with normal.model = \"wheel-rail\", which is steady rolling, but \
              is given"
         );
         return Err(settings.error(path, message));
     }
-    if let Some(path) = OF_ONE_CONTACT.into_iter().find(|path| settings.is_given(path)) {
+    if let Some(path) = OF_ONE_CONTACT.into_iter().find(|path| settings.is_given(*path)) {
         let message = format!(
             "{path} must be left out with normal.model = \"wheel-rail\", where the lateral creepage \
              and the spin follow from the motion of the wheelset, but is given"
@@ -139,18 +142,18 @@ pub fn refuse_others(
     }
 }
 
-/// What makes a history.
-const HISTORY: [&str; 4] = ["history.file", "history.time", "history.shift_x", "history.shift_y"];
-
-const BRANCH: &str = "solver.branch";
+const BRANCH: FieldPath = field!("solver.branch");
 
 /// Forces in place of creepages that a wheelset does not leave open.
-const OF_ONE_CONTACT: [&str; 2] = ["kinematics.force_y", "kinematics.moment_z"];
+const OF_ONE_CONTACT: [FieldPath; 2] = fields!["kinematics.force_y", "kinematics.moment_z"];
+
+const FORCES: [FieldPath; 3] =
+    fields!["kinematics.force_x", "kinematics.traction_coefficient", "kinematics.wheel_torque"];
 
 /// A micro model needs one patch.
 pub fn refuse_micro_model(settings: &Settings) -> CaseError {
-    let given = ROUGHNESS.iter().find(|path| settings.is_given(path));
-    let path = given.copied().unwrap_or("contact_law.stiffness");
+    let given = ROUGHNESS.iter().copied().find(|path| settings.is_given(*path));
+    let path = given.unwrap_or(field!("contact_law.stiffness"));
     let message = format!(
         "{path}: the micro model of a roughness needs one patch, but normal.model is \"wheel-rail\""
     );
@@ -164,15 +167,15 @@ pub fn refuse_micro_model(settings: &Settings) -> CaseError {
 pub fn no_profiles(settings: &Settings) -> CaseError {
     let message = format!(
         "normal.model must be \"wheel-rail\" for the contacts of a wheelset, but is {}",
-        settings.shown("normal.model")
+        settings.shown(field!("normal.model"))
     );
-    settings.error("normal.model", message)
+    settings.error(field!("normal.model"), message)
 }
 
 /// A wheel without contacts.
 pub fn no_contact(settings: &Settings) -> CaseError {
     let message = "normal.model: wheel and rail do not touch".to_owned();
-    settings.error("normal.model", message)
+    settings.error(field!("normal.model"), message)
 }
 
 fn support(settings: &Settings) -> Result<Support, CaseError> {
@@ -180,16 +183,14 @@ fn support(settings: &Settings) -> Result<Support, CaseError> {
         Some(_) if !settings.is_given(ROLL) => Err(settings.missing_beside(ROLL, HEIGHT)),
         Some(height) => Ok(Support::Height(height)),
         None if settings.is_given(LOAD) => Ok(Support::Force(settings.number(LOAD)?)),
-        None => Err(settings.missing_beside(LOAD, "normal.model")),
+        None => Err(settings.missing_beside(LOAD, field!("normal.model"))),
     }
 }
 
 /// What turns the wheel: a force on all of its contacts together, or its angular velocity.
 fn drive(settings: &Settings) -> Result<Drive, CaseError> {
-    let given = ["force_x", "traction_coefficient", "wheel_torque"]
-        .map(|name| settings.optional_number(&format!("kinematics.{name}")));
-    let [force, coefficient, torque] = given;
-    let along = match settings.chosen("wheelset.force_axis")? {
+    let [force, coefficient, torque] = FORCES.map(|path| settings.optional_number(path));
+    let along = match settings.chosen(field!("wheelset.force_axis"))? {
         ForceAxis::Track => Along::Track,
         ForceAxis::Wheelset => Along::Wheelset,
     };
@@ -198,20 +199,20 @@ fn drive(settings: &Settings) -> Result<Drive, CaseError> {
     let torque = torque?.map(Drive::Torque);
     refuse_idle(
         settings,
-        "wheelset.force_axis",
+        field!("wheelset.force_axis"),
         force.is_none(),
         "kinematics.force_x is not given",
     )?;
     let drive = force.or(coefficient).or(torque).unwrap_or(Drive::AngularVelocity);
     let reason = "the wheel turns as its force or torque makes it, with wheel.radius_x";
-    refuse_idle(settings, "kinematics.wheel_radius", drive.is_force(), reason)?;
+    refuse_idle(settings, field!("kinematics.wheel_radius"), drive.is_force(), reason)?;
     Ok(drive)
 }
 
 /// An error if a field is given that would be ignored.
 fn refuse_idle(
     settings: &Settings,
-    field: &str,
+    field: FieldPath,
     is_idle: bool,
     reason: &str,
 ) -> Result<(), CaseError> {
@@ -224,9 +225,9 @@ fn refuse_idle(
 /// The motion of the wheelset; the wheel turns at its angular velocity, or so that the creepage of
 /// its nominal radius is that given.
 fn motion(settings: &Settings) -> Result<Motion, CaseError> {
-    const CREEPAGE: &str = "kinematics.creepage_x";
-    let speed = settings.number("kinematics.speed")?;
-    let given = settings.optional_number("kinematics.angular_velocity")?;
+    const CREEPAGE: FieldPath = field!("kinematics.creepage_x");
+    let speed = settings.number(field!("kinematics.speed"))?;
+    let given = settings.optional_number(field!("kinematics.angular_velocity"))?;
     let angular_velocity = if let Some(angular_velocity) = given {
         angular_velocity
     } else {
@@ -236,15 +237,15 @@ fn motion(settings: &Settings) -> Result<Motion, CaseError> {
                 format!("{CREEPAGE} must be below 1, at which the wheel locks, but is {creepage}");
             return Err(settings.error(CREEPAGE, message));
         }
-        (1.0 - creepage) * speed / settings.number("kinematics.wheel_radius")?
+        (1.0 - creepage) * speed / settings.number(field!("kinematics.wheel_radius"))?
     };
     Ok(Motion {
         speed,
-        lateral_velocity: settings.number("wheelset.lateral_velocity")?,
-        vertical_velocity: settings.number("wheelset.vertical_velocity")?,
+        lateral_velocity: settings.number(field!("wheelset.lateral_velocity"))?,
+        vertical_velocity: settings.number(field!("wheelset.vertical_velocity"))?,
         angular_velocity,
-        roll_rate: settings.number("wheelset.roll_rate")?,
-        yaw_rate: settings.number("wheelset.yaw_rate")?,
+        roll_rate: settings.number(field!("wheelset.roll_rate"))?,
+        yaw_rate: settings.number(field!("wheelset.yaw_rate"))?,
     })
 }
 

@@ -12,6 +12,7 @@ use schlupf::surface::holes::{Holes, require_few};
 use schlupf::surface::profile::Profile;
 use schlupf::surface::{HeightMap, Lattice};
 
+use crate::FieldPath;
 use crate::error::{CaseError, Cause};
 use crate::fields::readable;
 use crate::files::InputFile;
@@ -22,11 +23,11 @@ use crate::units::{Measure, parse_unit};
 pub use source::{RoughSurface, SurfaceOrigin, SurfaceSource};
 
 /// Fields that errors of surfaces name.
-const FILE: &str = "contact_law.roughness.file";
-const UNIT: &str = "contact_law.roughness.unit";
-const SPACING: &str = "contact_law.roughness.spacing";
-const FILL_HOLES: &str = "contact_law.roughness.fill_holes";
-const SQUARE_CELLS: &str = "contact_law.roughness.square_cells";
+const FILE: FieldPath = field!("contact_law.roughness.file");
+const UNIT: FieldPath = field!("contact_law.roughness.unit");
+const SPACING: FieldPath = field!("contact_law.roughness.spacing");
+const FILL_HOLES: FieldPath = field!("contact_law.roughness.fill_holes");
+const SQUARE_CELLS: FieldPath = field!("contact_law.roughness.square_cells");
 
 /// What becomes of a map whose cells are not square.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -74,8 +75,8 @@ pub struct MeasuredSurface {
 struct Reading<'a> {
     options: &'a SurfaceOptions,
     names: FieldNames,
-    /// Dotted path of the field that names the file.
-    field: &'static str,
+    /// Path of the field that names the file.
+    field: FieldPath,
 }
 
 /// Reads a file of the format that its ending names; `names` are for messages.
@@ -143,7 +144,7 @@ impl Reading<'_> {
 
     /// An error of the core, at no place yet.
     fn explained(self, error: &Error) -> CaseError {
-        let field = names::path(error.quantity()).unwrap_or(self.field);
+        let field = names::quantity_field(error.quantity()).unwrap_or(self.field);
         CaseError::new(field, error.text(&self.names), Place::Default)
     }
 

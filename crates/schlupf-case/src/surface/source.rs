@@ -10,6 +10,7 @@ use schlupf::surface::synthesis::{Roughness, SelfAffine};
 use schlupf::surface::{HeightMap, Lattice};
 
 use super::{FILE, MeasuredSurface, Reading, SurfaceData, SurfaceOptions};
+use crate::FieldPath;
 use crate::error::CaseError;
 use crate::fields::readable;
 use crate::files::InputFile;
@@ -17,9 +18,9 @@ use crate::names::FieldNames;
 use crate::notice::Notice;
 use crate::place::Place;
 
-const RMS_SLOPE: &str = "contact_law.roughness.rms_slope";
-const SECOND_FILE: &str = "contact_law.roughness.second_file";
-const RMS_HEIGHT: &str = "contact_law.roughness.rms_height";
+const RMS_SLOPE: FieldPath = field!("contact_law.roughness.rms_slope");
+const SECOND_FILE: FieldPath = field!("contact_law.roughness.second_file");
+const RMS_HEIGHT: FieldPath = field!("contact_law.roughness.rms_height");
 
 /// What is taken off a measured surface.
 #[derive(Clone, Copy)]

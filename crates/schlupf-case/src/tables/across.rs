@@ -1,12 +1,13 @@
 //! Tables over y.
 
 use super::columns::{Column, Columns};
+use crate::FieldPath;
 use crate::error::CaseError;
-use crate::fields::{self, Requirement, readable};
+use crate::fields::readable;
 use crate::names::FieldNames;
 use crate::units::Measure;
 
-const FILE: &str = "friction.variation_file";
+const FILE: FieldPath = field!("friction.variation_file");
 
 const COLUMNS: [Column; 2] = [
     Column { name: "y", measure: Some(&Measure::LENGTH), required: true, holes: false },
@@ -14,14 +15,13 @@ const COLUMNS: [Column; 2] = [
 ];
 
 /// Fields whose arrays hold the same.
-const FIELDS: [&str; 2] = ["friction.variation_y", "friction.variation_factor"];
+const FIELDS: [FieldPath; 2] = fields!["friction.variation_y", "friction.variation_factor"];
 
 /// Positions (in m) and factors from a CSV file.
 pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<[Vec<f64>; 2], CaseError> {
-    let columns = Columns::read(name, bytes, FILE, &COLUMNS)?;
+    let columns = Columns::read(name, bytes, &FILE, &COLUMNS)?;
     for ((column, values), field) in COLUMNS.iter().zip(&columns.values).zip(FIELDS) {
-        let requirement =
-            fields::find(field).map_or(Requirement::Finite, |field| field.requirement);
+        let requirement = field.field().requirement;
         if let Some(row) = values.iter().position(|value| !requirement.holds(*value)) {
             let (name, value) = (column.name, readable(values[row]));
             let unit = column.unit();

@@ -4,22 +4,23 @@ use schlupf::identification::{Component, Condition, DataPoint};
 use schlupf::kinematics::Kinematics;
 
 use super::columns::{Column, Columns};
+use crate::FieldPath;
 use crate::error::CaseError;
-use crate::fields::{self, NOT_PER_CENT, Requirement, creepage_in_per_cent, readable};
+use crate::fields::{NOT_PER_CENT, Requirement, creepage_in_per_cent, readable};
 use crate::names::FieldNames;
 use crate::units::Measure;
 
 /// A column, and what its numbers must be: as in a field of the case, or this.
 struct Given {
     column: Column,
-    requirement: Result<&'static str, Requirement>,
+    requirement: Result<FieldPath, Requirement>,
 }
 
-const fn plain(name: &'static str, requirement: Result<&'static str, Requirement>) -> Given {
+const fn plain(name: &'static str, requirement: Result<FieldPath, Requirement>) -> Given {
     Given { column: Column { name, measure: None, required: false, holes: false }, requirement }
 }
 
-const fn quantity(name: &'static str, measure: &'static Measure, field: &'static str) -> Given {
+const fn quantity(name: &'static str, measure: &'static Measure, field: FieldPath) -> Given {
     Given {
         column: Column { name, measure: Some(measure), required: false, holes: false },
         requirement: Ok(field),
@@ -31,14 +32,14 @@ const RATIO: Requirement = Requirement::Magnitude(3.0);
 const DEVIATION: Requirement = Requirement::AboveUpTo(0.0, 1.0);
 
 const GIVEN: [Given; 9] = [
-    plain("creepage_x", Ok("kinematics.creepage_x")),
-    plain("creepage_y", Ok("kinematics.creepage_y")),
-    quantity("spin", &Measure::SPIN, "kinematics.spin"),
+    plain("creepage_x", Ok(field!("kinematics.creepage_x"))),
+    plain("creepage_y", Ok(field!("kinematics.creepage_y"))),
+    quantity("spin", &Measure::SPIN, field!("kinematics.spin")),
     plain("force_ratio", Err(RATIO)),
     plain("force_ratio_x", Err(RATIO)),
     plain("force_ratio_y", Err(RATIO)),
-    quantity("speed", &Measure::SPEED, "kinematics.speed"),
-    quantity("load", &Measure::FORCE, "normal.load"),
+    quantity("speed", &Measure::SPEED, field!("kinematics.speed")),
+    quantity("load", &Measure::FORCE, field!("normal.load")),
     plain("standard_deviation", Err(DEVIATION)),
 ];
 
@@ -106,7 +107,7 @@ pub fn from_csv(
 fn check_numbers(columns: &Columns) -> Result<(), CaseError> {
     for (Given { column, requirement }, values) in GIVEN.iter().zip(&columns.values) {
         let requirement = match requirement {
-            Ok(field) => fields::find(field).map_or(Requirement::Finite, |field| field.requirement),
+            Ok(path) => path.field().requirement,
             Err(requirement) => *requirement,
         };
         let Some(row) = values.iter().position(|value| !requirement.holds(*value)) else {

@@ -22,7 +22,7 @@ pub fn from_csv(
     bytes: Vec<u8>,
     rolling_radius: impl Fn() -> Result<f64, CaseError>,
 ) -> Result<UndeformedDistance, CaseError> {
-    let columns = Columns::read(name, bytes, FILE, &COLUMNS)?;
+    let columns = Columns::read(name, bytes, &FILE, &COLUMNS)?;
     let [xs, ys, distances] = &columns.values[..] else {
         return Err(columns.error(columns.header_line, "columns are missing"));
     };

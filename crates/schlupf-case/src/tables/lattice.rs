@@ -5,11 +5,12 @@ use schlupf::grid::Axis;
 use super::axis::{axis, rounded};
 use super::columns::Columns;
 use super::npy;
+use crate::FieldPath;
 use crate::error::CaseError;
 use crate::place::Place;
 
 /// The field that names the files of the normal contact.
-pub const FILE: &str = "normal.file";
+pub const FILE: FieldPath = field!("normal.file");
 
 /// A lattice with more points than this for each row is no table with holes, but no table at all.
 const MAX_SPARSE: usize = 1000;

@@ -16,7 +16,7 @@ const COLUMNS: [Column; 3] = [
 
 /// A table from a CSV file with columns x, y and pressure, its rows in any order.
 pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<PressureTable, CaseError> {
-    let columns = Columns::read(name, bytes, FILE, &COLUMNS)?;
+    let columns = Columns::read(name, bytes, &FILE, &COLUMNS)?;
     let [xs, ys, pressures] = &columns.values[..] else {
         return Err(columns.error(columns.header_line, "three columns are needed"));
     };

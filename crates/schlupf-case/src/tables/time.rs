@@ -3,12 +3,13 @@
 use schlupf::history::History;
 
 use super::columns::{Column, Columns};
+use crate::FieldPath;
 use crate::error::CaseError;
 use crate::fields::{self, Requirement, readable};
 use crate::names::FieldNames;
 use crate::units::Measure;
 
-const FILE: &str = "history.file";
+const FILE: FieldPath = field!("history.file");
 
 const COLUMNS: [Column; 9] = [
     Column { name: "time", measure: Some(&Measure::TIME), required: true, holes: false },
@@ -31,7 +32,7 @@ fn requirement(column: &Column) -> Requirement {
 
 /// A history from a CSV file.
 pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<History, CaseError> {
-    let columns = Columns::read(name, bytes, FILE, &COLUMNS)?;
+    let columns = Columns::read(name, bytes, &FILE, &COLUMNS)?;
     for (column, values) in COLUMNS.iter().zip(&columns.values) {
         let requirement = requirement(column);
         let stray = values.iter().position(|value| !requirement.holds(*value));

@@ -4,12 +4,13 @@ use schlupf::damage::WearMap;
 use schlupf::requirement::Requirement;
 
 use super::columns::{Column, Columns};
+use crate::FieldPath;
 use crate::error::CaseError;
 use crate::fields::readable;
 use crate::names::FieldNames;
 use crate::units::Measure;
 
-const FILE: &str = "damage.wear_map";
+const FILE: FieldPath = field!("damage.wear_map");
 
 const COLUMNS: [Column; 3] = [
     Column { name: "slip_speed", measure: Some(&Measure::SPEED), required: true, holes: false },
@@ -20,7 +21,7 @@ const COLUMNS: [Column; 3] = [
 /// A map from a CSV file: in each row the slip speed and the pressure over the hardness from which
 /// on a coefficient holds, up to the next of each. There is a row for every pair, in any order.
 pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<WearMap, CaseError> {
-    let columns = Columns::read(name, bytes, FILE, &COLUMNS)?;
+    let columns = Columns::read(name, bytes, &FILE, &COLUMNS)?;
     let requirements = [
         Requirement::Between(0.0, f64::MAX),
         Requirement::Between(0.0, f64::MAX),

@@ -1,8 +1,7 @@
 //! What may stand in the fields of requests, as all faces show it.
 
-use schlupf::Quantity;
 use schlupf_case::fields::{self, Choice};
-use schlupf_case::{InputFile, TableColumn, quantity_field};
+use schlupf_case::{FieldPath, InputFile, TableColumn};
 
 /// What may stand in a field. Numbers without unit from Python are in SI units.
 #[derive(Debug, Clone, Copy)]
@@ -21,8 +20,8 @@ pub enum Form {
     Depths,
     /// An angle.
     Angle,
-    /// Start and end of what gives a quantity in a case.
-    Range(Quantity),
+    /// Start and end of what may stand in a field of the case.
+    Range(FieldPath),
     /// One of several names.
     Choice(&'static [Choice]),
     /// A field of the case with values, `section.field=value,…`.
@@ -31,15 +30,15 @@ pub enum Form {
     File(&'static [TableColumn]),
     /// Several texts with commas between them, and what stands for them in help.
     List(&'static str),
-    /// What may stand in a field of the case, by its dotted path.
-    OfCase(&'static str),
+    /// What may stand in a field of the case.
+    OfCase(FieldPath),
 }
 
 impl Form {
     /// What may stand in the field of the case, if that decides.
     pub fn of_case(self) -> Option<fields::Kind> {
         let Self::OfCase(path) = self else { return None };
-        fields::find(path).map(|field| field.kind)
+        Some(path.field().kind)
     }
 
     /// Whether it is given or not, without a value.
@@ -70,9 +69,7 @@ impl Form {
         match self {
             Self::Position | Self::Length | Self::Depths => "m",
             Self::Angle => "rad",
-            Self::Range(quantity) => {
-                fields::find(quantity_field(quantity)).map_or("", |field| field.kind.unit())
-            }
+            Self::Range(path) => path.field().kind.unit(),
             other => other.of_case().map_or("", fields::Kind::unit),
         }
     }

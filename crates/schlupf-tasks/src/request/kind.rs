@@ -1,9 +1,8 @@
 //! How the fields of requests are read.
 
-use schlupf::Quantity;
 use schlupf::message::quoted;
 use schlupf_case::fields::Choice;
-use schlupf_case::{CaseError, Family, InputFile, Place, TableColumn, quantity_field};
+use schlupf_case::{CaseError, Family, FieldPath, InputFile, Place, TableColumn};
 use schlupf_case::{depths, direction, length, position, range};
 
 use super::form::{Form, Value};
@@ -81,10 +80,9 @@ impl Kind<[f64; 2]> {
         Self::of_text(Form::Depths, depths)
     }
 
-    /// Start and end of what gives a quantity in a case.
-    pub fn range(quantity: Quantity) -> Self {
-        let path = quantity_field(quantity);
-        Self::of_text(Form::Range(quantity), move |name, text| range(name, path, text))
+    /// Start and end of what may stand in a field of the case.
+    pub fn range(path: FieldPath) -> Self {
+        Self::of_text(Form::Range(path), move |name, text| range(name, path, text))
     }
 }
 
@@ -109,7 +107,7 @@ impl Kind<String> {
     }
 
     /// What may stand in a field of the case, which reads it.
-    pub fn of_case(path: &'static str) -> Self {
+    pub fn of_case(path: FieldPath) -> Self {
         Self::of_text(Form::OfCase(path), |_, text| Ok(text.to_owned()))
     }
 }
@@ -126,7 +124,7 @@ impl Kind<InputFile> {
     }
 
     /// A file that a field of the case names.
-    pub fn file_of_case(path: &'static str) -> Self {
+    pub fn file_of_case(path: FieldPath) -> Self {
         Self::of_file(Form::OfCase(path))
     }
 

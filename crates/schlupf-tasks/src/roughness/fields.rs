@@ -9,15 +9,17 @@ use schlupf::Watch;
 use schlupf::message::quoted;
 use schlupf_case::document::without_quotes;
 use schlupf_case::fields::Kind;
-use schlupf_case::{CaseError, FieldNames, Files, GivenByOption, RoughnessRequest, pressures};
+use schlupf_case::{
+    CaseError, FieldNames, FieldPath, Files, GivenByOption, RoughnessRequest, field, pressures,
+};
 
 use super::Request;
 use crate::TaskError;
 use crate::request::{Asked, Face, Field, Form, Request as _};
 use crate::task::Given;
 
-const SECTION: &str = "contact_law.roughness.";
-const PRESSURES: &str = "contact_law.roughness.pressures";
+const SECTION: &str = "contact_law.roughness";
+const PRESSURES: FieldPath = field!("contact_law.roughness.pressures");
 
 /// Mean pressures where nothing else says any.
 const DEFAULT_PRESSURES: &str = "0.2..1.2 GPa";
@@ -26,16 +28,18 @@ const DEFAULT_PRESSURES: &str = "0.2..1.2 GPa";
 pub(super) const OF_SURFACE: &[&str] =
     &["second", "form", "cutoff", "unit", "spacing", "fill_holes", "square_cells", "seed"];
 
-/// Fields of the roughness, by the last part of their paths, that `synthetic` gives, with its keys.
-const KEYS: [(&str, &str); 7] = [
-    ("rms_height", "rms_height"),
-    ("rms_slope", "rms_slope"),
-    ("hurst", "hurst"),
-    ("longest_wavelength", "longest"),
-    ("roll_off_wavelength", "roll_off"),
-    ("shortest_wavelength", "shortest"),
-    ("seed", "seed"),
+/// Fields of the roughness that `synthetic` gives, with its keys.
+const KEYS: [(FieldPath, &str); 7] = [
+    (field!("contact_law.roughness.rms_height"), "rms_height"),
+    (field!("contact_law.roughness.rms_slope"), "rms_slope"),
+    (field!("contact_law.roughness.hurst"), "hurst"),
+    (LONGEST, "longest"),
+    (field!("contact_law.roughness.roll_off_wavelength"), "roll_off"),
+    (SHORTEST, "shortest"),
+    (field!("contact_law.roughness.seed"), "seed"),
 ];
+const LONGEST: FieldPath = field!("contact_law.roughness.longest_wavelength");
+const SHORTEST: FieldPath = field!("contact_law.roughness.shortest_wavelength");
 
 /// What options call the fields of the case that the request gives.
 static OPTIONS: LazyLock<Names> = LazyLock::new(|| names(Face::Command));
@@ -44,7 +48,7 @@ static OPTIONS: LazyLock<Names> = LazyLock::new(|| names(Face::Command));
 static ARGUMENTS: LazyLock<Names> = LazyLock::new(|| names(Face::Functions));
 
 /// Paths of fields, and what they are called.
-type Names = Vec<(&'static str, String)>;
+type Names = Vec<(FieldPath, String)>;
 
 fn names(face: Face) -> Names {
     let of_case = of_case();
@@ -54,7 +58,7 @@ fn names(face: Face) -> Names {
 }
 
 /// The fields of the request that stand for one of the case, with its path.
-fn of_case() -> Vec<(&'static str, &'static str)> {
+fn of_case() -> Vec<(&'static str, FieldPath)> {
     let path = |field: Field| match field.form {
         Form::OfCase(path) => Some((field.name, path)),
         _ => None,
@@ -62,10 +66,13 @@ fn of_case() -> Vec<(&'static str, &'static str)> {
     Request::fields().into_iter().filter_map(path).collect()
 }
 
-fn called(names: &'static Names, path: &str) -> Option<&'static str> {
-    let field = path.strip_prefix(SECTION)?;
+fn called(names: &'static Names, path: FieldPath) -> Option<&'static str> {
+    if path.section() != SECTION {
+        return None;
+    }
     let name = names.iter().find(|(own, _)| *own == path);
-    name.map(|(_, name)| name.as_str()).or(key(field))
+    let key = || KEYS.iter().find(|(own, _)| *own == path);
+    name.map(|(_, name)| name.as_str()).or_else(|| key().map(|(_, key)| *key))
 }
 
 /// Pressures (in Pa) in ascending order, as in a case file.
@@ -73,10 +80,6 @@ fn array(mut pressures: Vec<f64>) -> String {
     pressures.sort_by(f64::total_cmp);
     let each: Vec<String> = pressures.iter().map(|value| format!("\"{value:e} Pa\"")).collect();
     format!("[{}]", each.join(","))
-}
-
-fn key(field: &str) -> Option<&'static str> {
-    KEYS.iter().find(|(own, _)| *own == field).map(|(_, key)| *key)
 }
 
 impl Request {
@@ -135,12 +138,7 @@ impl Request {
                 Some(Kind::Quantities(_)) => array(pressures(&option, &text)?),
                 _ => text.clone(),
             };
-            fields.push(GivenByOption {
-                option: option.into(),
-                text,
-                field: path.to_owned(),
-                value,
-            });
+            fields.push(GivenByOption { option: option.into(), text, field: path, value });
         }
         Ok(fields)
     }
@@ -152,11 +150,11 @@ impl Request {
         let parts = text.split(',').map(|part| {
             let (key, value) = part.split_once('=').unwrap_or((part, ""));
             let (key, value) = (key.trim(), value.trim());
-            match KEYS.iter().find(|(field, own)| key == *own || key == *field) {
+            match KEYS.iter().find(|(field, own)| key == *own || key == field.name()) {
                 Some((field, _)) if !value.is_empty() => Ok(GivenByOption {
                     option: own.clone().into(),
                     text: part.trim().to_owned(),
-                    field: format!("{SECTION}{field}"),
+                    field: *field,
                     value: value.to_owned(),
                 }),
                 _ => {
@@ -170,8 +168,8 @@ impl Request {
         });
         let parts = parts.collect::<Result<Vec<_>, CaseError>>()?;
         self.refuse_repeated(&parts)?;
-        let is_named = |field: &str| parts.iter().any(|part| part.field.ends_with(field));
-        if !["longest_wavelength", "shortest_wavelength"].into_iter().all(is_named) {
+        let is_named = |field| parts.iter().any(|part| part.field == field);
+        if ![LONGEST, SHORTEST].into_iter().all(is_named) {
             return Err(self.refused(format!(
                 "{own} must name the longest and the shortest wavelength, such as \
                  rms_height=\"1 um\",longest=\"100 um\",shortest=\"5 um\", but is {}",

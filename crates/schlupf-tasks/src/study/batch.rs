@@ -7,7 +7,7 @@ use crate::states::{self, CONTACTS, NoState, StateSolver};
 use schlupf::message::Message;
 use schlupf::tally::Tally;
 use schlupf::{Solution, Watch};
-use schlupf_case::Case;
+use schlupf_case::{Case, field};
 
 use crate::study::chunks;
 use crate::study::columns::{Outcome, Row, push};
@@ -82,7 +82,10 @@ fn solved(case: &Case, solution: Solution, notices: Vec<Message>) -> Outcome {
         let count = wheel.contacts.len();
         if count > CONTACTS {
             let text = format!("the wheel has {count} contacts, the table columns for {CONTACTS}");
-            note(Message::new(MORE_CONTACTS, "normal.model", text).graded(count as f64));
+            note(
+                Message::new(MORE_CONTACTS, field!("normal.model").as_str(), text)
+                    .graded(count as f64),
+            );
         }
     }
     let warnings = warnings.into_iter().map(|of_row| of_row.worst).collect();

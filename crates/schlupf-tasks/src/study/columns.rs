@@ -77,7 +77,7 @@ pub(crate) fn columns(design: &Design, has_wheel: bool) -> Vec<Column> {
             Values::Numbers(_) => Kind::Number,
             Values::Texts(_) => Kind::Text,
         };
-        Column::new(varied.field.path, varied.field.kind.unit(), kind)
+        Column::new(&varied.field.path, varied.field.kind.unit(), kind)
     }));
     columns.push(Column::new("status", "", Kind::Text));
     let taken: Vec<String> = columns.iter().map(|column| column.name.clone()).collect();

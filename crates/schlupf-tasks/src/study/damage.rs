@@ -9,7 +9,7 @@ use crate::states::{CONTACTS, NO_CONTACT};
 use schlupf::damage::{self, Laws, State};
 use schlupf::message::Message;
 use schlupf::{Status, Watch};
-use schlupf_case::{CaseErrors, CaseFile, InputFile, Setting};
+use schlupf_case::{CaseErrors, CaseFile, FieldPath, InputFile, Setting, field};
 
 use crate::TaskError;
 use crate::request::{Kind, request};
@@ -233,7 +233,7 @@ const NEEDED: [[&str; 2]; 12] = [
 const ON_PROFILES: [&str; 2] = ["wheel_position", "rail_position"];
 
 /// The column of the speed of the vehicle.
-const SPEED: &str = "kinematics.speed";
+const SPEED: FieldPath = field!("kinematics.speed");
 
 /// The column that a table of a wheel with profiles has.
 const OF_WHEEL: &str = "wheel_force.z";
@@ -270,7 +270,8 @@ impl Run {
         let of_wheel =
             of_wheel.flat_map(|name| (0..CONTACTS).map(move |place| contact_column(place, name)));
         let others = [STATUS, WARNINGS, ACROSS, OF_WHEEL].into_iter().chain(ALONG);
-        let results = alone.chain([SPEED]).flat_map(|name| [name.to_owned(), beside_field(name)]);
+        let results =
+            alone.chain([SPEED.as_str()]).flat_map(|name| [name.to_owned(), beside_field(name)]);
         results.chain(others.map(str::to_owned)).chain(of_wheel).collect()
     }
 
@@ -321,8 +322,8 @@ impl Run {
         let contacts = contacts.collect::<Result<Vec<_>, StudyError>>()?;
         let status = table.texts(STATUS).ok_or_else(|| missing(STATUS))?;
         // That of a contact of a wheel is another one.
-        let is_own = !is_of_wheel || table.cells(&beside_field(SPEED)).is_some();
-        let speed = table.numbers(SPEED).filter(|_| is_own);
+        let is_own = !is_of_wheel || table.cells(&beside_field(&SPEED)).is_some();
+        let speed = table.numbers(&SPEED).filter(|_| is_own);
         let run = Self {
             contacts,
             speed: carried_on(speed.unwrap_or_else(|| vec![own_speed; status.len()])),

@@ -9,8 +9,8 @@ use schlupf::Method;
 use schlupf_case::document::{Content, Value};
 use schlupf_case::fields::{self, Field, Kind};
 use schlupf_case::{
-    CaseError, CaseErrors, CaseFile, Folder, LARGEST_CASE, Overrides, Place, Setting, Source,
-    read_up_to,
+    CaseError, CaseErrors, CaseFile, FieldPath, Folder, LARGEST_CASE, Overrides, Place, Setting,
+    Source, field, read_up_to,
 };
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -306,7 +306,7 @@ impl StudyReader<'_> {
 
     fn setting(&self, field: &'static Field, value: &Value) -> Result<Setting, CaseError> {
         field.read(value).map_err(|refusal| {
-            let message = refusal.message(field.path);
+            let message = refusal.message(&field.path);
             self.error(&value.span, message).help(refusal.help)
         })
     }
@@ -530,10 +530,7 @@ impl StudyReader<'_> {
         path: &str,
         span: &std::ops::Range<usize>,
     ) -> Result<&'static Field, CaseError> {
-        fields::find(path).ok_or_else(|| {
-            let help = fields::closest_path(path).map(|meant| format!("did you mean `{meant}`?"));
-            self.error(span, format!("unknown field `{}`", shortened(path))).help(help)
-        })
+        fields::named(path, || self.place(span))
     }
 
     fn known(&self, key: &Key<'_>, section: &str, names: &[&str]) -> Result<(), CaseError> {
@@ -552,21 +549,24 @@ impl StudyReader<'_> {
     }
 
     fn error(&self, span: &std::ops::Range<usize>, message: impl Into<String>) -> CaseError {
-        let place = if *span == (0..0) {
+        CaseError::new("", message, self.place(span))
+    }
+
+    fn place(&self, span: &std::ops::Range<usize>) -> Place {
+        if *span == (0..0) {
             Place::File { name: self.source.name.clone() }
         } else {
             Place::Text { source: Arc::clone(self.source), span: span.clone() }
-        };
-        CaseError::new("", message, place)
+        }
     }
 }
 
 /// The field with the source of the pressure, and its name for two profiles.
-const NORMAL_MODEL: &str = "normal.model";
+const NORMAL_MODEL: FieldPath = field!("normal.model");
 const WHEEL_RAIL: &str = "wheel-rail";
 
 /// The field with the method.
-const METHOD: &str = "solver.method";
+const METHOD: FieldPath = field!("solver.method");
 
 /// What messages call the values of the first row.
 const FIRST_ROW: &str = "row 0";
@@ -589,7 +589,8 @@ fn repeated(values: &Values) -> Option<usize> {
 
 /// Whether all rows are solved by a fast method.
 fn is_fast(case: &CaseFile, design: &Design) -> bool {
-    let is_varied = |name: &str| design.varied().iter().any(|varied| varied.field.path == name);
+    let is_varied =
+        |path: FieldPath| design.varied().iter().any(|varied| varied.field.path == path);
     let method = case.value(METHOD);
     !is_varied(METHOD) && method.is_some_and(|method| method != Setting::Choice("full"))
 }

@@ -5,10 +5,11 @@ use super::solver::{FULL, METHOD};
 use crate::fields::choice::{Choose, ContactLawModel, FormTakenOff};
 use crate::fields::field::Default::{Computed, Nothing, Same, Text};
 use crate::fields::field::{Field, Kind, Section};
+use crate::fields::path::FieldPath;
 use crate::units::Measure;
 use schlupf::requirement::Requirement::{self, AboveUpTo, Between, Finite};
 
-const MODEL: &str = "contact_law.model";
+const MODEL: FieldPath = field!("contact_law.model");
 /// The model without bristles.
 const COULOMB: &[&str] = &[ContactLawModel::Coulomb.name()];
 
@@ -22,7 +23,7 @@ const CELLS: Requirement = Between(16.0, 16384.0);
 const SEED: Requirement = Between(0.0, 4_294_967_295.0);
 
 section! {
-    CONTACT_LAW "contact_law"
+    ContactLaw "contact_law"
         "How traction grows with the sliding of rough surfaces.";
 
     "model" [ContactLaw] Kind::Choice(ContactLawModel::CHOICES), Finite, Text("incremental"),
@@ -34,7 +35,7 @@ section! {
 }
 
 section! {
-    ROUGHNESS "contact_law.roughness" [ContactRoughness]
+    Roughness "contact_law.roughness" [ContactRoughness]
         "Roughness from which k_c follows, in place of stiffness: heights, a spectrum or files.";
 
     "rms_height" [RmsHeight] quantity(&Measure::LENGTH), HEIGHT, Nothing,
@@ -52,7 +53,7 @@ section! {
         "a self-affine surface for the micro model, its longest wave", example("100 um"),
         with(METHOD, FULL), idle_with(MODEL, COULOMB);
     "roll_off_wavelength" [RollOffWavelength] quantity(&Measure::LENGTH), WAVELENGTH,
-        Same("contact_law.roughness.longest_wavelength"),
+        Same(field!("contact_law.roughness.longest_wavelength")),
         "longer waves have a constant spectrum", example("50 um"), with(METHOD, FULL), idle_with(MODEL, COULOMB);
     "shortest_wavelength" [ShortestWavelength] quantity(&Measure::LENGTH), WAVELENGTH, Nothing,
         "its shortest wave", example("5 um"), with(METHOD, FULL), idle_with(MODEL, COULOMB);

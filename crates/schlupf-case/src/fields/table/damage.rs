@@ -14,7 +14,7 @@ const CRACK: Requirement = Between(-1.0, 1.0);
 const TEMPERATURE: Requirement = Between(-273.15, 1e5);
 
 section! {
-    DAMAGE "damage"
+    Damage "damage"
         "What turns rolling into fatigue and wear, for `schlupf wear` and `schlupf damage`." for "wear" "damage";
 
     "shear_yield_stress" [ShearYieldStress] quantity(&Measure::PRESSURE), MODULUS, Text("300 MPa"),

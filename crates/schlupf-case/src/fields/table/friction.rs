@@ -4,6 +4,7 @@ use super::{TEMPERATURE, quantity};
 use crate::fields::choice::{Choose, FrictionModel, SpeedModel};
 use crate::fields::field::Default::{Nothing, Same, Text};
 use crate::fields::field::{Field, Kind, Section};
+use crate::fields::path::FieldPath;
 use crate::units::Measure;
 use schlupf::requirement::Requirement::{self, Between, Finite, Magnitude};
 
@@ -20,8 +21,8 @@ const POSITION: Requirement = Magnitude(1e2);
 const USUAL: Requirement = Between(1e-3, 1.5);
 const USUAL_PART: Requirement = Between(0.0, 1.5);
 
-const MODEL: &str = "friction.model";
-const SPEED_MODEL: &str = "friction.speed_model";
+const MODEL: FieldPath = field!("friction.model");
+const SPEED_MODEL: FieldPath = field!("friction.speed_model");
 
 const LINEAR: &[&str] = &["temperature-linear"];
 const PIECEWISE: &[&str] = &["temperature-piecewise-linear"];
@@ -38,7 +39,7 @@ impl Field {
 }
 
 section! {
-    FRICTION "friction"
+    Friction "friction"
         "Coefficient of friction. T is counted from the reference temperature, s is the slip \
          speed.";
 
@@ -53,7 +54,7 @@ section! {
         "T_E, a difference", with(MODEL, LINEAR),
         usually(Between(20.0, 1e4));
     "reference_temperature" [ReferenceTemperature] quantity(&Measure::TEMPERATURE), TEMPERATURE,
-        Same("rail.bulk_temperature"),
+        Same(field!("rail.bulk_temperature")),
         "T is counted from it", example("20 degC"), with(MODEL, OF_TEMPERATURE),
         usually(Between(-80.0, 800.0));
     "minimum_coefficient" [MinimumCoefficient] Kind::Number, PART, Text("0.0"),

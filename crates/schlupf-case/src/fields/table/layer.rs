@@ -12,7 +12,7 @@ const MODULUS: Requirement = Between(1.0, 1e14);
 const HARDENING: Requirement = Between(-1e20, 1e20);
 
 section! {
-    LAYER "layer"
+    Layer "layer"
         "A third body between the surfaces, such as oxides, leaves or sand; left out: none.";
 
     "thickness" [LayerThickness] quantity(&Measure::LENGTH), THICKNESS, Nothing,

@@ -5,11 +5,12 @@ use crate::fields::choice::{
 };
 use crate::fields::field::Default::{Computed, Text};
 use crate::fields::field::{Field, Kind, Section};
+use crate::fields::path::FieldPath;
 use schlupf::problem::MAX_CELLS;
 use schlupf::requirement::Requirement::{self, AboveUpTo, AtLeast, Between, Finite};
 
 /// The choice that most of these fields belong to.
-pub(super) const METHOD: &str = "solver.method";
+pub(super) const METHOD: FieldPath = field!("solver.method");
 /// The method that solves all equations.
 pub(super) const FULL: &[&str] = &["full"];
 /// The methods with cells, and so with heat.
@@ -22,7 +23,7 @@ const MODIFIED: &[&str] = &["modified-fastsim"];
 const PART: Requirement = AboveUpTo(0.0, 1.0);
 
 section! {
-    GRID "grid"
+    Grid "grid"
         "Cells across the contact patch.";
 
     "cells_x" [CellsX] Kind::Count, Between(2.0, MAX_CELLS as f64), Text("24"),
@@ -32,7 +33,7 @@ section! {
 }
 
 section! {
-    SOLVER "solver"
+    Solver "solver"
         "What is solved, and how.";
 
     "driver" [Driver] Kind::Choice(Driver::CHOICES), Finite,
@@ -67,7 +68,7 @@ section! {
 }
 
 section! {
-    FASTSIM "fastsim"
+    Fastsim "fastsim"
         "The bristles of FASTSIM, plain and modified.";
 
     "flexibilities" [] Kind::Choice(FlexibilitiesChoice::CHOICES), Finite, Text("three"),

@@ -13,7 +13,7 @@ const MARGIN: Requirement = Between(0.0, 1e2);
 const LAYERS: Requirement = Between(2.0, 1000.0);
 
 section! {
-    SUBSURFACE "subsurface"
+    Subsurface "subsurface"
         "Where to compute stresses below the surface, for `schlupf subsurface`." for "subsurface";
 
     "body" [] Kind::Choice(BodyChoice::CHOICES), Finite, Text("rail"), "in which body";

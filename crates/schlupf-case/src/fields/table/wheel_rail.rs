@@ -15,7 +15,7 @@ const TURNING: Requirement = Magnitude(1e6);
 const TRACK_WIDTH: Requirement = Between(0.1, 2.2);
 
 section! {
-    TRACK "track"
+    Track "track"
         "Where the profiles are, if the normal contact is that of two profiles.";
 
     "gauge" [Gauge] quantity(&Measure::LENGTH), LENGTH, Text("1435 mm"),
@@ -32,7 +32,7 @@ section! {
 }
 
 section! {
-    WHEELSET "wheelset"
+    Wheelset "wheelset"
         "Position and motion of the wheelset in the track (x forwards, y to the left, z up), if the \
          normal contact is that of two profiles; the wheel turns at kinematics.angular_velocity.";
 

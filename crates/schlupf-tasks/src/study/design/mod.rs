@@ -123,18 +123,17 @@ impl Design {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use schlupf_case::fields;
+    use schlupf_case::{FieldPath, field};
 
-    fn varied(path: &str, values: &[f64]) -> Varied {
-        let field = fields::find(path).unwrap();
-        Varied { field, values: Values::Numbers(values.to_vec()) }
+    fn varied(path: FieldPath, values: &[f64]) -> Varied {
+        Varied { field: path.field(), values: Values::Numbers(values.to_vec()) }
     }
 
     #[test]
     fn the_last_field_of_a_factorial_varies_fastest() {
         let design = Design::Factorial(vec![
-            varied("normal.load", &[1.0, 2.0]),
-            varied("kinematics.creepage_x", &[0.1, 0.2, 0.3]),
+            varied(field!("normal.load"), &[1.0, 2.0]),
+            varied(field!("kinematics.creepage_x"), &[0.1, 0.2, 0.3]),
         ]);
         assert_eq!(design.rows(), Some(6));
         let rows: Vec<Vec<Entry>> = (0..6).map(|row| design.row(row)).collect();
@@ -144,12 +143,12 @@ mod tests {
 
     #[test]
     fn assignments_can_be_read_by_a_case() {
-        let load = fields::find("normal.load").unwrap();
+        let load = field!("normal.load").field();
         assert_eq!(assignment(load, &Entry::Number(8e4)), "normal.load=\"80000.0 N\"");
-        let method = fields::find("solver.method").unwrap();
+        let method = field!("solver.method").field();
         let polach = Entry::Text("polach".to_owned());
         assert_eq!(assignment(method, &polach), "solver.method=polach");
-        let cells = fields::find("grid.cells_x").unwrap();
+        let cells = field!("grid.cells_x").field();
         assert_eq!(assignment(cells, &Entry::Text("12".to_owned())), "grid.cells_x=12");
     }
 }

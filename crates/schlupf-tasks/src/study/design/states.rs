@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use schlupf::message::{quoted, shortened};
-use schlupf_case::fields::{self, Field, Kind};
+use schlupf_case::fields::{self, Field, FieldPath, Kind};
 use schlupf_case::units::{Conversion, Measure, comma, comma_readings, parse_unit};
 use schlupf_case::{CaseError, LARGEST_FILE, Place, Records, Source, read_up_to};
 
@@ -66,7 +66,7 @@ fn design(path: &Path, columns: Vec<(Head, Cells)>) -> Result<Design, StudyError
                     (Kind::Count, Cells::Numbers(numbers)) => {
                         Values::Texts(numbers.iter().map(ToString::to_string).collect())
                     }
-                    (kind, _) if is_number(kind) => return Err(wrong(field.path)),
+                    (kind, _) if is_number(kind) => return Err(wrong(field.path.as_str())),
                     _ => return Err(refused(format!("{} must be text, but is not", field.path))),
                 };
                 varied.push(Varied { field, values });
@@ -178,7 +178,7 @@ fn help(text: &str) -> Option<String> {
         None => (text.trim(), None),
     };
     let carried = CARRIED.iter().map(|(name, _)| *name).find(|carried| *carried == name);
-    let meant = carried.or_else(|| fields::closest_path(name))?;
+    let meant = carried.or_else(|| fields::closest_path(name).map(FieldPath::as_str))?;
     Some(match unit {
         Some(unit) => format!("did you mean `{meant} [{}]`?", shortened(unit)),
         None => format!("did you mean `{meant}`?"),
@@ -232,7 +232,7 @@ fn from_csv(path: &Path) -> Result<Vec<(Head, Cells)>, StudyError> {
             match cells {
                 Cells::Numbers(numbers) => numbers.push(text.parse().map_err(|_| {
                     let name = match head.what {
-                        What::Field(field) => field.path,
+                        What::Field(field) => field.path.as_str(),
                         What::Carried(name, _) => name,
                     };
                     let readings = comma_readings(text);

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use crate::FieldPath;
 use crate::{CaseError, Place, Source};
 use schlupf::message::Message;
 
@@ -35,7 +36,7 @@ pub struct ImportedCase {
     /// Where the first of them begins.
     pub place: Place,
     /// Where the values of fields stand, by their paths in the case file.
-    pub places: Vec<(&'static str, Place)>,
+    pub places: Vec<(FieldPath, Place)>,
     /// Name of the case file.
     pub name: String,
     /// Title of the case.

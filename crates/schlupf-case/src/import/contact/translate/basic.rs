@@ -104,8 +104,8 @@ fn frame(
 fn speed(case: &mut Translation, rolling: Option<&Rolling>) {
     // mm/s.
     match rolling {
-        Some(rolling) => case.quantity("kinematics.speed", rolling.speed, (1e-3, "m/s")),
-        None => case.document.quantity("kinematics.speed", 1e-3 * RESTING, "m/s"),
+        Some(rolling) => case.quantity(field!("kinematics.speed"), rolling.speed, (1e-3, "m/s")),
+        None => case.document.quantity(field!("kinematics.speed"), 1e-3 * RESTING, "m/s"),
     }
 }
 
@@ -136,21 +136,35 @@ fn creepages(
         check_forces(case, control, motion);
     }
     match force_x {
-        Some(force) => case.document.quantity("kinematics.force_x", force, "kN"),
-        None => case.document.number("kinematics.creepage_x", x),
+        Some(force) => case.document.quantity(field!("kinematics.force_x"), force, "kN"),
+        None => case.document.number(field!("kinematics.creepage_x"), x),
     }
     match force_y {
-        Some(force) => case.document.quantity("kinematics.force_y", force, "kN"),
-        None => case.document.number("kinematics.creepage_y", y),
+        Some(force) => case.document.quantity(field!("kinematics.force_y"), force, "kN"),
+        None => case.document.number(field!("kinematics.creepage_y"), y),
     }
-    case.document.quantity("kinematics.spin", spin, "1/m");
+    case.document.quantity(field!("kinematics.spin"), spin, "1/m");
     for (path, given) in [
-        (if force_x.is_some() { "kinematics.force_x" } else { "kinematics.creepage_x" }, 0),
-        (if force_y.is_some() { "kinematics.force_y" } else { "kinematics.creepage_y" }, 1),
+        (
+            if force_x.is_some() {
+                field!("kinematics.force_x")
+            } else {
+                field!("kinematics.creepage_x")
+            },
+            0,
+        ),
+        (
+            if force_y.is_some() {
+                field!("kinematics.force_y")
+            } else {
+                field!("kinematics.creepage_y")
+            },
+            1,
+        ),
     ] {
         case.stands(path, motion.tangential[given]);
     }
-    case.stands("kinematics.spin", motion.spin);
+    case.stands(field!("kinematics.spin"), motion.spin);
     if contact.centre != [0.0; 2] {
         case.notice(Notice::MomentAtMiddle { centre: contact.centre }, motion.spin);
     }
@@ -215,8 +229,8 @@ pub fn write_shift(case: &mut Translation, control: &Control, motion: &Motion, f
     }
     let [x, y] = motion.tangential.map(|given| given.value);
     // mm.
-    case.document.quantity("history.shift_x", frame.component_x * x, "mm");
-    case.document.quantity("history.shift_y", frame.component_y * y, "mm");
+    case.document.quantity(field!("history.shift_x"), frame.component_x * x, "mm");
+    case.document.quantity(field!("history.shift_y"), frame.component_y * y, "mm");
 }
 
 /// Friction that varies across the contact: factors on that at its middle.
@@ -262,9 +276,9 @@ fn by_row(case: &mut Translation, friction: &Friction, frame: Frame, [from, widt
         return case.refuse(digit, "friction must be positive at the middle of the contact", "");
     }
     let factors: Vec<f64> = levels.iter().map(|level| level / middle).collect();
-    case.document.number("friction.coefficient", middle);
-    case.document.quantities("friction.variation_y", &places, "mm");
-    case.document.numbers("friction.variation_factor", &factors);
+    case.document.number(field!("friction.coefficient"), middle);
+    case.document.quantities(field!("friction.variation_y"), &places, "mm");
+    case.document.numbers(field!("friction.variation_factor"), &factors);
 }
 
 fn extra_slip(case: &mut Translation, basic: &Basic) {

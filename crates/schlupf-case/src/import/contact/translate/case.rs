@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::FieldPath;
 use crate::{CaseError, Source};
 use schlupf::message::shortened;
 
@@ -20,7 +21,7 @@ pub struct Translation {
     /// What its users should know, with the value that it is about.
     pub notices: Vec<(Notice, At)>,
     /// Where the values of fields stand.
-    pub places: Vec<(&'static str, At)>,
+    pub places: Vec<(FieldPath, At)>,
 }
 
 impl Translation {
@@ -75,13 +76,13 @@ impl Translation {
     }
 
     /// A field with the number of a value, times a factor, and its unit.
-    pub fn quantity(&mut self, path: &'static str, given: Given, (factor, unit): (f64, &str)) {
+    pub fn quantity(&mut self, path: FieldPath, given: Given, (factor, unit): (f64, &str)) {
         self.document.quantity(path, factor * given.value, unit);
         self.stands(path, given);
     }
 
     /// A field that follows from a value.
-    pub fn stands(&mut self, path: &'static str, given: Given) {
+    pub fn stands(&mut self, path: FieldPath, given: Given) {
         self.places.push((path, given.at));
     }
 

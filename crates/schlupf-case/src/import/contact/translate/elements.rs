@@ -91,11 +91,11 @@ pub fn uniform(
         }
     }
     let name = format!("{stem}_pressure.csv");
-    case.document.text("normal.model", "tabulated");
-    case.document.text("normal.file", &name);
+    case.document.text(field!("normal.model"), "tabulated");
+    case.document.text(field!("normal.file"), &name);
     case.document.files.push((name, text.into_bytes()));
-    case.document.count("grid.cells_x", 2);
-    case.document.count("grid.cells_y", cells[1].whole() as usize);
+    case.document.count(field!("grid.cells_x"), 2);
+    case.document.count(field!("grid.cells_y"), cells[1].whole() as usize);
     case.remark(format!(
         "The elements have one pressure by symmetry, {} MPa over {} x {} mm.",
         number(pressure),

@@ -1,5 +1,6 @@
 //! Materials, friction, heat and method: what both modules have.
 
+use crate::FieldPath;
 use crate::import::Notice;
 use crate::import::contact::basic::Motion;
 use crate::import::contact::control::Control;
@@ -10,12 +11,12 @@ use crate::import::contact::material::{Elastic, Heat};
 use super::case::Translation;
 use super::frame::WheelBody;
 
-const YOUNG: [&str; 2] = ["wheel.young_modulus", "rail.young_modulus"];
-const POISSON: [&str; 2] = ["wheel.poisson_ratio", "rail.poisson_ratio"];
-const TEMPERATURE: [&str; 2] = ["wheel.bulk_temperature", "rail.bulk_temperature"];
-const CAPACITY: [&str; 2] = ["wheel.specific_heat", "rail.specific_heat"];
-const CONDUCTIVITY: [&str; 2] = ["wheel.conductivity", "rail.conductivity"];
-const DENSITY: [&str; 2] = ["wheel.density", "rail.density"];
+const YOUNG: [FieldPath; 2] = fields!["wheel.young_modulus", "rail.young_modulus"];
+const POISSON: [FieldPath; 2] = fields!["wheel.poisson_ratio", "rail.poisson_ratio"];
+const TEMPERATURE: [FieldPath; 2] = fields!["wheel.bulk_temperature", "rail.bulk_temperature"];
+const CAPACITY: [FieldPath; 2] = fields!["wheel.specific_heat", "rail.specific_heat"];
+const CONDUCTIVITY: [FieldPath; 2] = fields!["wheel.conductivity", "rail.conductivity"];
+const DENSITY: [FieldPath; 2] = fields!["wheel.density", "rail.density"];
 
 /// Elastic constants of both bodies.
 pub fn elastic(case: &mut Translation, elastic: &Elastic, wheel: WheelBody) {
@@ -58,8 +59,8 @@ pub fn method(case: &mut Translation, control: &Control, elastic: &Elastic) {
             if material.is(4) {
                 third_body(case, elastic);
             }
-            case.document.text("elasticity.model", "half-space");
-            case.document.text("contact_law.model", "coulomb");
+            case.document.text(field!("elasticity.model"), "half-space");
+            case.document.text(field!("contact_law.model"), "coulomb");
             if control.bound.is(3) {
                 case.refuse(
                     control.bound,
@@ -91,12 +92,12 @@ pub fn method(case: &mut Translation, control: &Control, elastic: &Elastic) {
 /// elastic only, and K_TAU in N/mm³.
 fn third_body(case: &mut Translation, elastic: &Elastic) {
     let [shear_modulus, thickness, stress, hardening] = elastic.model[..] else { return };
-    case.quantity("layer.thickness", thickness, (1.0, "mm"));
-    case.quantity("layer.shear_modulus", shear_modulus, (1.0, "MPa"));
+    case.quantity(field!("layer.thickness"), thickness, (1.0, "mm"));
+    case.quantity(field!("layer.shear_modulus"), shear_modulus, (1.0, "MPa"));
     if stress.value > 0.0 {
-        case.quantity("layer.yield_stress", stress, (1.0, "MPa"));
+        case.quantity(field!("layer.yield_stress"), stress, (1.0, "MPa"));
         if hardening.value != 0.0 {
-            case.quantity("layer.hardening", hardening, (1.0, "MPa/mm"));
+            case.quantity(field!("layer.hardening"), hardening, (1.0, "MPa/mm"));
         }
     }
 }
@@ -124,20 +125,21 @@ fn slope_reduction(elastic: &Elastic) -> ([Given; 3], bool) {
 
 fn fastsim(case: &mut Translation, control: &Control, elastic: &Elastic) {
     let ([initial, limit, decay], is_plain) = slope_reduction(elastic);
-    case.document.text("solver.method", if is_plain { "fastsim" } else { "modified-fastsim" });
+    case.document
+        .text(field!("solver.method"), if is_plain { "fastsim" } else { "modified-fastsim" });
     let bound = if control.bound.is(3) { "parabolic" } else { "elliptic" };
-    case.document.text("fastsim.flexibilities", "three");
-    case.document.text("fastsim.bound", bound);
+    case.document.text(field!("fastsim.flexibilities"), "three");
+    case.document.text(field!("fastsim.bound"), bound);
     if is_plain {
         return;
     }
-    case.document.number("fastsim.initial_reduction", initial.value);
-    case.document.number("fastsim.reduction_limit_ratio", limit.value);
+    case.document.number(field!("fastsim.initial_reduction"), initial.value);
+    case.document.number(field!("fastsim.reduction_limit_ratio"), limit.value);
     // CONTACT's ratio of slip to adhesion is that of the softened contact: k0 times ours.
-    case.document.number("fastsim.reduction_decay", initial.value * decay.value);
-    case.stands("fastsim.initial_reduction", initial);
-    case.stands("fastsim.reduction_limit_ratio", limit);
-    case.stands("fastsim.reduction_decay", decay);
+    case.document.number(field!("fastsim.reduction_decay"), initial.value * decay.value);
+    case.stands(field!("fastsim.initial_reduction"), initial);
+    case.stands(field!("fastsim.reduction_limit_ratio"), limit);
+    case.stands(field!("fastsim.reduction_decay"), decay);
 }
 
 /// How CONTACT's FASTSIM differs.
@@ -165,7 +167,7 @@ pub fn friction(case: &mut Translation, friction: &Friction) {
     let level = friction.static_coefficient();
     match friction.law.whole() {
         0 => {
-            case.document.text("friction.model", "constant");
+            case.document.text(field!("friction.model"), "constant");
             if b.value != a.value {
                 case.refuse(
                     b,
@@ -175,33 +177,33 @@ pub fn friction(case: &mut Translation, friction: &Friction) {
             }
         }
         6 => {
-            case.document.text("friction.model", "temperature-piecewise-linear");
-            case.document.number("friction.hot_coefficient", a.value + c.value);
-            case.stands("friction.hot_coefficient", c);
-            case.quantity("friction.reference_temperature", b, (1.0, "degC"));
-            case.quantity("friction.temperature_range", d, (1.0, "K"));
+            case.document.text(field!("friction.model"), "temperature-piecewise-linear");
+            case.document.number(field!("friction.hot_coefficient"), a.value + c.value);
+            case.stands(field!("friction.hot_coefficient"), c);
+            case.quantity(field!("friction.reference_temperature"), b, (1.0, "degC"));
+            case.quantity(field!("friction.temperature_range"), d, (1.0, "K"));
         }
         law => {
             falling(case, law, [(b, c), (d, e)]);
             if b.value != 0.0 || d.value != 0.0 {
-                case.document.number("friction.kinetic_coefficient", a.value);
-                case.stands("friction.kinetic_coefficient", a);
+                case.document.number(field!("friction.kinetic_coefficient"), a.value);
+                case.stands(field!("friction.kinetic_coefficient"), a);
             }
         }
     }
-    case.document.number("friction.coefficient", level);
-    case.stands("friction.coefficient", a);
+    case.document.number(field!("friction.coefficient"), level);
+    case.stands(field!("friction.coefficient"), a);
     if let Some([distance, speed]) = friction.memory.filter(|[distance, _]| distance.value > 0.0) {
         // mm in µm, mm/s.
-        case.quantity("friction.memory_distance", distance, (1e3, "um"));
-        case.quantity("friction.memory_speed", speed, (1.0, "mm/s"));
+        case.quantity(field!("friction.memory_distance"), distance, (1e3, "um"));
+        case.quantity(field!("friction.memory_speed"), speed, (1.0, "mm/s"));
     }
 }
 
 /// A law of two terms, each with its size and the slip speed (in mm/s) at which it has halved.
 fn falling(case: &mut Translation, law: i64, [first, second]: [(Given, Given); 2]) {
     if first.0.value == 0.0 && second.0.value == 0.0 {
-        case.document.text("friction.model", "constant");
+        case.document.text(field!("friction.model"), "constant");
         return;
     }
     let model = match law {
@@ -209,14 +211,14 @@ fn falling(case: &mut Translation, law: i64, [first, second]: [(Given, Given); 2
         3 => "rational",
         _ => "exponential",
     };
-    case.document.text("friction.model", model);
+    case.document.text(field!("friction.model"), model);
     // The first term needs a speed even where it vanishes.
     let first_speed = if first.0.value == 0.0 { second.1 } else { first.1 };
-    case.quantity("friction.half_speed", first_speed, (1.0, "mm/s"));
+    case.quantity(field!("friction.half_speed"), first_speed, (1.0, "mm/s"));
     if second.0.value != 0.0 {
-        case.document.number("friction.second_coefficient", second.0.value);
-        case.stands("friction.second_coefficient", second.0);
-        case.quantity("friction.second_half_speed", second.1, (1.0, "mm/s"));
+        case.document.number(field!("friction.second_coefficient"), second.0.value);
+        case.stands(field!("friction.second_coefficient"), second.0);
+        case.quantity(field!("friction.second_half_speed"), second.1, (1.0, "mm/s"));
     }
 }
 
@@ -224,12 +226,12 @@ fn falling(case: &mut Translation, law: i64, [first, second]: [(Given, Given); 2
 pub fn heat(case: &mut Translation, control: &Control, heat: Option<&Heat>, wheel: WheelBody) {
     let digit = control.heat;
     if digit.is(0) {
-        case.document.text("heat.model", "none");
+        case.document.text(field!("heat.model"), "none");
         return;
     }
     let Some(heat) = heat else { return case.miss(digit, "the thermal constants of both bodies") };
-    case.document.text("heat.model", "duhamel");
-    case.document.text("heat.partition", "velocity");
+    case.document.text(field!("heat.model"), "duhamel");
+    case.document.text(field!("heat.partition"), "velocity");
     for (path, body) in [wheel.index(), 1 - wheel.index()].into_iter().enumerate() {
         let [temperature, capacity, conductivity, density] = heat.bodies[body];
         case.quantity(TEMPERATURE[path], temperature, (1.0, "degC"));

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use schlupf::Error;
 use schlupf::problem::MAX_CELLS;
 
+use crate::FieldPath;
 use crate::import::contact::basic::{Area, Basic, Distance, Motion};
 use crate::import::contact::given::Given;
 use crate::import::document::number;
@@ -32,8 +33,8 @@ pub fn write(
         }
     }?;
     // N in kN.
-    case.document.quantity("normal.load", contact.load / 1e3, "kN");
-    case.stands("normal.load", given.motion.normal);
+    case.document.quantity(field!("normal.load"), contact.load / 1e3, "kN");
+    case.stands(field!("normal.load"), given.motion.normal);
     Some(contact)
 }
 
@@ -82,16 +83,16 @@ fn hertzian(case: &mut Translation, given: NormalProblem, stem: &str) -> Option<
     let found = match area.kind.whole() {
         -3 => {
             let axes = [first.value, second.value];
-            case.document.text("normal.model", "ellipse");
-            case.document.quantity("normal.semi_axis_x", axes[0], "mm");
-            case.document.quantity("normal.semi_axis_y", axes[1], "mm");
+            case.document.text(field!("normal.model"), "ellipse");
+            case.document.quantity(field!("normal.semi_axis_x"), axes[0], "mm");
+            case.document.quantity(field!("normal.semi_axis_y"), axes[1], "mm");
             let axes = axes.map(|axis| MILLIMETRE * axis);
             load(case, given, |approach| hertz::load_of_ellipse(axes, modulus, approach))
         }
         _ => curvatures(area).and_then(|curvatures| curved(case, given, curvatures)),
     };
     let load = accepted(case, area.kind, found)?;
-    for (path, count) in ["grid.cells_x", "grid.cells_y"].into_iter().zip(area.cells) {
+    for (path, count) in fields!["grid.cells_x", "grid.cells_y"].into_iter().zip(area.cells) {
         cells(case, path, count.value / scale.value);
     }
     let width = 2.0 * scale.value * semi_axes(case, given, load)?[1];
@@ -130,8 +131,8 @@ fn semi_axes(case: &mut Translation, given: NormalProblem, load: f64) -> Option<
 }
 
 /// Cells across the contact.
-fn cells(case: &mut Translation, path: &'static str, count: f64) {
-    let least = if path == "grid.cells_x" { 2.0 } else { 1.0 };
+fn cells(case: &mut Translation, path: FieldPath, count: f64) {
+    let least = if path == field!("grid.cells_x") { 2.0 } else { 1.0 };
     let count = count.round().clamp(least, MAX_CELLS as f64);
     case.document.count(path, count as usize);
 }
@@ -143,11 +144,11 @@ fn curved(
     curvatures: [f64; 2],
 ) -> Result<f64, Error> {
     let [x, y] = curvatures.map(|curvature| 0.5 / curvature);
-    case.document.text("normal.model", "hertz");
-    case.document.quantity("wheel.radius_x", 1e3 * x, "mm");
-    case.document.quantity("wheel.radius_y", 1e3 * y, "mm");
-    case.document.text("rail.radius_x", "inf");
-    case.document.text("rail.radius_y", "inf");
+    case.document.text(field!("normal.model"), "hertz");
+    case.document.quantity(field!("wheel.radius_x"), 1e3 * x, "mm");
+    case.document.quantity(field!("wheel.radius_y"), 1e3 * y, "mm");
+    case.document.text(field!("rail.radius_x"), "inf");
+    case.document.text(field!("rail.radius_y"), "inf");
     let modulus = hertz::modulus(given.elastic);
     let load = load(case, given, |approach| hertz::load(curvatures, modulus, approach))?;
     // Line contacts, and loads that no contact has.
@@ -288,7 +289,7 @@ fn quadratic(
             [centre[k] - axes[k], centre[k] + axes[k]],
             (first[k], side[k], count),
         );
-        cells(case, ["grid.cells_x", "grid.cells_y"][k], 2.0 * axes[k] / side[k]);
+        cells(case, fields!["grid.cells_x", "grid.cells_y"][k], 2.0 * axes[k] / side[k]);
     }
     // Where the grid is larger than the contact, its elements do not share the force evenly.
     if let Some(k) = (0..2).find(|k| inside[*k] <= elements::ALIKE) {
@@ -344,9 +345,9 @@ fn table(
         }
     }
     let name = format!("{stem}_distance.csv");
-    case.document.text("normal.model", "profile");
-    case.document.text("normal.file", &name);
-    case.document.text("kinematics.reference", "file");
+    case.document.text(field!("normal.model"), "profile");
+    case.document.text(field!("normal.file"), &name);
+    case.document.text(field!("kinematics.reference"), "file");
     case.document.files.push((name, text.into_bytes()));
     Some(Contact { load: given.motion.normal.value, centre: [0.0; 2], rows: None })
 }

@@ -189,27 +189,27 @@ impl Series {
     fn write(&self, case: &mut Translation) {
         let changes = |values: &[f64]| values.windows(2).any(|pair| pair[0] != pair[1]);
         let document = &mut case.document;
-        document.quantities("history.time", &self.time, "ms");
+        document.quantities(field!("history.time"), &self.time, "ms");
         if changes(&self.creepage_x) {
-            document.numbers("history.creepage_x", &self.creepage_x);
+            document.numbers(field!("history.creepage_x"), &self.creepage_x);
         }
         if changes(&self.creepage_y) {
-            document.numbers("history.creepage_y", &self.creepage_y);
+            document.numbers(field!("history.creepage_y"), &self.creepage_y);
         }
         if changes(&self.force_x) {
-            document.quantities("history.force_x", &self.force_x, "kN");
+            document.quantities(field!("history.force_x"), &self.force_x, "kN");
         }
         if changes(&self.force_y) {
-            document.quantities("history.force_y", &self.force_y, "kN");
+            document.quantities(field!("history.force_y"), &self.force_y, "kN");
         }
         if changes(&self.spin) {
-            document.quantities("history.spin", &self.spin, "1/m");
+            document.quantities(field!("history.spin"), &self.spin, "1/m");
         }
         if changes(&self.speed) {
-            document.quantities("history.speed", &self.speed, "m/s");
+            document.quantities(field!("history.speed"), &self.speed, "m/s");
         }
         if changes(&self.load) {
-            document.quantities("history.load", &self.load, "kN");
+            document.quantities(field!("history.load"), &self.load, "kN");
         }
     }
 }

@@ -98,7 +98,7 @@ fn table(cases: &[ImportedCase], columns: &[usize]) -> String {
     };
     let head = |field: &Field| match &field.number {
         Some((_, unit)) if !unit.is_empty() => format!("{} [{unit}]", field.path),
-        _ => field.path.to_owned(),
+        _ => field.path.to_string(),
     };
     let number = |field: &Field| {
         field.number.as_ref().map_or_else(String::new, |(number, _)| number.clone())

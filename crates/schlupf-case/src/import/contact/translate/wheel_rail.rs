@@ -3,6 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
+use crate::FieldPath;
 use crate::Source;
 
 use crate::import::Notice;
@@ -24,7 +25,7 @@ pub fn translate(
     laws::notice_digits(&mut case, control);
     digits(&mut case, control);
     materials(&mut case, control, wheel_rail);
-    case.document.text("normal.model", "wheel-rail");
+    case.document.text(field!("normal.model"), "wheel-rail");
     search(&mut case, control, wheel_rail);
     match &wheel_rail.track {
         Some(track) => write_track(&mut case, track),
@@ -97,8 +98,8 @@ fn materials(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) 
     };
     if control.tangential.is(0) {
         case.remark("Without friction (T = 0): as good as none.");
-        case.document.text("friction.model", "constant");
-        case.document.number("friction.coefficient", FRICTIONLESS);
+        case.document.text(field!("friction.model"), "constant");
+        case.document.number(field!("friction.coefficient"), FRICTIONLESS);
     } else {
         laws::friction(case, friction);
     }
@@ -133,14 +134,14 @@ fn search(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
         _ => {}
     }
     let angle = search.angle.value.clamp(0.0, FRAC_PI_2);
-    case.document.quantity("normal.join_distance", search.distance.value.max(0.0), "mm");
-    case.document.quantity("normal.join_angle", angle.to_degrees(), "deg");
-    case.stands("normal.join_distance", search.distance);
-    case.stands("normal.join_angle", search.angle);
+    case.document.quantity(field!("normal.join_distance"), search.distance.value.max(0.0), "mm");
+    case.document.quantity(field!("normal.join_angle"), angle.to_degrees(), "deg");
+    case.stands(field!("normal.join_distance"), search.distance);
+    case.stands(field!("normal.join_angle"), search.angle);
     if search.whole_distance.value < search.distance.value {
         case.notice(Notice::WholeContacts {}, search.whole_distance);
     }
-    case.document.text("normal.row_motion", "plane");
+    case.document.text(field!("normal.row_motion"), "plane");
 }
 
 fn write_track(case: &mut Translation, track: &Track) {
@@ -155,10 +156,10 @@ fn write_track(case: &mut Translation, track: &Track) {
     if track.face.value > 1.0 {
         case.refuse(track.face, "gauge faces other than the first are not available", "GAUGSQ = 0");
     }
-    case.quantity("track.gauge", track.gauge, (1.0, "mm"));
-    case.quantity("track.gauge_depth", track.gauge_height, (1.0, "mm"));
-    case.document.number("rail.cant", track.cant.value.tan());
-    case.stands("rail.cant", track.cant);
+    case.quantity(field!("track.gauge"), track.gauge, (1.0, "mm"));
+    case.quantity(field!("track.gauge_depth"), track.gauge_height, (1.0, "mm"));
+    case.document.number(field!("rail.cant"), track.cant.value.tan());
+    case.stands(field!("rail.cant"), track.cant);
     if let Some(curvature) = track.curvature {
         case.refuse_unless_zero(curvature, "curved track is not available", "CURV = 0 is straight");
     }
@@ -166,23 +167,23 @@ fn write_track(case: &mut Translation, track: &Track) {
 
 /// Paths of the fields of a profile.
 struct ProfilePaths {
-    profile: &'static str,
-    y: &'static str,
-    z: &'static str,
-    smoothing: &'static str,
+    profile: FieldPath,
+    y: FieldPath,
+    z: FieldPath,
+    smoothing: FieldPath,
 }
 
 const RAIL: ProfilePaths = ProfilePaths {
-    profile: "rail.profile",
-    y: "rail.profile_y",
-    z: "rail.profile_z",
-    smoothing: "rail.profile_smoothing",
+    profile: field!("rail.profile"),
+    y: field!("rail.profile_y"),
+    z: field!("rail.profile_z"),
+    smoothing: field!("rail.profile_smoothing"),
 };
 const WHEEL: ProfilePaths = ProfilePaths {
-    profile: "wheel.profile",
-    y: "wheel.profile_y",
-    z: "wheel.profile_z",
-    smoothing: "wheel.profile_smoothing",
+    profile: field!("wheel.profile"),
+    y: field!("wheel.profile_y"),
+    z: field!("wheel.profile_z"),
+    smoothing: field!("wheel.profile_smoothing"),
 };
 
 /// Endings of files of several profiles.
@@ -235,16 +236,16 @@ const NO_TAPE_CIRCLE: f64 = 1e3;
 
 fn wheelset(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
     let side = if control.config.is(0) || control.config.is(4) { "left" } else { "right" };
-    case.document.text("wheelset.side", side);
+    case.document.text(field!("wheelset.side"), side);
     let (Some(size), Some(position), Some(velocity)) =
         (wheel_rail.wheelset, wheel_rail.position, wheel_rail.velocity)
     else {
         return case.miss(control.extra, "size, position and velocity of the wheelset");
     };
     let [distance, flange_back, radius] = size;
-    case.quantity("track.flange_back_distance", distance, (1.0, "mm"));
-    case.quantity("wheel.flange_back_position", flange_back, (1.0, "mm"));
-    case.quantity("wheel.radius_x", radius, (1.0, "mm"));
+    case.quantity(field!("track.flange_back_distance"), distance, (1.0, "mm"));
+    case.quantity(field!("wheel.flange_back_position"), flange_back, (1.0, "mm"));
+    case.quantity(field!("wheel.radius_x"), radius, (1.0, "mm"));
     if let Some(tape) = wheel_rail.tape_circle.filter(|tape| tape.value.abs() < NO_TAPE_CIRCLE) {
         let what = "a radius NOMRADW at the tape circle is not available";
         let help = "leave YTAPE out and give the radius at the origin of the profile";
@@ -256,30 +257,30 @@ fn wheelset(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
     }
     // y to the right and z downwards there: a turn by π about x.
     let [_, y, support, roll, yaw, _] = position;
-    case.quantity("wheelset.lateral_position", y, (-1.0, "mm"));
-    case.quantity("wheelset.yaw_angle", yaw, (-1e3, "mrad"));
-    case.quantity("wheelset.roll_angle", roll, (1e3, "mrad"));
+    case.quantity(field!("wheelset.lateral_position"), y, (-1.0, "mm"));
+    case.quantity(field!("wheelset.yaw_angle"), yaw, (-1e3, "mrad"));
+    case.quantity(field!("wheelset.roll_angle"), roll, (1e3, "mrad"));
     if control.normal.is(0) {
-        case.quantity("wheelset.height", support, (-1.0, "mm"));
+        case.quantity(field!("wheelset.height"), support, (-1.0, "mm"));
     } else {
-        case.quantity("normal.load", support, (1e-3, "kN"));
+        case.quantity(field!("normal.load"), support, (1e-3, "kN"));
     }
     let [forward, lateral, vertical, roll, yaw, pitch] = velocity;
-    case.quantity("kinematics.speed", forward, (1e-3, "m/s"));
-    case.quantity("wheelset.lateral_velocity", lateral, (-1.0, "mm/s"));
-    case.quantity("wheelset.vertical_velocity", vertical, (-1.0, "mm/s"));
-    case.quantity("wheelset.roll_rate", roll, (1.0, "rad/s"));
-    case.quantity("wheelset.yaw_rate", yaw, (-1.0, "rad/s"));
+    case.quantity(field!("kinematics.speed"), forward, (1e-3, "m/s"));
+    case.quantity(field!("wheelset.lateral_velocity"), lateral, (-1.0, "mm/s"));
+    case.quantity(field!("wheelset.vertical_velocity"), vertical, (-1.0, "mm/s"));
+    case.quantity(field!("wheelset.roll_rate"), roll, (1.0, "rad/s"));
+    case.quantity(field!("wheelset.yaw_rate"), yaw, (-1.0, "rad/s"));
     match control.force.whole() {
         // On the rail and along the wheelset there; a turn by π about x leaves x as it is.
         1 => {
-            case.quantity("kinematics.force_x", pitch, (-1e-3, "kN"));
-            case.document.text("wheelset.force_axis", "wheelset");
+            case.quantity(field!("kinematics.force_x"), pitch, (-1e-3, "kN"));
+            case.document.text(field!("wheelset.force_axis"), "wheelset");
         }
         // The moment of the tractions on the rail about the axle: it balances the torque that
         // drives the wheel, and the axle points the other way there. N mm.
-        2 => case.quantity("kinematics.wheel_torque", pitch, (-1e-3, "N m")),
-        _ => case.quantity("kinematics.angular_velocity", pitch, (-1.0, "rad/s")),
+        2 => case.quantity(field!("kinematics.wheel_torque"), pitch, (-1e-3, "N m")),
+        _ => case.quantity(field!("kinematics.angular_velocity"), pitch, (-1.0, "rad/s")),
     }
     deviations(case, wheel_rail);
 }
