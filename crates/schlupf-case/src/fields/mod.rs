@@ -27,6 +27,7 @@ pub use field::{Allowed, Default, Field, Kind, Section, UsedWith};
 pub use path::FieldPath;
 pub use schlupf::requirement::{Requirement, readable};
 pub use suggestion::{NOT_PER_CENT, closest, creepage_in_per_cent, is_per_cent};
+use table::PATHS;
 pub use table::SECTIONS;
 
 /// All fields, in the order of the case file.
@@ -56,6 +57,64 @@ pub fn named(path: &str, place: impl FnOnce() -> Place) -> Result<&'static Field
         };
         CaseError::new(path, format!("unknown field `{}`", shortened(path)), place()).help(help)
     })
+}
+
+impl FieldPath {
+    /// That of a literal.
+    ///
+    /// # Panics
+    /// No field has this path.
+    #[doc(hidden)]
+    #[expect(clippy::panic, reason = "only when it is compiled: see the macro")]
+    pub const fn known(path: &str) -> Self {
+        let mut section = 0;
+        while section < PATHS.len() {
+            let mut place = 0;
+            while place < PATHS[section].len() {
+                if is_same(PATHS[section][place].as_bytes(), path.as_bytes()) {
+                    return Self { section: section as u8, place: place as u8 };
+                }
+                place += 1;
+            }
+            section += 1;
+        }
+        panic!("no field of the case file has this path");
+    }
+
+    /// The field.
+    pub fn field(self) -> &'static Field {
+        &SECTIONS[usize::from(self.section)].fields[usize::from(self.place)]
+    }
+
+    /// Name of the section it stands in; empty for the top level.
+    pub fn section(self) -> &'static str {
+        SECTIONS[usize::from(self.section)].name
+    }
+
+    /// Last part of the path.
+    pub fn name(self) -> &'static str {
+        self.as_str().rsplit('.').next().unwrap_or_default()
+    }
+
+    /// The path as text.
+    pub const fn as_str(self) -> &'static str {
+        PATHS[self.section as usize][self.place as usize]
+    }
+}
+
+/// Compares from the end, where paths of one length differ.
+const fn is_same(one: &[u8], other: &[u8]) -> bool {
+    let mut left = one.len();
+    if left != other.len() {
+        return false;
+    }
+    while left > 0 {
+        left -= 1;
+        if one[left] != other[left] {
+            return false;
+        }
+    }
+    true
 }
 
 /// The section with a name; the name of the top level is empty.

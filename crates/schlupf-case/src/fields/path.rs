@@ -1,76 +1,17 @@
-//! The dotted path of a field, which is one of the table.
+//! The dotted path of a field, which is one of the table: the module above looks it up there.
 
 use std::fmt;
 use std::ops::Deref;
-
-use super::Field;
-use super::table::{PATHS, SECTIONS};
 
 /// The path of a field of the table, in whose order paths are. Code has those of
 /// [`field!`](crate::field), which does not compile for another text; that of a user is looked up
 /// with [`find`](super::find).
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct FieldPath {
-    section: u8,
-    place: u8,
-}
-
-impl FieldPath {
-    /// That of a literal.
-    ///
-    /// # Panics
-    /// No field has this path.
-    #[doc(hidden)]
-    #[expect(clippy::panic, reason = "only when it is compiled: see the macro")]
-    pub const fn known(path: &str) -> Self {
-        let mut section = 0;
-        while section < PATHS.len() {
-            let mut place = 0;
-            while place < PATHS[section].len() {
-                if is_same(PATHS[section][place].as_bytes(), path.as_bytes()) {
-                    return Self { section: section as u8, place: place as u8 };
-                }
-                place += 1;
-            }
-            section += 1;
-        }
-        panic!("no field of the case file has this path");
-    }
-
-    /// The field.
-    pub fn field(self) -> &'static Field {
-        &SECTIONS[usize::from(self.section)].fields[usize::from(self.place)]
-    }
-
-    /// Name of the section it stands in; empty for the top level.
-    pub fn section(self) -> &'static str {
-        SECTIONS[usize::from(self.section)].name
-    }
-
-    /// Last part of the path.
-    pub fn name(self) -> &'static str {
-        self.as_str().rsplit('.').next().unwrap_or_default()
-    }
-
-    /// The path as text.
-    pub const fn as_str(self) -> &'static str {
-        PATHS[self.section as usize][self.place as usize]
-    }
-}
-
-/// Compares from the end, where paths of one length differ.
-const fn is_same(one: &[u8], other: &[u8]) -> bool {
-    let mut left = one.len();
-    if left != other.len() {
-        return false;
-    }
-    while left > 0 {
-        left -= 1;
-        if one[left] != other[left] {
-            return false;
-        }
-    }
-    true
+    /// The place of its section in the table.
+    pub(super) section: u8,
+    /// Its own place in the section.
+    pub(super) place: u8,
 }
 
 impl Deref for FieldPath {

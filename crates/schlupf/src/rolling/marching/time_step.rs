@@ -346,7 +346,7 @@ impl Equilibrium for TimeStepEquilibrium<'_> {
         Some(&mut self.law.directions)
     }
 
-    /// Strip by strip.
+    /// Strip by strip, without what a strip does to the others.
     fn precondition(&mut self, v: &mut [f64]) {
         if !self.is_factorised {
             self.factorise();

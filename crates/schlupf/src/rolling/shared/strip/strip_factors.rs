@@ -165,17 +165,18 @@ impl StripFactors {
     }
 }
 
-/// A displacement that is a part of the slip over the path into a cell; its weights are
-/// dimensionless.
+/// A displacement that is a part of the slip over the path into a cell: `weight` times that of a
+/// cell, less `entered` times that where its material entered, plus `alone` times that of the cell
+/// under its own traction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::rolling) struct Displaced {
-    /// Of which cell.
+    /// Index of the cell.
     pub cell: usize,
-    /// Weight of its displacement,
+    /// Dimensionless.
     pub weight: f64,
-    /// of that where its material entered, which is subtracted,
+    /// Dimensionless.
     pub entered: f64,
-    /// and of that under its own traction alone.
+    /// Dimensionless.
     pub alone: f64,
 }
 
