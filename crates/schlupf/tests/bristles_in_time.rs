@@ -57,8 +57,8 @@ fn the_steady_state_is_the_end_of_marching() {
     assert!(off < 10.0 * options.tolerance, "{off:e}");
 }
 
-/// Cells of a bedding are solved one by one, however unlike its stiffnesses are: Newton's method for
-/// all of them together has little left to do.
+/// Cells of a bedding are solved one by one, however unlike its stiffnesses are: Newton's method
+/// for all of them together has little left to do.
 #[test]
 fn a_bedding_of_unlike_stiffnesses_is_marched_cell_by_cell() {
     for stiffness in [[1e12, 1e14], [1e14, 1e12]] {
