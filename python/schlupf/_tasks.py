@@ -399,9 +399,9 @@ class Tasks:
         Returns
         -------
         Wear
-            Wear, fatigue and melting per wheel passage. ``wear``, ``melting``,
-            ``fatigue_index``, ``crack_damage``, ``shakedown`` and ``t_gamma``; ``profile`` over y
-            and ``cells``. ``wear`` and ``melting`` are None where the method has no fields.
+            Wear, fatigue and melting per wheel passage. ``wear``, ``melting``, ``fatigue_index``,
+            ``crack_damage``, ``shakedown`` and ``t_gamma``; ``profile`` over y and ``cells``.
+            ``wear`` and ``melting`` are None where the method has no fields.
 
         Raises
         ------
