@@ -147,6 +147,18 @@ fn vollebregt_contact_transients() {
     assert!(products < 24.0, "T4: {products}");
 }
 
+/// To the steady state on the half-space, and under a load that swings by a half.
+#[test]
+fn time_steps_take_few_products() {
+    for across in [20, 40] {
+        let steady = coulomb(half_space(), [1e-3, 0.0, 0.0]);
+        let products = of_a_step(&solve(&steady, &cells(across)));
+        assert!(products < 9.0, "{across}: {products}");
+        let products = of_a_step(&run(swinging(0.5, 36e-3, 36e-3), across));
+        assert!(products < 24.0, "swinging load, {across}: {products}");
+    }
+}
+
 /// Products of a time step.
 fn of_a_step(marched: &Solution) -> f64 {
     let products = marched.work.operator_products / marched.work.steps as f64;

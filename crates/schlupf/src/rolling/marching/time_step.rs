@@ -17,8 +17,8 @@ use crate::rolling::shared::cell::times;
 use crate::rolling::shared::contact::DiscreteContact;
 use crate::rolling::shared::passage::pair;
 use crate::rolling::shared::strip::{
-    BristleState, Displaced, Interface, Resolvent, StripContact, StripFactors, order, reduced,
-    saturation, solve_alone, through,
+    BristleState, Displaced, Interface, LoneCell, Resolvent, StripContact, StripFactors, order,
+    reduced, saturation, through,
 };
 use crate::state::{Places, TrackPoint};
 
@@ -34,9 +34,8 @@ pub(super) struct TimeStepLaw {
     directions: Directions,
     /// λ of the cells, and which material entered in place: the linear response of the directions.
     of: (Vec<f64>, Vec<bool>),
-    factors: Option<StripFactors>,
-    /// What they are the factors of.
-    displaced: Vec<Displaced>,
+    /// Factors of the strips, and of which displacements.
+    factors: Option<(Vec<Displaced>, StripFactors)>,
 }
 
 impl TimeStepLaw {
@@ -52,7 +51,6 @@ impl TimeStepLaw {
             directions: Directions::default(),
             of: Default::default(),
             factors: None,
-            displaced: Vec::new(),
         })
     }
 
@@ -201,7 +199,7 @@ impl<'a> TimeStepEquilibrium<'a> {
     }
 
     /// What the law of a cell takes for its sliding, in m.
-    fn seen(&self, u: &[f64], k: usize) -> [f64; 2] {
+    fn effective_sliding(&self, u: &[f64], k: usize) -> [f64; 2] {
         match self.law.interface {
             ContactLaw::TotalDisplacement(_) => {
                 let change = self.change(u, k);
@@ -222,16 +220,19 @@ impl<'a> TimeStepEquilibrium<'a> {
     }
 
     /// The tractions of cells that are not coupled, in place: exactly, cell by cell.
-    pub fn solve_uncoupled(&mut self, p: &mut [f64]) {
+    pub fn solve_uncoupled(&self, p: &mut [f64]) {
         let nothing = vec![0.0; p.len()];
         for k in 0..self.bound.len() {
             let [[x, _], [_, y]] = self.law.contact.local[k];
             let own = [x, y].map(|own| self.weight(k) * own);
             let mean = 0.5 * (own[0] + own[1]);
             let gamma = if mean > 0.0 { mean.recip() } else { self.gamma };
-            let sliding = self.seen(&nothing, k).map(|s| gamma * s);
-            let cell = (sliding, own.map(|own| gamma * own), self.bound[k]);
-            solve_alone(&mut p[2 * k..2 * k + 2], cell, |trial| self.resolvent(trial, gamma, k));
+            let cell = LoneCell {
+                sliding: self.effective_sliding(&nothing, k).map(|s| gamma * s),
+                stiffening: own.map(|own| gamma * own),
+                bound: self.bound[k],
+            };
+            cell.solve(&mut p[2 * k..2 * k + 2], |trial| self.resolvent(trial, gamma, k));
         }
     }
 
@@ -260,16 +261,16 @@ impl<'a> TimeStepEquilibrium<'a> {
         let cells = 0..self.bound.len();
         let displaced: Vec<Displaced> = cells.map(|cell| self.displaced(cell)).collect();
         let Self { law, response, .. } = self;
-        if law.factors.is_none() || law.displaced != displaced {
+        if law.factors.as_ref().is_none_or(|(of, _)| *of != displaced) {
             let of_cell = |k: usize| std::iter::once(displaced[k]);
-            law.factors = Some(StripFactors::new(&response.contact.patch, &law.contact, of_cell));
-            law.displaced = displaced;
+            let factors = StripFactors::new(&response.contact.patch, &law.contact, of_cell);
+            law.factors = Some((displaced, factors));
         }
     }
 
     fn factorise(&mut self) {
         let Self { law, resolvents, gamma, .. } = self;
-        let Some(factors) = &mut law.factors else { return };
+        let Some((_, factors)) = &mut law.factors else { return };
         factors.factorise(&Interface {
             kept: &law.contact.slaved.kept,
             resolvents,
@@ -320,7 +321,7 @@ impl Equilibrium for TimeStepEquilibrium<'_> {
         self.is_factorised = false;
         for strip in 0..self.law.contact.slaved.kept.len() {
             for k in self.law.contact.slaved.kept[strip].clone() {
-                let sliding = self.seen(u, k);
+                let sliding = self.effective_sliding(u, k);
                 let trial = [0, 1].map(|c| p[2 * k + c] + self.gamma * sliding[c]);
                 self.resolvents[k] = self.resolvent(trial, self.gamma, k);
                 for c in 0..2 {
@@ -351,7 +352,7 @@ impl Equilibrium for TimeStepEquilibrium<'_> {
         if !self.is_factorised {
             self.factorise();
         }
-        if let Some(factors) = &mut self.law.factors {
+        if let Some((_, factors)) = &mut self.law.factors {
             factors.solve(&self.law.contact.slaved.kept, v);
         }
         self.law.contact.slaved.complete(v);

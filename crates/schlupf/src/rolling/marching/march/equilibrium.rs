@@ -38,8 +38,9 @@ impl March<'_> {
                 self.now.kinematics = control.motion(&self.now.kinematics);
                 self.now.conduction = self.problem.conduction(&self.now.over_step);
             }
+            let starts_elsewhere = self.now.traction != old_traction;
             let mut moved = self.balance(arrivals, &bound, watch)?;
-            if !self.outcome.converged {
+            if !self.outcome.converged && starts_elsewhere {
                 // Once more from the tractions before the step.
                 self.now.traction.clone_from(&old_traction);
                 moved = self.balance(arrivals, &bound, watch)?;

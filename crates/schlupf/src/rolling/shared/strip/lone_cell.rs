@@ -4,30 +4,39 @@ use crate::rolling::shared::cell::{inverse_2x2, times};
 
 use super::resolvent::Resolvent;
 
-/// Solves p = R(p + γ (v₀ − C p)), in place: with γ v₀ (in Pa), γ C of both components
-/// (dimensionless), μ pₙ (in Pa) and R. With γ times the mean of C near one Newton's method
-/// converges in a few steps. Where it does not, p is left as it is.
-pub(in crate::rolling) fn solve_alone(
-    p: &mut [f64],
-    (sliding, stiffening, bound): ([f64; 2], [f64; 2], f64),
-    resolvent: impl Fn([f64; 2]) -> Resolvent,
-) {
-    let start = [p[0], p[1]];
-    let diagonal = [[stiffening[0], 0.0], [0.0, stiffening[1]]];
-    for _ in 0..f64::MANTISSA_DIGITS {
-        let trial = [0, 1].map(|c| p[c] + sliding[c] - stiffening[c] * p[c]);
-        let resolvent = resolvent(trial);
-        let left = [0, 1].map(|c| p[c] - resolvent.traction[c]);
-        let step = times(&inverse_2x2(resolvent.jacobian(&diagonal)), left);
-        for c in 0..2 {
-            p[c] -= step[c];
+/// The equation p = R(p + γ (v₀ − C p)) of a cell.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::rolling) struct LoneCell {
+    /// γ v₀, in Pa.
+    pub sliding: [f64; 2],
+    /// γ C of both components, dimensionless.
+    pub stiffening: [f64; 2],
+    /// μ pₙ, in Pa.
+    pub bound: f64,
+}
+
+impl LoneCell {
+    /// Solves for p (in Pa), in place, given R. With γ times the mean of C near one Newton's method
+    /// converges in a few steps. Where it does not, p is left as it is.
+    pub fn solve(&self, p: &mut [f64], resolvent: impl Fn([f64; 2]) -> Resolvent) {
+        let Self { sliding, stiffening, bound } = *self;
+        let start = [p[0], p[1]];
+        let diagonal = [[stiffening[0], 0.0], [0.0, stiffening[1]]];
+        for _ in 0..f64::MANTISSA_DIGITS {
+            let trial = [0, 1].map(|c| p[c] + sliding[c] - stiffening[c] * p[c]);
+            let resolvent = resolvent(trial);
+            let left = [0, 1].map(|c| p[c] - resolvent.traction[c]);
+            let step = times(&inverse_2x2(resolvent.jacobian(&diagonal)), left);
+            for c in 0..2 {
+                p[c] -= step[c];
+            }
+            // The next step would be as small as the square of this one.
+            if step[0].hypot(step[1]) <= f64::EPSILON.sqrt() * bound {
+                return;
+            }
         }
-        // The next step would be as small as the square of this one.
-        if step[0].hypot(step[1]) <= f64::EPSILON.sqrt() * bound {
-            return;
-        }
+        p.copy_from_slice(&start);
     }
-    p.copy_from_slice(&start);
 }
 
 #[cfg(test)]
@@ -58,7 +67,7 @@ mod tests {
                 ..BristleState::default()
             };
             let resolvent = |trial| Resolvent::at(trial, 1.0, &bristles);
-            solve_alone(&mut p, (sliding, stiffening, 1.0), resolvent);
+            LoneCell { sliding, stiffening, bound: 1.0 }.solve(&mut p, resolvent);
             let trial = [0, 1].map(|c| p[c] + sliding[c] - stiffening[c] * p[c]);
             let made = resolvent(trial).traction;
             if (p[0] - made[0]).hypot(p[1] - made[1]) > 1e-12 {

@@ -18,7 +18,7 @@ mod strip_factors;
 
 pub(in crate::rolling) use calibration::{Calibrated, Calibration};
 pub(in crate::rolling) use contact::StripContact;
-pub(in crate::rolling) use lone_cell::solve_alone;
+pub(in crate::rolling) use lone_cell::LoneCell;
 pub(in crate::rolling) use resolvent::{BristleState, Matrix, Resolvent, reduced, saturation};
 pub(in crate::rolling) use slip_stencil::{SlipStencil, UpstreamValues, order, slide, through};
 pub(in crate::rolling) use strip_factors::{Displaced, Interface, StripFactors, Upstream};

@@ -1,7 +1,7 @@
 //! Cells that are not coupled, solved one after another down the strips.
 
 use crate::rolling::shared::passage::pair;
-use crate::rolling::shared::strip::{UpstreamValues, solve_alone};
+use crate::rolling::shared::strip::{LoneCell, UpstreamValues};
 use crate::settings;
 
 use super::StripLaw;
@@ -47,7 +47,8 @@ impl StripLaw {
         let upstream = self.stencils[k].apply(displacement, k);
         let sliding = [0, 1].map(|c| gamma * (self.rigid[2 * k + c] - upstream[c]));
         let stiffening = compliance.map(|compliance| gamma * own * compliance);
-        solve_alone(&mut p[2 * k..2 * k + 2], (sliding, stiffening, self.bound[k]), |trial| {
+        let cell = LoneCell { sliding, stiffening, bound: self.bound[k] };
+        cell.solve(&mut p[2 * k..2 * k + 2], |trial| {
             self.resolvent((trial, gamma), saturation, (k, 0.0))
         });
         for c in 0..2 {
