@@ -9,32 +9,27 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use schlupf::bulk_temperature::Cooling;
-use schlupf::damage::Laws;
-use schlupf::history::History;
-use schlupf::kinematics::Kinematics;
-use schlupf::material::Material;
-use schlupf::message::Message;
+use schlupf::analysis::bulk_temperature::Cooling;
+use schlupf::analysis::damage::Laws;
+use schlupf::bodies::{Kinematics, Material};
 use schlupf::normal::NormalContact;
-use schlupf::state::State;
+use schlupf::problem::{History, State};
+use schlupf::reporting::Message;
 use schlupf::wheel_rail::WheelSolution;
 use schlupf::{Method, Options, Problem, Quantity, Solver, Transient, Watch};
 
-use crate::FieldPath;
 use crate::case_file::{CaseFile, Overrides};
-use crate::edited;
 use crate::error::{CaseError, CaseErrors};
 use crate::fields::choice::{Driver, ElasticityModel};
 use crate::fields::{self, Field, HISTORY};
 use crate::files::Folder;
 use crate::law_stiffness::{LawStiffness, MicroContact, StiffnessOrigin};
-use crate::names;
 use crate::notice::Notice;
 use crate::place::{Place, Source};
-use crate::profiles;
 use crate::read::{self, Posed, WheelSolver};
 use crate::setting::Setting;
 use crate::subsurface::SubsurfaceRequest;
+use crate::{FieldPath, edited, names, profiles};
 
 /// Fields behind the laws of damage that are not its own.
 const FOR_DAMAGE: [FieldPath; 6] = fields![
@@ -151,7 +146,7 @@ impl CaseFile {
     /// The part of the problem that a field is, where it is that and nothing else: with another
     /// value the problem differs in its creepages, its speed, or by [`AtLoad`] only.
     ///
-    /// [`AtLoad`]: schlupf::normal::at_load::AtLoad
+    /// [`AtLoad`]: schlupf::normal::AtLoad
     pub fn condition(&self, path: FieldPath) -> Option<Quantity> {
         /// From which, with the speed, other creepages follow.
         const TURNING: [FieldPath; 2] =

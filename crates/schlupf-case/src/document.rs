@@ -10,7 +10,7 @@ use crate::error::CaseError;
 use crate::fields;
 use crate::place::{Place, Source};
 use crate::units::{comma, comma_readings};
-use schlupf::message::{cut, quoted, shortened};
+use schlupf::reporting::{cut, quoted, shortened};
 
 /// A value with its bytes in the text.
 #[derive(Debug, Clone, PartialEq)]

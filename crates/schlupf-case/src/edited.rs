@@ -5,12 +5,11 @@ use std::path::{Path, PathBuf};
 
 use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
-use crate::FieldPath;
 use crate::document::{Content, Entry, Origin};
 use crate::error::CaseError;
 use crate::fields::{self, Kind, readable};
 use crate::place::{Place, Source};
-use crate::profiles;
+use crate::{FieldPath, profiles};
 
 /// A text that is being edited.
 pub struct Edited {

@@ -4,7 +4,7 @@ use std::fmt;
 use std::io;
 
 use crate::place::Place;
-use schlupf::message::shortened;
+use schlupf::reporting::shortened;
 
 /// One thing that is wrong with a case.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use schlupf::{Watch, parallel};
+use schlupf::Watch;
+use schlupf::numerics::parallel;
 
 use crate::case::Case;
 use crate::case_file::CaseFile;
@@ -13,7 +14,7 @@ use crate::fields::{self, FieldPath};
 use crate::notice::Notice;
 use crate::place::Place;
 use crate::range::even_values;
-use schlupf::message::quoted;
+use schlupf::reporting::quoted;
 
 /// A field and the values that it takes, one after the other.
 #[derive(Debug, Clone, PartialEq, Eq)]

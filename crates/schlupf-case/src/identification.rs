@@ -1,15 +1,14 @@
 //! What `schlupf fit` is given: parameters, and measured points.
 
-use schlupf::identification::{DataPoint, Parameter};
-use schlupf::kinematics::Kinematics;
+use schlupf::analysis::identification::{DataPoint, Parameter};
+use schlupf::bodies::Kinematics;
 
 use crate::error::CaseError;
 use crate::fields::closest;
 use crate::files::InputFile;
-use crate::names;
 use crate::place::Place;
-use crate::tables;
-use schlupf::message::quoted;
+use crate::{names, tables};
+use schlupf::reporting::quoted;
 
 /// Dotted path of the field of a parameter. That of the roughness stands for its k_c.
 pub fn field(parameter: Parameter) -> &'static str {

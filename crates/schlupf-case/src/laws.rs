@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use schlupf::heat::partition::{Partition, PartitionLaw};
 use schlupf::interface::friction::FrictionLaw;
+use schlupf::interface::heat::partition::{Partition, PartitionLaw};
 use schlupf::normal::PressureSource;
 use schlupf::{Error, Problem};
 

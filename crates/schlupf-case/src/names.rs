@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::sync::{Mutex, PoisonError};
 
 use schlupf::Quantity;
-use schlupf::message::Words;
+use schlupf::reporting::Words;
 
 use crate::fields::{self, FieldPath, SECTIONS};
 

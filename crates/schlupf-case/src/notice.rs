@@ -1,7 +1,6 @@
 //! Notices: what users of results should know about a case.
 
-use schlupf::message::{Message, messages};
-use schlupf::requirement::with_unit;
+use schlupf::reporting::{Message, messages, with_unit};
 
 use crate::fields::{self, Field, FieldPath, Requirement, creepage_in_per_cent, readable};
 use crate::names::FieldNames;

@@ -4,7 +4,7 @@ use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
 
-use schlupf::message::shortened;
+use schlupf::reporting::shortened;
 
 /// A text that was read.
 #[derive(Debug, Clone, PartialEq, Eq)]

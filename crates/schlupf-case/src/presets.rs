@@ -90,7 +90,7 @@ fn flatten(parent: &str, table: &Table, fields: &mut Vec<(String, String)>) {
 
 #[cfg(test)]
 mod tests {
-    use schlupf::method::{FastMethod, SlopeReduction};
+    use schlupf::problem::{FastMethod, SlopeReduction};
 
     use super::*;
     use crate::{CaseFile, Folder, Overrides};

@@ -9,7 +9,7 @@ use crate::fields::{self, Allowed, Field, Kind, Requirement};
 use crate::place::Place;
 use crate::setting::{Refusal, Setting};
 use crate::units::Measure;
-use schlupf::message::quoted;
+use schlupf::reporting::quoted;
 
 /// The ends of a range `START..END` of a field, in SI units. A start without unit has that of the
 /// end.

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use schlupf::Quantity;
-use schlupf::error::WheelRailError;
+use schlupf::reporting::WheelRailError;
 
 use crate::FieldPath;
 use crate::document::{Content, Entry, Origin, Value};
@@ -17,7 +17,7 @@ use crate::names::{self, FieldNames, Noting};
 use crate::notice::Notice;
 use crate::place::Place;
 use crate::setting::{Refusal, Setting};
-use schlupf::message::{quoted, quoted_path};
+use schlupf::reporting::{quoted, quoted_path};
 
 /// The settings of a case.
 #[derive(Debug, Clone)]

@@ -1,8 +1,7 @@
 //! Where a case asks for stresses below the surface.
 
-use schlupf::grid::Grid;
-use schlupf::normal::NormalSummary;
-use schlupf::temperature_field::Side;
+use schlupf::analysis::temperature_field::Side;
+use schlupf::normal::{Grid, NormalSummary};
 
 /// A box below the contact.
 #[derive(Debug, Clone, Copy, PartialEq)]

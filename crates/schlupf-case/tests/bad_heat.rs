@@ -5,7 +5,7 @@ mod support;
 
 use support::{assert_errors, read};
 
-fn texts(notices: &[schlupf::message::Message]) -> Vec<String> {
+fn texts(notices: &[schlupf::reporting::Message]) -> Vec<String> {
     notices.iter().map(|notice| notice.text.clone()).collect()
 }
 

@@ -1,7 +1,6 @@
 //! A case file that says nothing is the problem of a builder that is told nothing.
 
-use schlupf::unwatched;
-use schlupf::{Options, Problem};
+use schlupf::{Options, Problem, unwatched};
 use schlupf_case::{CaseFile, Folder, Overrides};
 
 #[test]

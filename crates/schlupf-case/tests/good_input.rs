@@ -4,16 +4,16 @@ use std::fmt::Write;
 use std::fs;
 
 use approx::assert_relative_eq;
-use schlupf::calibration::kalker_bed;
+use schlupf::analysis::calibration::kalker_bed;
+use schlupf::bodies::Material;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
 use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::heat::partition::Partition;
 use schlupf::interface::friction::FrictionState;
-use schlupf::material::Material;
+use schlupf::interface::heat::partition::Partition;
 use schlupf::unwatched;
 use schlupf_case::{Case, CaseFile, Folder, Overrides, Place, field};
 
-fn texts(notices: &[schlupf::message::Message]) -> Vec<String> {
+fn texts(notices: &[schlupf::reporting::Message]) -> Vec<String> {
     notices.iter().map(|notice| notice.text.clone()).collect()
 }
 
@@ -35,8 +35,8 @@ fn read(text: &str, overrides: &[&str]) -> Case {
 #[test]
 fn an_empty_file_is_a_steel_wheel_on_a_steel_rail() {
     let case = read("", &[]);
-    assert_eq!(case.problem.wheel, schlupf::material::Body::STEEL);
-    assert_eq!(case.problem.rail, schlupf::material::Body::STEEL);
+    assert_eq!(case.problem.wheel, schlupf::bodies::Body::STEEL);
+    assert_eq!(case.problem.rail, schlupf::bodies::Body::STEEL);
     assert_eq!(case.problem.kinematics.creepage_x, 0.0);
     let expected = schlupf::Options { sensitivity: true, ..schlupf::Options::default() };
     assert_eq!(case.options, expected);

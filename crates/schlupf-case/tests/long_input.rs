@@ -6,7 +6,7 @@ mod support;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use schlupf::kinematics::Kinematics;
+use schlupf::bodies::Kinematics;
 use schlupf::unwatched;
 use schlupf_case::{
     CaseFile, Family, InputFile, Overrides, field, range, read_displacements, read_points,

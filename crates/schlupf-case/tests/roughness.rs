@@ -10,7 +10,7 @@ use schlupf::unwatched;
 use schlupf_case::{Case, CaseFile, Folder, LawStiffness, Overrides, StiffnessOrigin};
 use support::{Row, assert_errors, read};
 
-fn texts(notices: &[schlupf::message::Message]) -> Vec<String> {
+fn texts(notices: &[schlupf::reporting::Message]) -> Vec<String> {
     notices.iter().map(|notice| notice.text.clone()).collect()
 }
 

@@ -4,8 +4,9 @@
 use std::fmt::Write;
 use std::sync::Arc;
 
+use schlupf::numerics::parallel;
 use schlupf::wheel_rail::{Side, WheelSolution};
-use schlupf::{Status, parallel, unwatched};
+use schlupf::{Status, unwatched};
 use schlupf_case::{CaseFile, Overrides};
 
 /// Coarse cells, which cost little; steep contacts are the harder the coarser they are.

@@ -7,7 +7,7 @@ use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-use schlupf::table_building::{Keeper, Solved, Task};
+use schlupf::analysis::table_building::{Keeper, Solved, Task};
 
 use crate::failure::Failure;
 

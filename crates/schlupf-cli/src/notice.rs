@@ -1,6 +1,6 @@
 //! Notices: what users of results should know about what the command did.
 
-use schlupf::message::{Message, messages};
+use schlupf::reporting::{Message, messages};
 use schlupf_case::FieldNames;
 
 messages! {
@@ -56,7 +56,7 @@ mod tests {
 
     #[test]
     fn every_error_is_documented_and_no_other() {
-        use schlupf::error::{FitError, ForceError, SurfaceError, WheelRailError};
+        use schlupf::reporting::{FitError, ForceError, SurfaceError, WheelRailError};
         /// Those of which the code is that of the error within.
         const OUTER: [&str; 6] =
             ["at-time", "no-rolling-at-patch", "surface", "fit", "force", "wheel-rail"];

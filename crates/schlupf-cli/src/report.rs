@@ -8,7 +8,7 @@ use miette::{
     Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, SourceCode,
 };
 use schlupf::Status;
-use schlupf::message::Message;
+use schlupf::reporting::Message;
 use schlupf_case::{CaseError, Place, Source};
 
 use crate::failure::Failure;

@@ -7,10 +7,9 @@ use schlupf_tasks::study::run::Report;
 use schlupf_tasks::study::{Study, merge, run};
 
 use crate::failure::{Failure, NOT_CONVERGED, SUCCESS};
-use crate::interrupt;
 use crate::outputs::{self, Input, Output};
 use crate::progress::Progress;
-use crate::{report, stdout};
+use crate::{interrupt, report, stdout};
 
 const OUTPUT: &str = "--output";
 

@@ -3,18 +3,16 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use schlupf::table_building::{LONGER_SIDE_EXPONENT, TableOptions, build, build_from};
+use schlupf::analysis::table_building::{LONGER_SIDE_EXPONENT, TableOptions, build, build_from};
 use schlupf::{Error, Quantity};
 use schlupf_case::look_up_table::{StatedError, StoredTable, TableFileError};
 
 use crate::failure::{Failure, NOT_CONVERGED, SUCCESS};
-use crate::interrupt;
 use crate::kept_states::KeptStates;
 use crate::notice::Notice;
 use crate::outputs::{self, Input, Output};
 use crate::progress::Progress;
-use crate::report;
-use crate::stdout;
+use crate::{interrupt, report, stdout};
 
 const OUTPUT: &str = "--output";
 

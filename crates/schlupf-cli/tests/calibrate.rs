@@ -5,8 +5,8 @@ mod support;
 
 use std::fmt::Write;
 
+use schlupf::bodies::Material;
 use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::material::Material;
 use serde_json::Value;
 use support::{Bench, Run};
 

@@ -6,12 +6,10 @@ use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1, PyReadwriteArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use schlupf::columns::{Column, Record};
-use schlupf::message::Message;
-use schlupf::progress::Stage;
-use schlupf::tally::{Tallied, Tally};
+use schlupf::numerics::parallel;
+use schlupf::reporting::{Column, Message, Record, Stage, Tallied, Tally};
 use schlupf::wheel_rail::{Contact, WheelSolution};
-use schlupf::{Error, Method, Progress, Quantity, Status, Warning, Watch, parallel};
+use schlupf::{Error, Method, Progress, Quantity, Status, Warning, Watch};
 use schlupf_case::fields::Field;
 use schlupf_case::{
     CaseError, CaseErrors, Cause, FieldNames, FieldPath, Notice, Place, field, fields,
@@ -157,9 +155,9 @@ const COLUMNS: [Quantity; 4] =
 /// Names of all columns of forces.
 #[pyfunction]
 pub fn force_names() -> Vec<String> {
-    let of_wheel = <WheelSolution as Record>::columns().iter().map(|column| column.quantity);
+    let of_wheel = <WheelSolution as Record>::COLUMNS.iter().map(|column| column.quantity);
     let names = COLUMNS.into_iter().chain(of_wheel).map(|quantity| quantity.name().to_owned());
-    names.chain(<Contact as Record>::columns().iter().map(of_contact)).collect()
+    names.chain(<Contact as Record>::COLUMNS.iter().map(of_contact)).collect()
 }
 
 /// The name of a column of contacts.
@@ -222,9 +220,9 @@ impl<'py> Forces<'py> {
             Filled { name, quantity, width, values }
         };
         let contact = COLUMNS.into_iter().map(|of| column(of.name().to_owned(), of, 1));
-        let wheel = <WheelSolution as Record>::columns().iter();
+        let wheel = <WheelSolution as Record>::COLUMNS.iter();
         let wheel = wheel.map(|of| column(of.quantity.name().to_owned(), of.quantity, 1));
-        let contacts = <Contact as Record>::columns().iter();
+        let contacts = <Contact as Record>::COLUMNS.iter();
         let contacts = contacts.map(|of| column(of_contact(of), of.quantity, CONTACTS));
         let of_wheel = wheel.chain(contacts).take_while(|_| has_wheel);
         let columns = contact.chain(of_wheel).collect();
@@ -288,7 +286,7 @@ impl Rows<'_> {
         }
         if let Some(wheel) = acting.wheel {
             let (of_wheel, of_contacts) =
-                self.columns[COLUMNS.len()..].split_at_mut(WheelSolution::columns().len());
+                self.columns[COLUMNS.len()..].split_at_mut(WheelSolution::COLUMNS.len());
             put(of_wheel, row, wheel);
             for (k, contact) in wheel.contacts.iter().take(CONTACTS).enumerate() {
                 put(of_contacts, CONTACTS * row + k, contact);
@@ -302,7 +300,7 @@ impl Rows<'_> {
 
     /// Nothing acts: forces, not their ratios, are zero.
     fn set_none(&mut self, row: usize) {
-        let of_wheel = <WheelSolution as Record>::columns().iter().map(|column| column.quantity);
+        let of_wheel = <WheelSolution as Record>::COLUMNS.iter().map(|column| column.quantity);
         let quantities = COLUMNS.into_iter().chain(of_wheel);
         for (column, quantity) in self.columns.iter_mut().zip(quantities) {
             if matches!(quantity.unit(), "N" | "N m") || quantity == Quantity::ContactCount {
@@ -315,7 +313,7 @@ impl Rows<'_> {
 
 /// The only row of a record.
 fn put<R: Record>(columns: &mut [&mut [f64]], row: usize, record: &R) {
-    for (values, Column { value, .. }) in columns.iter_mut().zip(R::columns()) {
+    for (values, Column { value, .. }) in columns.iter_mut().zip(R::COLUMNS) {
         values[row] = value(record, 0).number().unwrap_or(f64::NAN);
     }
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use pyo3::prelude::*;
-use schlupf::message::Message;
+use schlupf::reporting::Message;
 use schlupf_case::CaseErrors;
 use schlupf_case::import::contact::WheelBody;
 use schlupf_case::import::{self, Request};

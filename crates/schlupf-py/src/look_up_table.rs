@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use schlupf::look_up_table::NormalisedForce;
-use schlupf::parallel;
+use schlupf::numerics::parallel;
+use schlupf::problem::look_up_table::NormalisedForce;
 use schlupf_case::look_up_table::{StoredTable, TableFileError};
 
 /// States that a thread computes in turn.

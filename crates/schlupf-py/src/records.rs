@@ -5,7 +5,7 @@ use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use schlupf::Quantity;
-use schlupf::columns::{Record, Value};
+use schlupf::reporting::{Record, Value};
 use schlupf::solution::Fields;
 use schlupf_tasks::output::Summary;
 use schlupf_tasks::output::summary::Line;
@@ -34,7 +34,7 @@ pub fn arrays(py: Python<'_>, columns: Vec<ColumnValues>) -> PyResult<Bound<'_, 
 /// of the contact not a number, or false.
 pub fn on_grid<'py>(py: Python<'py>, instants: &[&Fields]) -> PyResult<Bound<'py, PyDict>> {
     let table = PyDict::new(py);
-    for column in Fields::columns() {
+    for column in Fields::COLUMNS {
         let first = instants.iter().find(|fields| !fields.is_empty());
         let is_flag = first.is_some_and(|f| matches!((column.value)(f, 0), Value::Flag(_)));
         let values = if is_flag {

@@ -7,8 +7,8 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use schlupf::Quantity;
-use schlupf::columns::Record;
-use schlupf::subsurface::PointStress;
+use schlupf::analysis::subsurface::PointStress;
+use schlupf::reporting::Record;
 use schlupf::surface::Lattice;
 use schlupf_tasks::output::roughness::RoughnessReport;
 use schlupf_tasks::output::subsurface::StressReport;
@@ -92,7 +92,7 @@ impl Report {
         let volume = &report.volume;
         let grid = &volume.grid;
         let table = PyDict::new(py);
-        for column in <[PointStress]>::columns() {
+        for column in <[PointStress]>::COLUMNS {
             let (count, value): (usize, Box<dyn Fn(usize) -> f64>) = match column.quantity {
                 Quantity::X => (grid.columns, Box::new(|i| grid.x(i))),
                 Quantity::Y => (grid.rows, Box::new(|j| grid.y(j))),

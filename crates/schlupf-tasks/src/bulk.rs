@@ -1,7 +1,7 @@
 //! The bulk temperature of a wheel in the long run.
 
 use crate::output::bulk_temperature::BulkReport;
-use schlupf::bulk_temperature;
+use schlupf::analysis::bulk_temperature;
 use schlupf::{Error, Watch};
 use schlupf_case::CaseErrors;
 

@@ -1,20 +1,17 @@
 //! Stiffnesses of the elastic layer for the patch of a case.
 
 use crate::output::calibration::{CalibrationReport, Direct, Fitted, FittedComponent, Layer};
-use schlupf::calibration::displacements::{DisplacementFit, Sample, fit};
-use schlupf::calibration::side_by_side::side_by_side;
-use schlupf::calibration::{
+use schlupf::analysis::calibration::displacements::{DisplacementFit, Sample, fit};
+use schlupf::analysis::calibration::side_by_side::side_by_side;
+use schlupf::analysis::calibration::{
     Calibration, CalibrationOptions, Deviation, calibrate, deviation_of_table,
 };
-use schlupf::elasticity::Elasticity;
-use schlupf::elasticity::calibrated_layer::{
-    CalibratedLayer, RelativeStiffness, tabulated_stiffness,
-};
+use schlupf::bodies::Material;
 use schlupf::elasticity::elastic_layer::LayerStiffness;
 use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::material::Material;
-use schlupf::message::Message;
+use schlupf::elasticity::{CalibratedLayer, Elasticity, RelativeStiffness, tabulated_stiffness};
 use schlupf::normal::{NormalContact, Pressure};
+use schlupf::reporting::Message;
 use schlupf::{Error, Quantity, Status, Warning, Watch};
 use schlupf_case::{
     CaseErrors, CaseFile, DISPLACEMENT_COLUMNS, Displacements, InputFile, read_displacements,

@@ -3,10 +3,11 @@
 use std::time::{Duration, Instant};
 
 use crate::output::comparison::{Answer, Comparison, Entry};
-use schlupf::message::Message;
 use schlupf::normal::Pressure;
-use schlupf::simplified::FastContact;
-use schlupf::{Error, Method, Problem, Solution, Solver, Watch, parallel};
+use schlupf::numerics::parallel;
+use schlupf::reporting::Message;
+use schlupf::solver::simplified::FastContact;
+use schlupf::{Error, Method, Problem, Solution, Solver, Watch};
 use schlupf_case::fields::STIFFNESSES;
 use schlupf_case::{Case, CaseErrors, Effective, ElasticityModel, FieldPath, Place, field};
 

@@ -3,10 +3,11 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::output::creep_curve::{CurveFamily, FieldValue, Member};
-use schlupf::creep_curve::{
+use schlupf::analysis::creep_curve::{
     self, CreepCurve, Creepages, MAX_POINTS, Path, Sampling, Spacing, VariedForce,
 };
-use schlupf::{Problem, Quantity, Watch, parallel};
+use schlupf::numerics::parallel;
+use schlupf::{Problem, Quantity, Watch};
 use schlupf_case::fields::Choice;
 use schlupf_case::{Case, Family, FieldNames, FieldPath, field, fields, quantity_field};
 

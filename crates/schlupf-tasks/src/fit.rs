@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use crate::output::identification::{FitReport, FittedRoughness};
-use schlupf::identification::roughness::DEFAULT_GAMMA;
-use schlupf::identification::{
+use schlupf::analysis::identification::roughness::DEFAULT_GAMMA;
+use schlupf::analysis::identification::{
     self, CreepForceModel, DataPoint, Parameter, PolachModel, RollingContactModel, sample_curves,
 };
-use schlupf::message::Message;
-use schlupf::method::FastMethod;
+use schlupf::problem::FastMethod;
+use schlupf::reporting::Message;
 use schlupf::{Error, Method, Quantity, Watch};
 use schlupf_case::identification::{field, parameters, read_data};
 use schlupf_case::{

@@ -52,7 +52,7 @@ pub use request::{Asked, Face, Value};
 pub use task::{Entry, Given, Task, Wanted};
 
 use schlupf::Warning;
-use schlupf::message::Message;
+use schlupf::reporting::Message;
 use schlupf_case::FieldNames;
 
 /// All tasks, in the order of help.

@@ -1,7 +1,7 @@
 //! Notices: what users of results should know about what a task did.
 
 use schlupf::Error;
-use schlupf::message::{Message, messages};
+use schlupf::reporting::{Message, messages};
 use schlupf_case::{Case, FieldNames, field};
 
 const CALIBRATION: &str = field!("elasticity.calibration").as_str();

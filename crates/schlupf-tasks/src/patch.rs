@@ -1,12 +1,10 @@
 //! The contact alone: patch and pressure, without creepages and tractions.
 
-use schlupf::columns::{Column, Record};
-use schlupf::grid::Grid;
-use schlupf::message::Message;
-use schlupf::normal::{NormalContact, NormalSummary};
-use schlupf::patch::Patch;
+use schlupf::normal::patch::Patch;
+use schlupf::normal::{Grid, NormalContact, NormalSummary};
 use schlupf::problem::beyond_elastic;
-use schlupf::{Error, Options, Status, Watch, columns};
+use schlupf::reporting::{Column, Message, Record, columns};
+use schlupf::{Error, Options, Status, Watch};
 use schlupf_case::CaseErrors;
 use serde::Serialize;
 
@@ -163,7 +161,7 @@ impl PatchReport {
         self.contacts.push(Contact { place, normal, area, mean_pressure, cells, across });
         let contact = self.contacts.len();
         self.cells.extend(patch.cells.iter().map(|cell| {
-            let schlupf::patch::Cell { x, y, covered, pressure, .. } = *cell;
+            let schlupf::normal::patch::Cell { x, y, covered, pressure, .. } = *cell;
             Cell { contact, x, y, covered, pressure }
         }));
         Ok(())
@@ -196,15 +194,13 @@ impl Record for PatchReport {
         self.cells.len()
     }
 
-    fn columns() -> &'static [Column<Self>] {
-        columns! { PatchReport:
-            ContactNumber "contact" => |report, k| report.cells[k].contact,
-            X => |report, k| report.cells[k].x,
-            Y => |report, k| report.cells[k].y,
-            Covered => |report, k| report.cells[k].covered,
-            Pressure => |report, k| report.cells[k].pressure,
-        }
-    }
+    const COLUMNS: &'static [Column<Self>] = columns! { PatchReport:
+        ContactNumber "contact" => |report, k| report.cells[k].contact,
+        X => |report, k| report.cells[k].x,
+        Y => |report, k| report.cells[k].y,
+        Covered => |report, k| report.cells[k].covered,
+        Pressure => |report, k| report.cells[k].pressure,
+    };
 }
 
 #[derive(Serialize)]

@@ -3,8 +3,8 @@
 use crate::output::roughness::{RoughnessReport, Spots};
 use schlupf::interface::roughness::load_curve::LoadCurveOptions;
 use schlupf::interface::roughness::micro_model::{MicroModel, MicroModelResult};
-use schlupf::message::Message;
 use schlupf::normal::rough_contact::{Boundary, RoughContact, RoughContactOptions};
+use schlupf::reporting::Message;
 use schlupf::surface::HeightMap;
 use schlupf::surface::spectrum::{RadialSpectrum, Window};
 use schlupf::{Error, Watch};

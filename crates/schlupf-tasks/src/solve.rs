@@ -3,9 +3,9 @@
 use std::borrow::Cow;
 
 use crate::output::solution::SolutionReport;
-use schlupf::message::{Message, Words};
-use schlupf::rolling::marching::march;
-use schlupf::state::State;
+use schlupf::problem::State;
+use schlupf::reporting::{Message, Words};
+use schlupf::solver::march;
 use schlupf::wheel_rail::WheelSolution;
 use schlupf::{Error, Method, Quantity, Solution, Watch};
 use schlupf_case::{Case, CaseError, CaseFile, Cause, FieldNames, InputFile, Rolling};

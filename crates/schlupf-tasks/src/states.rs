@@ -5,13 +5,12 @@
 
 use std::sync::Arc;
 
-use schlupf::kinematics::Kinematics;
-use schlupf::message::Message;
-use schlupf::method::FastMethod;
-use schlupf::normal::PressureSource;
-use schlupf::normal::at_load::AtLoad;
-use schlupf::simplified::FastContact;
+use schlupf::bodies::Kinematics;
+use schlupf::normal::{AtLoad, PressureSource};
+use schlupf::problem::FastMethod;
+use schlupf::reporting::Message;
 use schlupf::solution::Resultant;
+use schlupf::solver::simplified::FastContact;
 use schlupf::wheel_rail::WheelSolution;
 use schlupf::{Error, Method, Problem, Quantity, Solution, Solver, Status, Warning, Watch};
 use schlupf_case::fields::{Field, Kind};

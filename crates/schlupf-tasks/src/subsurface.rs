@@ -1,9 +1,9 @@
 //! Stresses below the surface.
 
 use crate::output::subsurface::{PROFILE_POINTS, StressReport};
-use schlupf::error::MethodPurpose;
-use schlupf::grid::Grid;
-use schlupf::subsurface::{Measure, PointStress, SubsurfaceStress};
+use schlupf::analysis::subsurface::{Measure, PointStress, SubsurfaceStress};
+use schlupf::normal::Grid;
+use schlupf::reporting::MethodPurpose;
 use schlupf::{Error, Solution, Watch};
 use schlupf_case::{
     Case, CaseErrors, InputFile, POINT_COLUMNS, SubsurfaceRequest, field, read_points,

@@ -1,8 +1,8 @@
 //! Temperatures below the surface and in the wake.
 
 use crate::output::temperature::{Positions, Temperatures};
-use schlupf::creep_curve::MAX_POINTS;
-use schlupf::temperature_field::{Side, TemperatureField};
+use schlupf::analysis::creep_curve::MAX_POINTS;
+use schlupf::analysis::temperature_field::{Side, TemperatureField};
 use schlupf::{Error, Problem, Solution, Watch};
 use schlupf_case::CaseErrors;
 

@@ -1,9 +1,8 @@
 //! Wear, fatigue and melting per wheel passage.
 
 use crate::output::wear::WearReport;
-use schlupf::damage::{Laws, WearMap, of_passage};
-use schlupf::error::MethodPurpose;
-use schlupf::message::Message;
+use schlupf::analysis::damage::{Laws, WearMap, of_passage};
+use schlupf::reporting::{Message, MethodPurpose};
 use schlupf::solution::Power;
 use schlupf::{Error, Method, Solution, Warning, Watch};
 use schlupf_case::{Case, CaseErrors, FieldNames};

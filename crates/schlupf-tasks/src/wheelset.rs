@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use crate::output::wheelset::{Conicity, WheelsetAt, WheelsetReport};
-use schlupf::creep_curve::MAX_POINTS;
-use schlupf::message::Message;
-use schlupf::tally::{Tallied, Tally};
+use schlupf::Watch;
+use schlupf::analysis::creep_curve::MAX_POINTS;
+use schlupf::numerics::parallel;
+use schlupf::reporting::{Message, Tallied, Tally};
 use schlupf::wheel_rail::{Roll, RollingRadiusDifference, Support, WheelSolution};
-use schlupf::{Watch, parallel};
 use schlupf_case::{CaseError, CaseErrors, CaseFile, Cause, FieldNames, FieldPath, Place, field};
 
 use crate::notice::{Notice, millimetres};

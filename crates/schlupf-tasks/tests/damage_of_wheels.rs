@@ -4,7 +4,7 @@ use std::any::Any;
 use std::fs;
 use std::path::Path;
 
-use schlupf::damage::{Laws, RunDamage};
+use schlupf::analysis::damage::{Laws, RunDamage};
 use schlupf::unwatched;
 use schlupf_case::{CaseFile, Folder, InputFile, Overrides};
 use schlupf_tasks::output::damage::DamageReport;

@@ -8,8 +8,9 @@ use std::time::Duration;
 use common::{Bodies, Case, POINTS, Product, cold, creep_curve, solve};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion};
-use schlupf::rolling::steady::SteadySolver;
-use schlupf::{rolling, unwatched};
+use schlupf::solver;
+use schlupf::solver::SteadySolver;
+use schlupf::unwatched;
 
 const BODIES: [Bodies; 2] = [Bodies::Layer, Bodies::HalfSpace];
 
@@ -49,9 +50,7 @@ fn cold_solve(criterion: &mut Criterion) {
         let (problem, options) = (cold(&case.at_rest()), case.options());
         size_sample(&mut group, &case);
         group.bench_function(label(&case), |bencher| {
-            bencher.iter(|| {
-                rolling::steady::solve(black_box(&problem), &options, &unwatched).unwrap()
-            });
+            bencher.iter(|| solver::solve(black_box(&problem), &options, &unwatched).unwrap());
         });
     }
 }

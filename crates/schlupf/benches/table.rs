@@ -14,10 +14,10 @@ use common::transforms::Transforms;
 use common::{
     Bodies, Case, LAST_CREEPAGE, MOTION, POINTS, Product, cold, creep_curve, rolling, solve,
 };
-use schlupf::method::{AreaReduction, Brush, FastMethod, SlopeReduction};
-use schlupf::rolling::steady::SteadySolver;
-use schlupf::simplified::FastContact;
+use schlupf::problem::{AreaReduction, Brush, FastMethod, SlopeReduction};
 use schlupf::solution::Work;
+use schlupf::solver::SteadySolver;
+use schlupf::solver::simplified::FastContact;
 use schlupf::{Status, unwatched};
 
 const GRIDS: [usize; 5] = [20, 24, 40, 80, 160];
@@ -153,8 +153,7 @@ impl Row {
     fn count(case: Case) -> Self {
         let at_rest = case.at_rest();
         let problem = cold(&at_rest);
-        let solution =
-            schlupf::rolling::steady::solve(&problem, &case.options(), &unwatched).unwrap();
+        let solution = schlupf::solver::solve(&problem, &case.options(), &unwatched).unwrap();
         assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
         let mut solver = case.solver_at_rest(&case.curve_options());
         let warm = creep_curve(&at_rest);
@@ -226,9 +225,7 @@ impl Times {
         let mut rounds = 0;
         while rounds < LEAST_ROUNDS || start.elapsed().as_secs_f64() < MEASURED_FOR {
             rounds += 1;
-            better(&mut self.cold, || {
-                schlupf::rolling::steady::solve(&problem, &options, &unwatched)
-            });
+            better(&mut self.cold, || schlupf::solver::solve(&problem, &options, &unwatched));
             let mut solver = SteadySolver::new(&options);
             better(&mut self.first_at_rest, || solve(&mut solver, &at_rest));
             better(&mut self.second_at_rest, || solve(&mut solver, &at_rest));

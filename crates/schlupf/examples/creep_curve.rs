@@ -1,8 +1,8 @@
 //! Creep curves at several speeds, each on a thread of its own with the feature `rayon`.
 
-use schlupf::creep_curve::{Creepages, Path, Sampling, Spacing, trace};
-use schlupf::parallel;
-use schlupf::rolling::steady::SteadySolver;
+use schlupf::analysis::creep_curve::{Creepages, Path, Sampling, Spacing, trace};
+use schlupf::numerics::parallel;
+use schlupf::solver::SteadySolver;
 use schlupf::{Error, Options, Problem, unwatched};
 
 fn main() -> Result<(), Error> {

@@ -1,8 +1,8 @@
 //! Forces for a multibody code: Polach's method, set up once, then a tenth of a microsecond a
 //! motion.
 
-use schlupf::method::{AreaReduction, FastMethod};
-use schlupf::simplified::FastContact;
+use schlupf::problem::{AreaReduction, FastMethod};
+use schlupf::solver::simplified::FastContact;
 use schlupf::{Error, Options, Problem};
 
 fn main() -> Result<(), Error> {

@@ -1,15 +1,14 @@
 //! Friction from a creep curve: the one that CONTACT computes for a locomotive with μ = 0.33 (1 −
 //! T/2084 K); its temperatures are some 11 % too high on the grid in use (Vollebregt 2022).
 
-use schlupf::identification::roughness::DEFAULT_GAMMA;
-use schlupf::identification::{
+use schlupf::analysis::identification::roughness::DEFAULT_GAMMA;
+use schlupf::analysis::identification::{
     Component, Condition, DataPoint, Parameter, RollingContactModel, fit,
 };
-use schlupf::interface::contact_law::Incremental;
+use schlupf::bodies::{Body, Kinematics};
+use schlupf::interface::Incremental;
 use schlupf::interface::friction::constants::FrictionConstant;
-use schlupf::kinematics::Kinematics;
-use schlupf::material::Body;
-use schlupf::normal::ellipse::Ellipse;
+use schlupf::normal::Ellipse;
 use schlupf::{Error, Options, Problem, unwatched};
 
 /// In N.

@@ -1,7 +1,8 @@
 //! A friction law of one's own: μ = μ0/(1 + (s/s0)²), which falls with the slip speed s.
 
 use schlupf::interface::friction::{FrictionLaw, FrictionResponse, FrictionState};
-use schlupf::{Options, Problem, rolling, unwatched};
+use schlupf::solver;
+use schlupf::{Options, Problem, unwatched};
 
 /// Falls to half of μ0 at the slip speed s0.
 #[derive(Debug)]
@@ -30,7 +31,7 @@ fn main() -> Result<(), schlupf::Error> {
     for creepage in [0.001, 0.002, 0.005, 0.01, 0.02, 0.05] {
         let law = Falling { coefficient: 0.4, half_speed: 3.0 };
         let problem = Problem::builder().creepage_x(creepage).friction(law).build()?;
-        let solution = rolling::steady::solve(&problem, &Options::default(), &unwatched)?;
+        let solution = solver::solve(&problem, &Options::default(), &unwatched)?;
         println!("{creepage:10}   {:.4}", solution.traction_coefficient);
         for warning in &solution.warnings {
             println!("  {warning}");

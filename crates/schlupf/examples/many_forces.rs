@@ -3,11 +3,12 @@
 
 use std::time::Instant;
 
-use schlupf::kinematics::Kinematics;
-use schlupf::method::{AreaReduction, FastMethod};
-use schlupf::simplified::FastContact;
+use schlupf::bodies::Kinematics;
+use schlupf::numerics::parallel;
+use schlupf::problem::{AreaReduction, FastMethod};
 use schlupf::solution::Resultant;
-use schlupf::{Error, Options, Problem, parallel};
+use schlupf::solver::simplified::FastContact;
+use schlupf::{Error, Options, Problem};
 
 const COUNT: usize = 1_000_000;
 const BLOCK: usize = 4096;

@@ -1,7 +1,8 @@
 //! Rolling under a pressure that was measured, on a lattice of 2 mm by 2 mm.
 
-use schlupf::normal::tabulated::{PressureTable, Tabulated};
-use schlupf::{Options, Problem, rolling, unwatched};
+use schlupf::normal::{PressureTable, Tabulated};
+use schlupf::solver;
+use schlupf::{Options, Problem, unwatched};
 
 /// In MPa; rows across rolling, from right to left, each along rolling.
 const PRESSURE: [[f64; 9]; 7] = [
@@ -29,7 +30,7 @@ fn main() -> Result<(), schlupf::Error> {
     // Scaled to the load that was on the wheel.
     let normal = Tabulated::new(table, Some(90e3))?;
     let problem = Problem::builder().normal(normal).creepage_x(0.003).creepage_y(0.001).build()?;
-    let solution = rolling::steady::solve(&problem, &Options::default(), &unwatched)?;
+    let solution = solver::solve(&problem, &Options::default(), &unwatched)?;
     println!("largest pressure   {:.0} MPa", solution.normal.peak_pressure / 1e6);
     println!("longitudinal       {:.2} kN", solution.force.x / 1e3);
     println!("lateral            {:.2} kN", solution.force.y / 1e3);

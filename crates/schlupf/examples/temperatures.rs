@@ -1,9 +1,9 @@
 //! Temperatures below the contact and behind it, and how warm the wheel gets when it brakes for
 //! long.
 
-use schlupf::bulk_temperature::{Cooling, bulk_temperature};
-use schlupf::rolling::steady::SteadySolver;
-use schlupf::temperature_field::{Side, TemperatureField};
+use schlupf::analysis::bulk_temperature::{Cooling, bulk_temperature};
+use schlupf::analysis::temperature_field::{Side, TemperatureField};
+use schlupf::solver::SteadySolver;
 use schlupf::{Options, Problem, Solver, unwatched};
 
 fn main() -> Result<(), schlupf::Error> {

@@ -5,8 +5,8 @@ mod common;
 use std::sync::Arc;
 
 use common::{cells, half_space, problem, rolling};
-use schlupf::interface::contact_law::Incremental;
-use schlupf::normal::ellipse::Ellipse;
+use schlupf::interface::Incremental;
+use schlupf::normal::Ellipse;
 use schlupf::solution::Resultant;
 use schlupf::{Problem, Status, unwatched};
 
@@ -34,7 +34,7 @@ fn force(axis_ratio: f64, stiffness: f64, [xi, eta, spin]: [f64; 3], across: usi
         contact_law: Incremental::new(stiffness).unwrap().into(),
         ..problem(rolling(xi, eta, spin / mean))
     };
-    let solution = schlupf::rolling::steady::solve(&rolling, &cells(across), &unwatched).unwrap();
+    let solution = schlupf::solver::solve(&rolling, &cells(across), &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     solution.normalised
 }

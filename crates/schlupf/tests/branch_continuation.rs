@@ -7,12 +7,12 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use common::{problem, rolling};
-use schlupf::elasticity::winkler::Winkler;
-use schlupf::grid::{Grid, VectorField};
-use schlupf::interface::contact_law::Incremental;
+use schlupf::elasticity::Winkler;
+use schlupf::interface::Incremental;
 use schlupf::interface::friction::linear::Linear;
 use schlupf::interface::friction::slip_terms::SlipTerms;
-use schlupf::patch::{Interpolation, Patch};
+use schlupf::normal::patch::{Interpolation, Patch};
+use schlupf::normal::{Grid, VectorField};
 use schlupf::problem::Branch;
 use schlupf::{Options, Problem, Solution, Status, unwatched};
 
@@ -283,7 +283,7 @@ fn falling(creepage: f64, stiffness: f64, half_speed: f64) -> Problem {
 fn on_branch(problem: &Problem, across: usize, branch: Branch) -> Solution {
     let options =
         Options { branch, cells_x: across, cells_y: across, tolerance: 1e-9, ..Options::default() };
-    let solution = schlupf::rolling::steady::solve(problem, &options, &unwatched).unwrap();
+    let solution = schlupf::solver::solve(problem, &options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     solution
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{at_once, cells, problem, rolling};
-use schlupf::interface::contact_law::Incremental;
+use schlupf::interface::Incremental;
 use schlupf::interface::friction::across::Across;
 use schlupf::interface::friction::linear::Linear;
 use schlupf::interface::friction::slip_terms::SlipTerms;

@@ -9,15 +9,15 @@ use common::transients::{self, LIMIT, LOAD, constant, swinging};
 use common::{
     at_once, cells, follow, from_state, half_space, layer, problem, rolling, solve, solve_over,
 };
-use schlupf::elasticity::Elasticity;
-use schlupf::elasticity::winkler::Winkler;
-use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
-use schlupf::history::History;
-use schlupf::interface::contact_law::{ContactLaw, Incremental};
+use schlupf::elasticity::{Elasticity, Winkler};
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::normal::ellipse::Ellipse;
-use schlupf::rolling::marching::march;
-use schlupf::state::Element;
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::{ContactLaw, Incremental};
+use schlupf::normal::Ellipse;
+use schlupf::problem::{Element, History};
+use schlupf::solver::march;
 use schlupf::{Error, Options, Problem, Solution, Status, Transient, unwatched};
 
 fn bristly(elasticity: Arc<dyn Elasticity>, stiffness: f64, motion: [f64; 3]) -> Problem {

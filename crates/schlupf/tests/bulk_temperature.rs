@@ -4,16 +4,15 @@ mod common;
 
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
-use schlupf::Quantity;
-use schlupf::bulk_temperature::{BulkTemperature, Cooling, bulk_temperature};
-use schlupf::heat::Heat;
-use schlupf::heat::duhamel::Duhamel;
-use schlupf::heat::partition::Partition;
+use schlupf::analysis::bulk_temperature::{BulkTemperature, Cooling, bulk_temperature};
+use schlupf::bodies::Material;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
-use schlupf::material::Material;
-use schlupf::rolling::steady::SteadySolver;
-use schlupf::{Problem, Status, unwatched};
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::solver::SteadySolver;
+use schlupf::{Problem, Quantity, Status, unwatched};
 use std::sync::Arc;
 
 const COOLING: Cooling = Cooling { film_coefficient: 40.0, area: 1.5, air_temperature: 10.0 };
@@ -43,7 +42,7 @@ fn the_balance_closes() {
         assert!(warmed.temperature > 10.0 && warmed.iterations < 20, "{}", warmed.iterations);
         let mut there = braking(creepage);
         there.wheel.bulk_temperature = warmed.temperature;
-        let again = schlupf::rolling::steady::solve(&there, &cells(20), &unwatched).unwrap();
+        let again = schlupf::solver::solve(&there, &cells(20), &unwatched).unwrap();
         assert_relative_eq!(
             again.power.unwrap().friction,
             warmed.solution.power.unwrap().friction,

@@ -8,20 +8,19 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
-use schlupf::calibration::displacements::{Sample, fit};
-use schlupf::calibration::side_by_side::{Answer, Model, side_by_side};
-use schlupf::calibration::{
+use schlupf::analysis::calibration::displacements::{Sample, fit};
+use schlupf::analysis::calibration::side_by_side::{Answer, Model, side_by_side};
+use schlupf::analysis::calibration::{
     Calibration, CalibrationOptions, Deviation, calibrate, deviation_of_table, kalker_bed,
 };
-use schlupf::elasticity::Elasticity;
-use schlupf::elasticity::calibrated_layer::{CalibratedLayer, tabulated_stiffness};
+use schlupf::bodies::Material;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
 use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::grid::{Extent, Grid, VectorField};
-use schlupf::interface::contact_law::Incremental;
-use schlupf::material::Material;
-use schlupf::normal::ellipse::Ellipse;
-use schlupf::{rolling, unwatched};
+use schlupf::elasticity::{CalibratedLayer, Elasticity, tabulated_stiffness};
+use schlupf::interface::Incremental;
+use schlupf::normal::{Ellipse, Extent, Grid, VectorField};
+use schlupf::solver;
+use schlupf::unwatched;
 
 /// The goal: forces within 2 % of μN, with spin 4 %.
 fn assert_near(deviation: &Deviation, what: &str) {
@@ -161,7 +160,7 @@ fn the_calibrated_layer_knows_the_patch() {
     let layer = CalibratedLayer::new(&Material::STEEL, &Material::STEEL, None).unwrap();
     let solve = |elasticity: Arc<dyn Elasticity>| {
         let problem = schlupf::Problem { elasticity, ..base.clone() };
-        rolling::steady::solve(&problem, &cells(24), &unwatched).unwrap().normalised
+        solver::solve(&problem, &cells(24), &unwatched).unwrap().normalised
     };
     let (here, exact) = (solve(Arc::new(layer)), solve(half_space()));
     assert!((here.x - exact.x).hypot(here.y - exact.y) < 0.02, "{here:?} {exact:?}");
@@ -190,7 +189,7 @@ fn kalker_1982_the_bed_has_the_forces_of_the_linear_theory() {
             contact_law: Incremental::new(1e9).unwrap().into(),
             ..problem(rolling(1e-6, 2e-6, 0.0))
         };
-        let force = rolling::steady::solve(&stick, &cells(40), &unwatched).unwrap().force;
+        let force = solver::solve(&stick, &cells(40), &unwatched).unwrap().force;
         assert_relative_eq!(force.x, -c11 * g * a * b * 1e-6, max_relative = 2e-2);
         assert_relative_eq!(force.y, -c22 * g * a * b * 2e-6, max_relative = 2e-2);
     }

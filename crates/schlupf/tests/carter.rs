@@ -9,17 +9,14 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use common::{problem, rolling};
+use schlupf::bodies::Material;
 use schlupf::elasticity::half_space::{Convolution, HalfSpace};
 use schlupf::elasticity::{Compliance, Elasticity};
-use schlupf::grid::Grid;
-use schlupf::interface::contact_law::Incremental;
+use schlupf::interface::Incremental;
 use schlupf::interface::friction::constant::Constant;
-use schlupf::material::Material;
-use schlupf::normal::PressureSource;
-use schlupf::normal::ellipse::Ellipse;
-use schlupf::normal::tabulated::{PressureTable, Tabulated};
-use schlupf::reference::carter::Carter;
-use schlupf::reference::haines_ollerton::HainesOllerton;
+use schlupf::normal::{Ellipse, Grid, PressureSource, PressureTable, Tabulated};
+use schlupf::solver::reference::carter::Carter;
+use schlupf::solver::reference::haines_ollerton::HainesOllerton;
 use schlupf::{Error, Options, Solution, Status, unwatched};
 
 const CYLINDERS: Carter = Carter {
@@ -100,7 +97,7 @@ fn solve(
     coulomb.contact_law = Incremental::new(stiffness).unwrap().into();
     coulomb.friction.law = Arc::new(Constant::new(CYLINDERS.friction_coefficient).unwrap());
     let options = Options { cells_x, cells_y, slip_threshold: 0.99, ..Options::default() };
-    let solution = schlupf::rolling::steady::solve(&coulomb, &options, &unwatched).unwrap();
+    let solution = schlupf::solver::solve(&coulomb, &options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     assert_eq!(solution.work.steps, 0, "marched: {:?}", solution.warnings);
     assert!(solution.work.newton_iterations <= 60, "{:?}", solution.work);

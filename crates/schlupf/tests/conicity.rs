@@ -3,7 +3,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use schlupf::error::WheelRailError;
+use schlupf::reporting::WheelRailError;
 use schlupf::wheel_rail::{
     Pair, ProfileCurve, RailShape, Roll, RollingRadiusDifference, Track, WheelShape,
 };

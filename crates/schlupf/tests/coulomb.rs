@@ -6,11 +6,11 @@ use std::path::Path;
 use std::sync::Arc;
 
 use common::{cells, half_space, problem, quantiles, rolling};
-use schlupf::interface::contact_law::{ContactLaw, Incremental};
 use schlupf::interface::friction::constant::Constant;
-use schlupf::normal::ellipse::Ellipse;
-use schlupf::rolling::steady::SteadySolver;
+use schlupf::interface::{ContactLaw, Incremental};
+use schlupf::normal::Ellipse;
 use schlupf::solution::Resultant;
+use schlupf::solver::SteadySolver;
 use schlupf::{Options, Problem, Solution, Solver, Status, Warning, unwatched};
 
 /// One line of `data/contact_creep.csv`.
@@ -70,7 +70,7 @@ fn coulomb([a, b]: [f64; 2], [xi, eta, spin]: [f64; 3]) -> Problem {
 }
 
 fn solve(problem: &Problem, across: usize) -> Solution {
-    schlupf::rolling::steady::solve(problem, &cells(across), &unwatched).unwrap()
+    schlupf::solver::solve(problem, &cells(across), &unwatched).unwrap()
 }
 
 /// Errors of all forces (in % of μN and μN √(ab)) beyond what is uncertain of the reference, and
@@ -127,7 +127,7 @@ fn vollebregt_2022_extrapolated_creep_forces() {
         for reference in references() {
             let problem = coulomb(reference.semi_axes, reference.creepage);
             let options = Options { extrapolate: true, ..cells(across) };
-            let solution = schlupf::rolling::steady::solve(&problem, &options, &unwatched).unwrap();
+            let solution = schlupf::solver::solve(&problem, &options, &unwatched).unwrap();
             let found = solution.extrapolation.unwrap();
             let plain = solve(&problem, across).normalised;
             let [x, y, moment] = reference.force;
@@ -156,7 +156,7 @@ fn vollebregt_2022_extrapolated_creep_forces() {
     }
     let few = Options { extrapolate: true, ..cells(12) };
     let problem = coulomb(semi_axes(1.0), [1e-3, 0.0, 0.0]);
-    let alone = schlupf::rolling::steady::solve(&problem, &few, &unwatched).unwrap();
+    let alone = schlupf::solver::solve(&problem, &few, &unwatched).unwrap();
     assert_eq!(alone.extrapolation, None);
     assert!(alone.warnings.contains(&Warning::NoExtrapolation {}), "{:?}", alone.warnings);
 }

@@ -11,19 +11,19 @@ use common::transients::{
 use common::{
     at_once, cells, follow, from_state, half_space, layer, problem, rolling, solve, solve_over,
 };
-use schlupf::elasticity::Elasticity;
+use schlupf::bodies::Material;
 use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::elasticity::rigid::Rigid;
-use schlupf::elasticity::winkler::Winkler;
-use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
-use schlupf::history::History;
-use schlupf::interface::contact_law::ContactLaw;
+use schlupf::elasticity::{Elasticity, Rigid, Winkler};
+use schlupf::interface::ContactLaw;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::material::Material;
-use schlupf::normal::ellipse::Ellipse;
-use schlupf::reference::cattaneo_mindlin::CattaneoMindlin;
-use schlupf::rolling::marching::{march, shift};
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::normal::Ellipse;
+use schlupf::problem::History;
+use schlupf::solver::reference::cattaneo_mindlin::CattaneoMindlin;
+use schlupf::solver::{march, shift};
 use schlupf::{Error, Options, Problem, Solution, Status, Transient, unwatched};
 
 fn reference() -> Problem {

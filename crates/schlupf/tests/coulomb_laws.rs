@@ -6,13 +6,9 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{cells, half_space, layer, problem, rolling};
-use schlupf::creep_curve::{Creepages, Path, Sampling, Spacing, trace};
-use schlupf::elasticity::rigid::Rigid;
-use schlupf::elasticity::winkler::Winkler;
-use schlupf::heat::Heat;
-use schlupf::heat::duhamel::Duhamel;
-use schlupf::heat::partition::Partition;
-use schlupf::interface::contact_law::{ContactLaw, Incremental};
+use schlupf::analysis::creep_curve::{Creepages, Path, Sampling, Spacing, trace};
+use schlupf::bodies::Material;
+use schlupf::elasticity::{Rigid, Winkler};
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::exponential::Exponential;
 use schlupf::interface::friction::memory::FrictionMemory;
@@ -21,12 +17,14 @@ use schlupf::interface::friction::product::Product;
 use schlupf::interface::friction::slip_terms::SlipTerms;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::friction::{Friction, FrictionLaw};
-use schlupf::kalker_coefficients::creep_coefficients;
-use schlupf::material::Material;
-use schlupf::normal::ellipse::Ellipse;
-use schlupf::normal::tabulated::{PressureTable, Tabulated};
-use schlupf::rolling::steady::SteadySolver;
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::{ContactLaw, Incremental};
+use schlupf::normal::{Ellipse, PressureTable, Tabulated};
 use schlupf::solution::Resultant;
+use schlupf::solver::SteadySolver;
+use schlupf::solver::kalker_coefficients::creep_coefficients;
 use schlupf::{Error, Options, Problem, Solution, Status, Transient, unwatched};
 
 /// Creepages and spin (in 1/m) with which about half of the patch sticks.
@@ -41,7 +39,7 @@ fn coulomb([xi, eta, spin]: [f64; 3]) -> Problem {
 }
 
 fn solve(problem: &Problem, options: &Options) -> Solution {
-    let solution = schlupf::rolling::steady::solve(problem, options, &unwatched).unwrap();
+    let solution = schlupf::solver::solve(problem, options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.work);
     solution
 }
@@ -288,15 +286,15 @@ fn cells_that_are_too_wide_are_refused() {
         let [fewest, columns, count] = [cells_y, 40, cells_y - 1];
         if fewest > 3 {
             let refusal = Error::TooFewAcross { fewest, columns, count };
-            let refused = schlupf::rolling::steady::solve(&problem, &on(count), &unwatched);
+            let refused = schlupf::solver::solve(&problem, &on(count), &unwatched);
             assert_eq!(refused.unwrap_err(), refusal);
             let transient = Transient::to_steady_state(&problem);
-            let refused = schlupf::rolling::marching::march(&transient, &on(count), &unwatched);
+            let refused = schlupf::solver::march(&transient, &on(count), &unwatched);
             assert_eq!(refused.unwrap_err(), refusal);
 
             let mut stiff = problem;
             stiff.contact_law = Incremental::new(1e8).unwrap().into();
-            let refused = schlupf::rolling::steady::solve(&stiff, &on(count), &unwatched);
+            let refused = schlupf::solver::solve(&stiff, &on(count), &unwatched);
             assert_eq!(refused.unwrap_err(), refusal);
         }
     }
@@ -307,6 +305,6 @@ fn cells_that_are_too_wide_are_refused() {
 fn rigid_bodies_are_refused() {
     let mut rigid = coulomb(MOTION);
     rigid.elasticity = Arc::new(Rigid);
-    let refused = schlupf::rolling::steady::solve(&rigid, &cells(8), &unwatched);
+    let refused = schlupf::solver::solve(&rigid, &cells(8), &unwatched);
     assert_eq!(refused.unwrap_err(), Error::CoulombOfRigidBodies {});
 }

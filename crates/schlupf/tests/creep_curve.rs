@@ -4,26 +4,25 @@ mod common;
 
 use approx::assert_relative_eq;
 use common::{cells, problem, rolling};
-use schlupf::Quantity;
-use schlupf::creep_curve::{
+use schlupf::analysis::creep_curve::{
     Abscissa, CreepCurve, Creepages, PLATEAU, Path, Sampling, Spacing, VariedForce, trace,
 };
+use schlupf::bodies::Material;
+use schlupf::elasticity::Winkler;
 use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::elasticity::winkler::Winkler;
-use schlupf::heat::Heat;
-use schlupf::heat::duhamel::Duhamel;
-use schlupf::heat::partition::Partition;
-use schlupf::interface::contact_law::Incremental;
+use schlupf::interface::Incremental;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::kalker_coefficients::creep_coefficients;
-use schlupf::material::Material;
-use schlupf::normal::ellipse::Ellipse;
-use schlupf::prescribed::ForceSolver;
-use schlupf::progress::Stage;
-use schlupf::reference::winkler_strip;
-use schlupf::rolling::MarchingSolver;
-use schlupf::rolling::steady::SteadySolver;
-use schlupf::{Error, Options, Problem, Solver, Status, unwatched};
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::normal::Ellipse;
+use schlupf::reporting::Stage;
+use schlupf::solver::ForceSolver;
+use schlupf::solver::MarchingSolver;
+use schlupf::solver::SteadySolver;
+use schlupf::solver::kalker_coefficients::creep_coefficients;
+use schlupf::solver::reference::winkler_strip;
+use schlupf::{Error, Options, Problem, Quantity, Solver, Status, unwatched};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -163,7 +162,8 @@ fn the_maximum_is_where_dense_sampling_has_it() {
     let even = Sampling { points: 1001, spacing: Spacing::Even };
     let (mut solver, path) = (SteadySolver::new(&options), over_x(&hot, [0.004, 0.014]));
     let dense = trace(&mut solver, &hot, &path, &even, &unwatched).unwrap();
-    let higher = |i: &&schlupf::creep_curve::Point, k: &&schlupf::creep_curve::Point| {
+    let higher = |i: &&schlupf::analysis::creep_curve::Point,
+                  k: &&schlupf::analysis::creep_curve::Point| {
         i.traction_coefficient.total_cmp(&k.traction_coefficient)
     };
     let highest = dense.points.iter().max_by(higher).unwrap();
@@ -311,7 +311,7 @@ fn what_did_not_converge_is_kept_and_named() {
     let warnings = curve
         .warnings
         .iter()
-        .map(|warning| warning.message(&schlupf::message::Names).text)
+        .map(|warning| warning.message(&schlupf::reporting::Names).text)
         .collect::<Vec<_>>()
         .join("\n");
     assert!(warnings.starts_with("4 of 4 points"), "{warnings}");
@@ -339,7 +339,7 @@ fn what_is_no_curve_of_steady_rolling_is_refused() {
     let path = over_x(&still, [0.0, 0.01]);
     let locked = refused(&still, &over_x(&still, [0.0, 1.2])).to_string();
     assert!(locked.contains("does not at creepage_x = 1"), "{locked}");
-    let slow = problem(schlupf::kinematics::Kinematics { speed: -1.0, ..rolling(0.0, 0.0, 0.0) });
+    let slow = problem(schlupf::bodies::Kinematics { speed: -1.0, ..rolling(0.0, 0.0, 0.0) });
     assert!(refused(&slow, &path).quantity() == Quantity::Speed);
     let one = Sampling { points: 1, spacing: Spacing::Even };
     assert!(trace(&mut SteadySolver::new(&cells(8)), &still, &path, &one, &unwatched).is_err());

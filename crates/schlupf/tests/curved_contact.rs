@@ -13,23 +13,22 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
-use schlupf::Error;
-use schlupf::elasticity::Elasticity;
-use schlupf::elasticity::winkler::Winkler;
-use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
-use schlupf::interface::contact_law::{ContactLaw, Incremental};
+use schlupf::bodies::{Kinematics, Material, RowMotion, RowSlip, contact_modulus};
+use schlupf::elasticity::{Elasticity, Winkler};
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::kinematics::Kinematics;
-use schlupf::material::{Material, contact_modulus};
-use schlupf::method::{Brush, FastMethod, Flexibilities, TractionBound};
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::{ContactLaw, Incremental};
 use schlupf::normal::hertz::{Hertz, Radii};
 use schlupf::normal::{NormalContact, PressureSource};
-use schlupf::prescribed::ForceSolver;
-use schlupf::prescribed_forces::{LongitudinalForce, PrescribedForces};
-use schlupf::row_motion::{RowMotion, RowSlip};
+use schlupf::problem::{
+    Brush, FastMethod, Flexibilities, LongitudinalForce, PrescribedForces, TractionBound,
+};
 use schlupf::solution::Resultant;
-use schlupf::{Method, Options, Problem, Solution, Solver, Status, Transient, unwatched};
+use schlupf::solver::ForceSolver;
+use schlupf::{Error, Method, Options, Problem, Solution, Solver, Status, Transient, unwatched};
 
 const RADIUS: f64 = 13e-3;
 const LEAN: f64 = 0.5;
@@ -395,7 +394,7 @@ fn mirror_images_are_mirrored() {
 #[test]
 fn powers_of_every_step_balance() {
     let problem = curved(1e-3, -2e-3);
-    let history = schlupf::history::History {
+    let history = schlupf::problem::History {
         time: vec![0.0, 2e-3],
         creepage_x: Some(vec![0.0, 2e-3]),
         ..Default::default()

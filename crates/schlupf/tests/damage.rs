@@ -3,18 +3,19 @@
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-use schlupf::damage::{
+use schlupf::analysis::damage::{
     ArchardWear, CrackFunction, EnergyWear, Laws, Profile, ShakedownLimits, State, SurfaceFatigue,
     WearMap, of_passage, of_run,
 };
+use schlupf::bodies::Material;
 use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::heat::Heat;
-use schlupf::interface::contact_law::ContactLaw;
+use schlupf::interface::ContactLaw;
 use schlupf::interface::friction::constant::Constant;
-use schlupf::material::Material;
-use schlupf::method::{Brush, FastMethod, Method, TractionBound};
-use schlupf::normal::ellipse::Ellipse;
-use schlupf::{Error, Options, Problem, Quantity, rolling, unwatched};
+use schlupf::interface::heat::Heat;
+use schlupf::normal::Ellipse;
+use schlupf::problem::{Brush, FastMethod, Method, TractionBound};
+use schlupf::solver;
+use schlupf::{Error, Options, Problem, Quantity, unwatched};
 
 const RADIUS: f64 = 0.46;
 
@@ -267,7 +268,7 @@ fn a_sliding_passage_has_closed_forms() {
     let steel = Material::STEEL;
     problem.elasticity = Arc::new(HalfSpace::new(&steel, &steel).unwrap());
     let options = Options { cells_x: 24, cells_y: 24, ..Options::default() };
-    let solution = rolling::steady::solve(&problem, &options, &unwatched).unwrap();
+    let solution = solver::solve(&problem, &options, &unwatched).unwrap();
     let passage = of_passage(&problem, &solution, &laws()).unwrap();
     let (load, speed) = (solution.normal.load, solution.kinematics.speed);
     let slip_speed = creepage * speed;
@@ -328,7 +329,7 @@ fn several_parts_have_the_index_of_the_largest_pressure() {
 fn what_is_hotter_than_the_limit_melts() {
     let problem = Problem::builder().creepage_x(0.05).build().unwrap();
     let options = Options { cells_x: 16, cells_y: 16, ..Options::default() };
-    let solution = rolling::steady::solve(&problem, &options, &unwatched).unwrap();
+    let solution = solver::solve(&problem, &options, &unwatched).unwrap();
     let hottest = solution.temperature.unwrap();
     let at = |melting_temperature: f64| {
         let laws = Laws { melting_temperature, ..laws() };

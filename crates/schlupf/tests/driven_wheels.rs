@@ -2,15 +2,14 @@
 
 use std::sync::Arc;
 
+use schlupf::bodies::{Body, Kinematics, Material, ReferencePoint, contact_modulus};
 use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::error::ForceError;
-use schlupf::interface::contact_law::ContactLaw;
+use schlupf::interface::ContactLaw;
 use schlupf::interface::friction::Friction;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::polach::Polach;
-use schlupf::kinematics::{Kinematics, ReferencePoint};
-use schlupf::material::{Body, Material, contact_modulus};
 use schlupf::normal::PressureSource;
+use schlupf::reporting::ForceError;
 use schlupf::wheel_rail::{
     Along, Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side,
     Support, Tangential, Track, WheelOnRail, WheelShape, WheelSolution,
@@ -104,7 +103,7 @@ fn solve_with<R>(
             .rail(body)
             .kinematics(kinematics)
             .reference(ReferencePoint::File)
-            .heat(schlupf::heat::Heat::none())
+            .heat(schlupf::interface::heat::Heat::none())
             .contact_law(ContactLaw::Coulomb)
             .elasticity(HalfSpace::new(&material, &material)?);
         let problem = builder.build()?;

@@ -11,9 +11,9 @@ use common::{cells, problem, rolling, solve};
 use nalgebra::{Cholesky, DMatrix};
 use schlupf::elasticity::Elasticity;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness, Springs};
-use schlupf::grid::{Extent, Grid, VectorField};
-use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
-use schlupf::rolling::steady;
+use schlupf::interface::{ContactLaw, Incremental, TotalDisplacement};
+use schlupf::normal::{Extent, Grid, VectorField};
+use schlupf::solver;
 use schlupf::{Options, Problem, Status, unwatched};
 
 /// ξ, η, φ in 1/m; Fx/μN, Fy/μN, Mz/μN√(ab).
@@ -61,7 +61,7 @@ fn neuhaus_sextro_2014_layer_forces_at_20_cells() {
 fn refinement_converges() {
     let force = |n| {
         let rolls = problem(rolling(0.002, 0.0, 0.0));
-        steady::solve(&rolls, &cells(n), &unwatched).unwrap().normalised.x
+        solver::solve(&rolls, &cells(n), &unwatched).unwrap().normalised.x
     };
     let finest = force(160);
     let (coarse, fine) = ((force(20) - finest).abs(), (force(80) - finest).abs());
@@ -82,7 +82,7 @@ fn springs_are_those_of_the_cells() {
         let [springs, per_area] = layers.map(|layer| {
             let elasticity = Arc::new(layer);
             let rolls = Problem { elasticity, contact_law: law, ..rolls.clone() };
-            steady::solve(&rolls, &cells(24), &unwatched).unwrap()
+            solver::solve(&rolls, &cells(24), &unwatched).unwrap()
         });
         assert_eq!(springs.status, Status::Converged, "{:?}", springs.warnings);
         assert!(springs.work.operator_products < 40.0, "{:?}", springs.work);
@@ -102,7 +102,7 @@ fn a_layer_may_end_near_the_patch() {
         let elasticity = Arc::new(ElasticLayer::new(stiffness, stiffness, Some(5e-3)).unwrap());
         let rolls = problem(rolling(5e-4, 0.0, 0.0));
         let rolls = Problem { elasticity, contact_law: law, ..rolls };
-        let solution = steady::solve(&rolls, &cells(n), &unwatched).unwrap();
+        let solution = solver::solve(&rolls, &cells(n), &unwatched).unwrap();
         assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
         solution.normalised.x
     };
@@ -118,9 +118,9 @@ fn a_layer_may_end_near_the_patch() {
 fn a_layer_has_a_single_row() {
     let one_row = Options { cells_y: 1, ..cells(24) };
     let rolls = problem(rolling(1e-3, 0.0, 0.0));
-    let solution = steady::solve(&rolls, &one_row, &unwatched).unwrap();
+    let solution = solver::solve(&rolls, &one_row, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged);
-    let whole = steady::solve(&rolls, &cells(24), &unwatched).unwrap();
+    let whole = solver::solve(&rolls, &cells(24), &unwatched).unwrap();
     assert_relative_eq!(solution.normalised.x, whole.normalised.x, max_relative = 0.2);
 }
 
@@ -151,7 +151,7 @@ fn neuhaus_sextro_2014_total_displacement_against_increments() {
         let mut total = incremental.clone();
         total.contact_law = TotalDisplacement::new(5e6).unwrap().into();
         let at_once =
-            |problem: &Problem| steady::solve(problem, &cells(across), &unwatched).unwrap();
+            |problem: &Problem| solver::solve(problem, &cells(across), &unwatched).unwrap();
         let (one, two) = (at_once(&incremental), at_once(&total));
         let differs =
             (one.normalised.x - two.normalised.x).hypot(one.normalised.y - two.normalised.y);

@@ -7,11 +7,9 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{at_once, cells, half_space, problem, rolling, solve};
-use schlupf::elasticity::rigid::Rigid;
-use schlupf::heat::Heat;
-use schlupf::heat::duhamel::Duhamel;
-use schlupf::heat::partition::Partition;
-use schlupf::interface::contact_law::Incremental;
+use schlupf::bodies::{Material, contact_modulus};
+use schlupf::elasticity::Rigid;
+use schlupf::interface::Incremental;
 use schlupf::interface::friction::FrictionLaw;
 use schlupf::interface::friction::across::Across;
 use schlupf::interface::friction::constant::Constant;
@@ -20,7 +18,9 @@ use schlupf::interface::friction::polach::Polach;
 use schlupf::interface::friction::product::Product;
 use schlupf::interface::friction::slip_terms::{SecondTerm, SlipTerms};
 use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
-use schlupf::material::{Material, contact_modulus};
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
 use schlupf::normal::hertz::{Hertz, Radii};
 use schlupf::{Options, Problem};
 

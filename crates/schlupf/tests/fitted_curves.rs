@@ -1,11 +1,11 @@
 //! Curves of a fitted model between the data.
 
 use approx::assert_relative_eq;
-use schlupf::creep_curve::Abscissa;
-use schlupf::identification::{
+use schlupf::analysis::creep_curve::Abscissa;
+use schlupf::analysis::identification::{
     Component, Condition, CreepForceModel, DataPoint, ForceRatio, Parameter, sample_curves,
 };
-use schlupf::kinematics::Kinematics;
+use schlupf::bodies::Kinematics;
 use schlupf::solution::Work;
 use schlupf::{Error, Watch, unwatched};
 

@@ -10,14 +10,14 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use common::{problem, rolling};
+use schlupf::bodies::Material;
 use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::heat::Heat;
-use schlupf::heat::duhamel::Duhamel;
-use schlupf::heat::partition::Partition;
-use schlupf::interface::contact_law::Incremental;
+use schlupf::interface::Incremental;
 use schlupf::interface::friction::constant::Constant;
-use schlupf::material::Material;
-use schlupf::normal::ellipse::Ellipse;
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::normal::Ellipse;
 use schlupf::{Options, Solution, Status, unwatched};
 
 /// The full slide with a stiffness k_c of the contact law (in 1/m), on cells across the patch.
@@ -31,7 +31,7 @@ fn full_slide(stiffness: f64, cells_x: usize, cells_y: usize) -> Solution {
     slide.friction.law = Arc::new(Constant::new(0.3).unwrap());
     slide.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
     let options = Options { cells_x, cells_y, ..Options::default() };
-    let solution = schlupf::rolling::steady::solve(&slide, &options, &unwatched).unwrap();
+    let solution = schlupf::solver::solve(&slide, &options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     solution
 }

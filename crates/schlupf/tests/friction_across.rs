@@ -7,11 +7,11 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
-use schlupf::elasticity::winkler::Winkler;
-use schlupf::interface::contact_law::Incremental;
+use schlupf::elasticity::Winkler;
+use schlupf::interface::Incremental;
 use schlupf::interface::friction::across::Across;
 use schlupf::interface::friction::constant::Constant;
-use schlupf::normal::ellipse::Ellipse;
+use schlupf::normal::Ellipse;
 use schlupf::{Problem, Solution, Status, unwatched};
 
 /// Coulomb friction of μ0 at y ≥ −1 mm that falls linearly to half of it at y = −4 mm: a rail with
@@ -29,7 +29,7 @@ fn factor(y: f64) -> f64 {
 }
 
 fn solve(problem: &Problem, across: usize) -> Solution {
-    let solution = schlupf::rolling::steady::solve(problem, &cells(across), &unwatched).unwrap();
+    let solution = schlupf::solver::solve(problem, &cells(across), &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     assert_eq!(solution.work.steps, 0, "marched");
     solution

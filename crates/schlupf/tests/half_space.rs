@@ -7,11 +7,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use common::{cells, problem, rolling};
+use schlupf::bodies::Material;
 use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::interface::contact_law::Incremental;
+use schlupf::interface::Incremental;
 use schlupf::interface::friction::constant::Constant;
-use schlupf::material::Material;
-use schlupf::normal::ellipse::Ellipse;
+use schlupf::normal::Ellipse;
 use schlupf::{Solution, Status, unwatched};
 
 /// Where a file of validation data is.
@@ -71,7 +71,7 @@ fn solve([a, b]: [f64; 2], [xi, eta, spin]: [f64; 3], across: usize) -> Solution
     coulomb.elasticity = Arc::new(HalfSpace::new(&Material::STEEL, &Material::STEEL).unwrap());
     coulomb.contact_law = Incremental::new(1e8).unwrap().into();
     coulomb.friction.law = Arc::new(Constant::new(0.3).unwrap());
-    let solution = schlupf::rolling::steady::solve(&coulomb, &cells(across), &unwatched).unwrap();
+    let solution = schlupf::solver::solve(&coulomb, &cells(across), &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     assert_eq!(solution.work.steps, 0, "marched: {:?}", solution.warnings);
     solution

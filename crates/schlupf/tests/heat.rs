@@ -6,17 +6,17 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{cells, problem, rolling, solve};
-use schlupf::elasticity::rigid::Rigid;
-use schlupf::heat::constant_source::ConstantSource;
-use schlupf::heat::duhamel::Duhamel;
-use schlupf::heat::partition::Partition;
-use schlupf::heat::{Heat, HeatModel};
+use schlupf::analysis::temperature_field::{Side, TemperatureField};
+use schlupf::bodies::{Body, Material};
+use schlupf::elasticity::Rigid;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::material::{Body, Material};
-use schlupf::normal::ellipse::Ellipse;
-use schlupf::reference::moving_source::SemiEllipticSource;
-use schlupf::temperature_field::{Side, TemperatureField};
+use schlupf::interface::heat::constant_source::ConstantSource;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::heat::{Heat, HeatModel};
+use schlupf::normal::Ellipse;
+use schlupf::solver::reference::moving_source::SemiEllipticSource;
 use schlupf::{Options, Problem, Solution};
 
 fn half_to_each(model: Arc<dyn HeatModel>) -> Heat {

@@ -7,17 +7,17 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{half_space, problem, rolling};
-use schlupf::elasticity::rigid::Rigid;
-use schlupf::heat::Heat;
-use schlupf::heat::duhamel::Duhamel;
-use schlupf::heat::partition::Partition;
-use schlupf::interface::contact_law::Incremental;
+use schlupf::elasticity::Rigid;
+use schlupf::interface::Incremental;
 use schlupf::interface::friction::FrictionLaw;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
-use schlupf::normal::ellipse::Ellipse;
-use schlupf::rolling::steady::SteadySolver;
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::normal::Ellipse;
+use schlupf::solver::SteadySolver;
 use schlupf::{Options, Problem, Solution, Solver, Status, unwatched};
 
 /// Uniform slip of 1 m/s at 30 m/s of rigid bodies, a = 5.88 mm, b = 10.54 mm, N = 100 kN;
@@ -37,7 +37,7 @@ fn uniform_slip(law: Arc<dyn FrictionLaw>, reference: f64) -> Problem {
 
 fn solve(problem: &Problem, cells_x: usize) -> Solution {
     let options = Options { cells_x, cells_y: 61, ..Options::default() };
-    let solution = schlupf::rolling::steady::solve(problem, &options, &unwatched).unwrap();
+    let solution = schlupf::solver::solve(problem, &options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     assert_eq!(solution.work.steps, 0, "marched");
     solution
@@ -142,7 +142,7 @@ fn eurosprinter_falls_beyond_its_maximum() {
     let options = Options { cells_x: 32, cells_y: 32, ..Options::default() };
     let forces = [0.1, 0.15, 0.2].map(|creepage| {
         wheel.kinematics.creepage_x = creepage;
-        -schlupf::rolling::steady::solve(&wheel, &options, &unwatched).unwrap().force.x
+        -schlupf::solver::solve(&wheel, &options, &unwatched).unwrap().force.x
     });
     println!("{forces:?}");
     assert_relative_eq!(forces[0], 32.8e3, epsilon = 300.0);

@@ -4,21 +4,22 @@ mod common;
 
 use approx::assert_relative_eq;
 use common::{half_space, problem, rolling};
-use schlupf::heat::duhamel::Duhamel;
-use schlupf::heat::{Heat, partition::Partition};
-use schlupf::identification::roughness::DEFAULT_GAMMA;
-use schlupf::identification::{
+use schlupf::analysis::identification::roughness::DEFAULT_GAMMA;
+use schlupf::analysis::identification::{
     Component, Condition, CreepForceModel, DataPoint, Estimate, Fit, Parameter, PolachModel,
     RollingContactModel, fit, sample_curves,
 };
-use schlupf::interface::contact_law::Incremental;
+use schlupf::bodies::Kinematics;
+use schlupf::interface::Incremental;
 use schlupf::interface::friction::constants::FrictionConstant;
 use schlupf::interface::friction::polach::Polach;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::friction::{Friction, FrictionLaw};
-use schlupf::kinematics::Kinematics;
-use schlupf::method::AreaReduction;
-use schlupf::normal::ellipse::Ellipse;
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::normal::Ellipse;
+use schlupf::problem::AreaReduction;
 use schlupf::{Error, Options, Problem, Status, unwatched};
 use std::path::Path;
 use std::sync::Arc;

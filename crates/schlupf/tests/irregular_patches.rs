@@ -9,12 +9,10 @@ use std::path::Path;
 use std::sync::Arc;
 
 use common::{Random, cells, half_space, problem, quantiles, rolling};
-use schlupf::interface::contact_law::ContactLaw;
+use schlupf::bodies::{Kinematics, Material, ReferencePoint, contact_modulus};
+use schlupf::interface::ContactLaw;
 use schlupf::interface::friction::constant::Constant;
-use schlupf::kinematics::{Kinematics, ReferencePoint};
-use schlupf::material::{Material, contact_modulus};
-use schlupf::normal::PressureSource;
-use schlupf::normal::tabulated::{PressureTable, Tabulated};
+use schlupf::normal::{PressureSource, PressureTable, Tabulated};
 use schlupf::solution::Strategy;
 use schlupf::wheel_rail::{
     Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side, Support,
@@ -144,7 +142,7 @@ fn coarse_angular_and_noisy_tables_are_solved_directly() {
             let across = random.between(16.0, 70.0) as usize;
             let problem = Problem { normal, ..coulomb(problem(motion)) };
             let options = cells(across);
-            let solution = schlupf::rolling::steady::solve(&problem, &options, &unwatched).unwrap();
+            let solution = schlupf::solver::solve(&problem, &options, &unwatched).unwrap();
             assert!(!is_marched(&solution), "noise {noise}, table {number}, {across} cells");
             products.push(solution.work.operator_products);
         }
@@ -180,7 +178,7 @@ fn a_state_that_is_not_found_is_approached_from_faster_motions() {
     let solve = |normal: Tabulated, creepage: f64, options: &Options| {
         let motion = rolling(creepage, creepage, 0.0);
         let problem = Problem { normal: Arc::new(normal), ..coulomb(problem(motion)) };
-        let solution = schlupf::rolling::steady::solve(&problem, options, &unwatched).unwrap();
+        let solution = schlupf::solver::solve(&problem, options, &unwatched).unwrap();
         assert!(!is_marched(&solution), "{creepage}");
         solution
     };
@@ -209,7 +207,7 @@ fn each_part_needs_its_cells_across() {
     let normal = Arc::new(circles(&[-8e-3, 8e-3], 9.2e-3, 2.5e-5));
     let problem = Problem { normal, ..coulomb(problem(rolling(1e-3, 1e-3, 0.0))) };
     let on = |cells_y| Options { cells_x: 40, cells_y, ..Options::default() };
-    let solve = |cells_y| schlupf::rolling::steady::solve(&problem, &on(cells_y), &unwatched);
+    let solve = |cells_y| schlupf::solver::solve(&problem, &on(cells_y), &unwatched);
     let refused = solve(27).unwrap_err();
     let Error::TooFewAcross { fewest, columns: 40, count: 27 } = refused else {
         panic!("{refused:?}")

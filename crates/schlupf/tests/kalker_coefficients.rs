@@ -5,8 +5,8 @@ use std::fmt::Write;
 use std::path::Path;
 
 use schlupf::Error;
-use schlupf::kalker_coefficients::{creep_coefficients, interpolated_coefficients};
-use schlupf::reference::kalker_linear::CreepCoefficients;
+use schlupf::solver::kalker_coefficients::{creep_coefficients, interpolated_coefficients};
+use schlupf::solver::reference::kalker_linear::CreepCoefficients;
 
 /// Lines of `data/kalker_coefficients.csv`: a/b, ν, then C11, C22, C23 as printed and C11, C22,
 /// C23, C33 converged; NaN where empty.

@@ -7,19 +7,17 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{at_once, cells, half_space, layer, problem, rolling, solve};
-use schlupf::elasticity::Elasticity;
-use schlupf::elasticity::rigid::Rigid;
-use schlupf::elasticity::winkler::Winkler;
-use schlupf::heat::Heat;
-use schlupf::heat::duhamel::Duhamel;
-use schlupf::heat::partition::Partition;
-use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
+use schlupf::bodies::Kinematics;
+use schlupf::elasticity::{Elasticity, Rigid, Winkler};
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::kinematics::Kinematics;
-use schlupf::method::{AreaReduction, Brush, FastMethod, SlopeReduction};
-use schlupf::rolling::marching::shift;
-use schlupf::simplified::FastSolver;
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::{ContactLaw, Incremental, TotalDisplacement};
+use schlupf::problem::{AreaReduction, Brush, FastMethod, SlopeReduction};
 use schlupf::solution::Resultant;
+use schlupf::solver::shift;
+use schlupf::solver::simplified::FastSolver;
 use schlupf::{Options, Problem, Solution, Solver, Status, unwatched};
 
 /// Directions (ξ, η, φ in 1/m).

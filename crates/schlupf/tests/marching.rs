@@ -4,19 +4,18 @@ mod common;
 
 use approx::assert_relative_eq;
 use common::{cells, follow, from_state, problem, rolling, solve, solve_over};
-use schlupf::Quantity;
+use schlupf::elasticity::Winkler;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
-use schlupf::elasticity::winkler::Winkler;
-use schlupf::heat::Heat;
-use schlupf::heat::duhamel::Duhamel;
-use schlupf::heat::partition::Partition;
-use schlupf::history::History;
-use schlupf::interface::contact_law::Incremental;
+use schlupf::interface::Incremental;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::normal::tabulated::{PressureTable, Tabulated};
-use schlupf::reference::winkler_strip;
-use schlupf::rolling::marching::march;
-use schlupf::{Options, Status, Transient, unwatched};
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::normal::{PressureTable, Tabulated};
+use schlupf::problem::History;
+use schlupf::solver::march;
+use schlupf::solver::reference::winkler_strip;
+use schlupf::{Options, Quantity, Status, Transient, unwatched};
 use std::sync::Arc;
 
 /// Kalker 1982 in the limit of an exact integration: Winkler bedding, Coulomb friction, elliptic
@@ -221,7 +220,7 @@ fn very_high_slip_marches_to_the_steady_state() {
     sliding.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
     sliding.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
     for across in [24, 25] {
-        let steady = schlupf::rolling::steady::solve(&sliding, &cells(across), &unwatched).unwrap();
+        let steady = schlupf::solver::solve(&sliding, &cells(across), &unwatched).unwrap();
         let marched = solve(&sliding, &cells(across));
         assert!(marched.temperature.unwrap().max_rise < 700.0);
         assert!((marched.normalised.x - steady.normalised.x).abs() < 1e-5);
@@ -233,8 +232,8 @@ fn very_high_slip_marches_to_the_steady_state() {
 fn a_solution_without_a_state_is_refused() {
     let problem = problem(rolling(0.002, 0.0, 0.0));
     let options = Options { keeps_state: false, ..cells(12) };
-    let without = schlupf::rolling::steady::solve(&problem, &options, &unwatched).unwrap();
-    let with = schlupf::rolling::steady::solve(&problem, &cells(12), &unwatched).unwrap();
+    let without = schlupf::solver::solve(&problem, &options, &unwatched).unwrap();
+    let with = schlupf::solver::solve(&problem, &cells(12), &unwatched).unwrap();
     assert_eq!(without.force, with.force);
     assert!(without.state.elements.is_empty());
     let error = march(&from_state(&problem, without.state), &cells(12), &unwatched).unwrap_err();

@@ -5,13 +5,11 @@ mod common;
 
 use std::sync::Arc;
 
+use schlupf::bodies::Kinematics;
 use schlupf::interface::friction::Friction;
 use schlupf::interface::friction::polach::Polach;
-use schlupf::kinematics::Kinematics;
-use schlupf::method::{AreaReduction, Brush, FastMethod, Method};
-use schlupf::prescribed::ForceSolver;
-use schlupf::prescribed_forces::PrescribedForces;
-use schlupf::problem::Branch;
+use schlupf::problem::{AreaReduction, Branch, Brush, FastMethod, Method, PrescribedForces};
+use schlupf::solver::ForceSolver;
 use schlupf::{Options, Problem, Solution, Solver, Status, Warning, unwatched};
 
 fn options(branch: Branch) -> Options {

@@ -4,23 +4,25 @@ mod common;
 
 use std::sync::Arc;
 
-use schlupf::creep_curve::{Creepages, Path, Sampling, trace};
-use schlupf::error::ForceError;
-use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
-use schlupf::history::History;
-use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
+use schlupf::analysis::creep_curve::{Creepages, Path, Sampling, trace};
+use schlupf::bodies::Kinematics;
+use schlupf::interface::friction::Friction;
+use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::polach::Polach;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::friction::{Friction, constant::Constant};
-use schlupf::kinematics::Kinematics;
-use schlupf::message::Names;
-use schlupf::method::{AreaReduction, Brush, FastMethod, Method, TractionBound};
-use schlupf::normal::ellipse::Ellipse;
-use schlupf::prescribed::ForceSolver;
-use schlupf::prescribed_forces::{LongitudinalForce, PrescribedForces};
-use schlupf::problem::Branch;
-use schlupf::rolling::MarchingSolver;
-use schlupf::rolling::marching::march;
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::{ContactLaw, Incremental, TotalDisplacement};
+use schlupf::normal::Ellipse;
+use schlupf::problem::{
+    AreaReduction, Branch, Brush, FastMethod, History, LongitudinalForce, Method, PrescribedForces,
+    TractionBound,
+};
+use schlupf::reporting::{ForceError, Names};
+use schlupf::solver::ForceSolver;
+use schlupf::solver::MarchingSolver;
+use schlupf::solver::march;
 use schlupf::{
     Error, Options, Problem, Quantity, Solution, Solver, Status, Transient, Warning, unwatched,
 };

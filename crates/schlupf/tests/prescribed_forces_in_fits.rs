@@ -5,18 +5,18 @@ mod common;
 
 use std::sync::Arc;
 
-use schlupf::identification::roughness::DEFAULT_GAMMA;
-use schlupf::identification::{
+use schlupf::analysis::identification::roughness::DEFAULT_GAMMA;
+use schlupf::analysis::identification::{
     Component, Condition, CreepForceModel, DataPoint, Parameter, PolachModel, RollingContactModel,
     fit,
 };
-use schlupf::interface::contact_law::Incremental;
+use schlupf::bodies::Kinematics;
+use schlupf::interface::Incremental;
+use schlupf::interface::friction::Friction;
+use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::constants::FrictionConstant;
-use schlupf::interface::friction::{Friction, constant::Constant};
-use schlupf::kinematics::Kinematics;
-use schlupf::method::{AreaReduction, Method};
-use schlupf::prescribed::ForceSolver;
-use schlupf::prescribed_forces::PrescribedForces;
+use schlupf::problem::{AreaReduction, Method, PrescribedForces};
+use schlupf::solver::ForceSolver;
 use schlupf::{Options, Problem, Solver, Status, unwatched};
 
 const BOTH: [Parameter; 2] =

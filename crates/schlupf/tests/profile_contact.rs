@@ -5,16 +5,14 @@ mod common;
 
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
-use schlupf::Quantity;
-use schlupf::elasticity::winkler::Winkler;
-use schlupf::grid::Grid;
-use schlupf::method::{Brush, FastMethod, TractionBound};
+use schlupf::elasticity::Winkler;
 use schlupf::normal::hertz::Hertz;
+use schlupf::normal::patch::Patch;
 use schlupf::normal::profile::{Profile, UndeformedDistance, relative_radius};
-use schlupf::normal::{NormalSummary, PressureSource};
-use schlupf::patch::Patch;
-use schlupf::simplified::FastContact;
-use schlupf::{Options, Solution, unwatched};
+use schlupf::normal::{Grid, NormalSummary, PressureSource};
+use schlupf::problem::{Brush, FastMethod, TractionBound};
+use schlupf::solver::simplified::FastContact;
+use schlupf::{Options, Quantity, Solution, unwatched};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -90,7 +88,7 @@ fn steady(normal: Arc<dyn PressureSource>, creepages: [f64; 3]) -> Solution {
     let [xi, eta, phi] = creepages;
     let problem =
         schlupf::Problem { normal, elasticity: half_space(), ..problem(rolling(xi, eta, phi)) };
-    schlupf::rolling::steady::solve(&problem, &cells(40), &unwatched).unwrap()
+    schlupf::solver::solve(&problem, &cells(40), &unwatched).unwrap()
 }
 
 /// Goal: creep forces of that contact are those of Hertz's to 0.5 %. Set-up: half-space, 40 cells
@@ -194,7 +192,7 @@ fn assert_forces_add_up(both: Arc<dyn PressureSource>, radii: [[f64; 2]; 2], loa
             ..problem(rolling(0.001, 0.0005, 0.0))
         };
         let options = Options { cells_x: 40, cells_y, ..Options::default() };
-        let force = schlupf::rolling::steady::solve(&problem, &options, &unwatched).unwrap().force;
+        let force = schlupf::solver::solve(&problem, &options, &unwatched).unwrap().force;
         [force.x, force.y]
     };
     let alone = [0, 1].map(|k| force(Arc::new(hertz(radii[k], loads[k])), 40));
@@ -284,7 +282,7 @@ fn there_is_no_derivative_by_the_load() {
         ..problem(rolling(0.001, 0.0, 0.0))
     };
     let options = Options { sensitivity: true, ..cells(16) };
-    let solution = schlupf::rolling::steady::solve(&problem, &options, &unwatched).unwrap();
+    let solution = schlupf::solver::solve(&problem, &options, &unwatched).unwrap();
     let sensitivity = solution.sensitivity.unwrap();
     assert!(sensitivity.load.is_none() && sensitivity.creepage_x.x < 0.0);
 }

@@ -6,19 +6,16 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use common::{Random, cells, half_space, layer, problem, quantiles, rolling};
-use schlupf::elasticity::Elasticity;
-use schlupf::elasticity::calibrated_layer::CalibratedLayer;
-use schlupf::elasticity::winkler::Winkler;
-use schlupf::heat::duhamel::Duhamel;
-use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
+use schlupf::bodies::Material;
+use schlupf::elasticity::{CalibratedLayer, Elasticity, Winkler};
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::polach::Polach;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::friction::{Friction, FrictionLaw};
-use schlupf::interface::third_body::ThirdBodyLayer;
-use schlupf::material::Material;
-use schlupf::normal::ellipse::Ellipse;
-use schlupf::rolling::steady::SteadySolver;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::{ContactLaw, Incremental, ThirdBodyLayer, TotalDisplacement};
+use schlupf::normal::Ellipse;
+use schlupf::solver::SteadySolver;
 use schlupf::{Problem, Solver, unwatched};
 
 impl Random {

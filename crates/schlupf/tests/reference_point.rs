@@ -5,22 +5,23 @@ mod common;
 
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling, solve_over};
-use schlupf::bulk_temperature::{Cooling, bulk_temperature};
-use schlupf::creep_curve::{Creepages, Path, Sampling, Spacing, trace};
-use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
-use schlupf::history::History;
+use schlupf::analysis::bulk_temperature::{Cooling, bulk_temperature};
+use schlupf::analysis::creep_curve::{Creepages, Path, Sampling, Spacing, trace};
+use schlupf::bodies::{Kinematics, ReferencePoint};
 use schlupf::interface::InterfaceConstant;
-use schlupf::kinematics::{Kinematics, ReferencePoint};
-use schlupf::method::{
-    AreaReduction, Brush, FastMethod, Flexibilities, SlopeReduction, TractionBound,
-};
-use schlupf::normal::PressureSource;
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
 use schlupf::normal::profile::{Profile, UndeformedDistance};
-use schlupf::normal::tabulated::{PressureTable, Tabulated};
-use schlupf::rolling::steady::SteadySolver;
-use schlupf::simplified::FastContact;
+use schlupf::normal::{PressureSource, PressureTable, Tabulated};
+use schlupf::problem::{
+    AreaReduction, Brush, FastMethod, Flexibilities, History, SlopeReduction, TractionBound,
+};
 use schlupf::solution::Resultant;
-use schlupf::{Method, Options, Problem, Solution, Status, rolling, unwatched};
+use schlupf::solver;
+use schlupf::solver::SteadySolver;
+use schlupf::solver::simplified::FastContact;
+use schlupf::{Method, Options, Problem, Solution, Status, unwatched};
 use std::sync::Arc;
 
 /// Where the middle of the patch lies in the file, in m.
@@ -87,7 +88,7 @@ fn both(motion: [f64; 3]) -> [Problem; 2] {
 type Step = fn(Kinematics, f64) -> Kinematics;
 
 fn solve(problem: &Problem, options: &Options) -> Solution {
-    let solution = rolling::steady::solve(problem, options, &unwatched).unwrap();
+    let solution = solver::solve(problem, options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     solution
 }

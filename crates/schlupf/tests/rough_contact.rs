@@ -6,7 +6,7 @@ use schlupf::normal::hertz::Hertz;
 use schlupf::normal::rough_contact::{
     Boundary, RoughContact, RoughContactOptions, RoughContactSolution,
 };
-use schlupf::reference::westergaard::Westergaard;
+use schlupf::solver::reference::westergaard::Westergaard;
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
 use schlupf::surface::{HeightMap, Lattice};
 use schlupf::unwatched;

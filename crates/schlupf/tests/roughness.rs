@@ -1,13 +1,13 @@
 //! From a rough surface to k_c, against closed forms and published numbers.
 
 use approx::assert_relative_eq;
+use schlupf::bodies::{Material, contact_modulus};
 use schlupf::interface::roughness::load_curve::{LoadCurve, LoadCurveOptions};
 use schlupf::interface::roughness::micro_model::{MicroModel, MicroModelResult};
 use schlupf::interface::roughness::stiffness::closed_form;
 use schlupf::interface::roughness::tangential_curve::{SimilarBodies, TangentialCurve};
-use schlupf::material::{Material, contact_modulus};
 use schlupf::normal::rough_contact::{Boundary, RoughContact, RoughContactOptions};
-use schlupf::reference::cattaneo_mindlin::CattaneoMindlin;
+use schlupf::solver::reference::cattaneo_mindlin::CattaneoMindlin;
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
 use schlupf::surface::{HeightMap, Lattice};
 use schlupf::unwatched;

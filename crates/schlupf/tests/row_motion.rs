@@ -9,13 +9,12 @@
 
 use std::sync::Arc;
 
-use schlupf::elasticity::rigid::Rigid;
-use schlupf::error::Error;
-use schlupf::heat::Heat;
+use schlupf::bodies::{Body, Kinematics, ReferencePoint, contact_modulus};
+use schlupf::elasticity::Rigid;
 use schlupf::interface::friction::constant::Constant;
-use schlupf::kinematics::{Kinematics, ReferencePoint};
-use schlupf::material::{Body, contact_modulus};
+use schlupf::interface::heat::Heat;
 use schlupf::normal::PressureSource;
+use schlupf::reporting::Error;
 use schlupf::wheel_rail::{
     Contact, Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side,
     Support, Tangential, Track, WheelOnRail, WheelShape, WheelSolution,

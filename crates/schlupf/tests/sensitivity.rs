@@ -5,17 +5,11 @@ mod common;
 use std::sync::Arc;
 
 use common::{half_space, problem, rolling};
-use schlupf::calibration::kalker_bed;
-use schlupf::elasticity::calibrated_layer::CalibratedLayer;
+use schlupf::analysis::calibration::kalker_bed;
+use schlupf::bodies::{Material, contact_modulus};
 use schlupf::elasticity::elastic_layer::{ElasticLayer, Springs};
 use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::elasticity::winkler::Winkler;
-use schlupf::heat::Heat;
-use schlupf::heat::constant_source::ConstantSource;
-use schlupf::heat::duhamel::Duhamel;
-use schlupf::heat::partition::Partition;
-use schlupf::interface::InterfaceConstant;
-use schlupf::interface::contact_law::{Incremental, TotalDisplacement};
+use schlupf::elasticity::{CalibratedLayer, Winkler};
 use schlupf::interface::friction::across::Across;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::constants::Changes;
@@ -26,11 +20,15 @@ use schlupf::interface::friction::product::Product;
 use schlupf::interface::friction::slip_terms::{SecondTerm, SlipTerms};
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::friction::{Friction, FrictionLaw};
-use schlupf::material::{Material, contact_modulus};
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::constant_source::ConstantSource;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::{Incremental, InterfaceConstant, TotalDisplacement};
 use schlupf::normal::PressureSource;
 use schlupf::normal::hertz::{Hertz, Radii};
-use schlupf::rolling::steady::SteadySolver;
 use schlupf::solution::{Resultant, Sensitivity};
+use schlupf::solver::SteadySolver;
 use schlupf::{Options, Problem, Solution, Status, unwatched};
 
 const LOAD: f64 = 80e3;
@@ -57,7 +55,7 @@ fn on_cells(problem: &Problem, cells: usize, tolerance: f64) -> Solution {
         sensitivity: true,
         ..Options::default()
     };
-    let solution = schlupf::rolling::steady::solve(problem, &options, &unwatched).unwrap();
+    let solution = schlupf::solver::solve(problem, &options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     assert_eq!(solution.work.steps, 0);
     solution
@@ -121,7 +119,7 @@ fn assert_alike(name: &str, exact: &Resultant, approximate: [f64; 3], scale: f64
     }
 }
 
-fn moved(problem: &Problem, set: impl Fn(&mut schlupf::kinematics::Kinematics)) -> Problem {
+fn moved(problem: &Problem, set: impl Fn(&mut schlupf::bodies::Kinematics)) -> Problem {
     let mut problem = problem.clone();
     set(&mut problem.kinematics);
     problem

@@ -7,25 +7,25 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
-use schlupf::bulk_temperature::{Cooling, bulk_temperature};
-use schlupf::elasticity::winkler::Winkler;
-use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
-use schlupf::interface::contact_law::Incremental;
+use schlupf::analysis::bulk_temperature::{Cooling, bulk_temperature};
+use schlupf::analysis::temperature_field::TemperatureField;
+use schlupf::bodies::{Kinematics, Material};
+use schlupf::elasticity::Winkler;
+use schlupf::interface::Incremental;
 use schlupf::interface::friction::FrictionLaw;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::polach::Polach;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
-use schlupf::kinematics::Kinematics;
-use schlupf::material::Material;
-use schlupf::method::{
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::normal::{Ellipse, PressureTable, Tabulated};
+use schlupf::problem::{
     AreaReduction, Brush, FastMethod, Flexibilities, SlopeReduction, TractionBound,
 };
-use schlupf::normal::ellipse::Ellipse;
-use schlupf::normal::tabulated::{PressureTable, Tabulated};
-use schlupf::simplified::{FastContact, FastSolver};
 use schlupf::solution::Resultant;
-use schlupf::temperature_field::TemperatureField;
+use schlupf::solver::simplified::{FastContact, FastSolver};
 use schlupf::{Method, Options, Problem, Solution, Solver, unwatched};
 
 const PLAIN: AreaReduction = AreaReduction { area_adhesion: 1.0, area_slip: 1.0 };
@@ -61,7 +61,7 @@ fn fast(problem: &Problem, method: FastMethod, across: usize) -> Solution {
 }
 
 fn solve(problem: &Problem, options: &Options) -> Solution {
-    schlupf::rolling::steady::solve(problem, options, &unwatched).unwrap()
+    schlupf::solver::solve(problem, options, &unwatched).unwrap()
 }
 
 fn normalised(problem: &Problem, method: FastMethod, across: usize) -> Resultant {

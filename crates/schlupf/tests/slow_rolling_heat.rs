@@ -8,17 +8,16 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{cells, problem, rolling};
-use schlupf::elasticity::rigid::Rigid;
-use schlupf::heat::Heat;
-use schlupf::heat::duhamel::Duhamel;
-use schlupf::heat::partition::Partition;
+use schlupf::bodies::{Body, Kinematics, Material, contact_modulus};
+use schlupf::elasticity::Rigid;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::kinematics::Kinematics;
-use schlupf::material::{Body, Material, contact_modulus};
-use schlupf::normal::ellipse::Ellipse;
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::normal::Ellipse;
 use schlupf::normal::hertz::{Hertz, Radii};
-use schlupf::rolling::steady::SteadySolver;
+use schlupf::solver::SteadySolver;
 use schlupf::{Options, Problem, Solution, Solver, Status, unwatched};
 
 /// Semi-axis along rolling, in m.
@@ -57,7 +56,7 @@ fn slide(b: f64, speed: f64, slip: f64, partition: Partition) -> Problem {
 }
 
 fn solve(problem: &Problem, options: &Options) -> Solution {
-    let solution = schlupf::rolling::steady::solve(problem, options, &unwatched).unwrap();
+    let solution = schlupf::solver::solve(problem, options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     solution
 }

@@ -4,18 +4,16 @@ mod common;
 
 use approx::assert_relative_eq;
 use common::{at_once, cells, from_state, half_space, problem, rolling, solve};
-use schlupf::elasticity::Elasticity;
-use schlupf::elasticity::rigid::Rigid;
-use schlupf::elasticity::winkler::Winkler;
-use schlupf::heat::Heat;
-use schlupf::heat::duhamel::Duhamel;
-use schlupf::heat::partition::Partition;
-use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
+use schlupf::elasticity::{Elasticity, Rigid, Winkler};
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::normal::tabulated::{PressureTable, Tabulated};
-use schlupf::rolling::marching::march;
-use schlupf::rolling::steady::SteadySolver;
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::{ContactLaw, Incremental, TotalDisplacement};
+use schlupf::normal::{PressureTable, Tabulated};
 use schlupf::solution::Resultant;
+use schlupf::solver::SteadySolver;
+use schlupf::solver::march;
 use schlupf::{Options, Problem, Solver, Status, unwatched};
 use std::sync::Arc;
 

@@ -4,20 +4,20 @@
 mod common;
 
 use common::{at_once, cells, half_space, layer, problem, rolling};
+use schlupf::bodies::Kinematics;
 use schlupf::elasticity::Elasticity;
-use schlupf::heat::Heat;
-use schlupf::heat::duhamel::Duhamel;
-use schlupf::heat::partition::Partition;
-use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::exponential::Exponential;
 use schlupf::interface::friction::memory::FrictionMemory;
 use schlupf::interface::friction::slip_terms::SlipTerms;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::kinematics::Kinematics;
-use schlupf::normal::ellipse::Ellipse;
-use schlupf::rolling::steady::SteadySolver;
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::{ContactLaw, Incremental, TotalDisplacement};
+use schlupf::normal::Ellipse;
 use schlupf::solution::Work;
+use schlupf::solver::SteadySolver;
 use schlupf::{Options, Problem, Solver, unwatched};
 use std::sync::Arc;
 
@@ -125,7 +125,7 @@ fn stiff_bristles() {
 fn a_failure_is_not_several_states() {
     let hot = heated(problem(rolling(0.004, 0.002, 0.3)), 0.4);
     let options = Options { max_iterations: 1, max_steps: 30, ..cells(8) };
-    let solution = schlupf::rolling::steady::solve(&hot, &options, &unwatched).unwrap();
+    let solution = schlupf::solver::solve(&hot, &options, &unwatched).unwrap();
     let says = |what: &str| solution.warnings.iter().any(|text| text.to_string().contains(what));
     assert!(says("was not found directly"), "{:?}", solution.warnings);
     assert!(!says("several"), "{:?}", solution.warnings);

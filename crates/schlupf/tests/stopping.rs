@@ -4,20 +4,22 @@ mod common;
 
 use approx::assert_relative_eq;
 use common::{cells, problem, rolling};
-use schlupf::bulk_temperature::{Cooling, bulk_temperature};
-use schlupf::calibration::{CalibrationOptions, calibrate};
-use schlupf::creep_curve::{Creepages, Path, Sampling, Spacing, trace};
-use schlupf::heat::duhamel::Duhamel;
-use schlupf::heat::{Heat, partition::Partition};
-use schlupf::identification::roughness::DEFAULT_GAMMA;
-use schlupf::identification::{Component, Condition, DataPoint, Parameter, fit};
-use schlupf::identification::{PolachModel, RollingContactModel};
+use schlupf::analysis::bulk_temperature::{Cooling, bulk_temperature};
+use schlupf::analysis::calibration::{CalibrationOptions, calibrate};
+use schlupf::analysis::creep_curve::{Creepages, Path, Sampling, Spacing, trace};
+use schlupf::analysis::identification::roughness::DEFAULT_GAMMA;
+use schlupf::analysis::identification::{
+    Component, Condition, DataPoint, Parameter, PolachModel, RollingContactModel, fit,
+};
 use schlupf::interface::friction::constants::FrictionConstant;
-use schlupf::method::{AreaReduction, FastMethod};
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
 use schlupf::normal::rough_contact::{Boundary, RoughContact, RoughContactOptions};
-use schlupf::progress::Watch;
-use schlupf::rolling::marching::{march, shift};
-use schlupf::rolling::steady::{self, SteadySolver};
+use schlupf::problem::{AreaReduction, FastMethod};
+use schlupf::reporting::Watch;
+use schlupf::solver::{self, SteadySolver};
+use schlupf::solver::{march, shift};
 use schlupf::surface::{HeightMap, Lattice};
 use schlupf::{Error, Method, Options, Problem, Solver, Transient, unwatched};
 use std::ops::ControlFlow;
@@ -65,7 +67,7 @@ fn data() -> Vec<DataPoint> {
 #[test]
 fn rolling_stops() {
     let (hot, options) = (hot(), cells(10));
-    stops("steady", |watch| steady::solve(&hot, &options, watch));
+    stops("steady", |watch| solver::solve(&hot, &options, watch));
     stops("marching", |watch| march(&Transient::to_steady_state(&hot), &options, watch));
     stops("shift", |watch| shift(&hot, [1e-6, 0.0], &options, watch));
     let fast = Method::Fast(FastMethod::ShenHedrickElkins);
@@ -77,16 +79,16 @@ fn rolling_stops() {
 fn large_grids_and_their_derivatives_stop() {
     let hot = hot();
     let plain = cells(84);
-    let (questions, result) = watched(usize::MAX, |watch| steady::solve(&hot, &plain, watch));
+    let (questions, result) = watched(usize::MAX, |watch| solver::solve(&hot, &plain, watch));
     let products = result.unwrap().work.operator_products;
     assert!(questions as f64 > 0.5 * products, "{questions} questions, {products} products");
     let options = Options { sensitivity: true, ..plain };
     let (with_derivatives, result) =
-        watched(usize::MAX, |watch| steady::solve(&hot, &options, watch));
+        watched(usize::MAX, |watch| solver::solve(&hot, &options, watch));
     let work = result.unwrap().work;
     let asked = with_derivatives - questions;
     assert!(2 * asked > work.sensitivity_products, "{asked} questions, {work:?}");
-    stops("derivatives", |watch| steady::solve(&hot, &options, watch));
+    stops("derivatives", |watch| solver::solve(&hot, &options, watch));
 }
 
 #[test]
@@ -133,7 +135,7 @@ fn a_rough_contact_stops() {
 #[test]
 fn a_stopped_solver_goes_on() {
     let (hot, options) = (hot(), cells(16));
-    let expected = steady::solve(&hot, &options, &unwatched).unwrap();
+    let expected = solver::solve(&hot, &options, &unwatched).unwrap();
     let mut solver = SteadySolver::new(&options);
     let mut stops = 0;
     while watched(stops + 1, |watch| solver.solve(&hot, watch)).1.is_err() {

@@ -8,20 +8,18 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
-use schlupf::elasticity::winkler::Winkler;
-use schlupf::interface::contact_law::{ContactLaw, Incremental};
+use schlupf::elasticity::Winkler;
 use schlupf::interface::friction::exponential::Exponential;
 use schlupf::interface::friction::linear::Linear;
 use schlupf::interface::friction::memory::FrictionMemory;
 use schlupf::interface::friction::polach::Polach;
 use schlupf::interface::friction::slip_terms::SlipTerms;
-use schlupf::interface::third_body::ThirdBodyLayer;
-use schlupf::method::FastMethod;
-use schlupf::normal::ellipse::Ellipse;
-use schlupf::prescribed::ForceSolver;
-use schlupf::prescribed_forces::{LongitudinalForce, PrescribedForces};
-use schlupf::rolling::steady::SteadySolver;
+use schlupf::interface::{ContactLaw, Incremental, ThirdBodyLayer};
+use schlupf::normal::Ellipse;
+use schlupf::problem::{FastMethod, LongitudinalForce, PrescribedForces};
 use schlupf::solution::{Strategy, Work};
+use schlupf::solver::ForceSolver;
+use schlupf::solver::SteadySolver;
 use schlupf::{Method, Options, Problem, Solution, Solver, Status, Warning, unwatched};
 
 fn coulomb() -> Problem {

@@ -7,14 +7,13 @@ use std::path::Path;
 use std::sync::Arc;
 
 use common::{cells, half_space, problem, rolling};
-use schlupf::grid::{Extent, Grid};
-use schlupf::interface::contact_law::ContactLaw;
+use schlupf::analysis::subsurface::{Measure, Plane, Stress, SubsurfaceStress, SurfaceLoad};
+use schlupf::analysis::temperature_field::Side;
+use schlupf::interface::ContactLaw;
 use schlupf::interface::friction::constant::Constant;
-use schlupf::method::{Brush, FastMethod, Method};
-use schlupf::normal::ellipse::Ellipse;
-use schlupf::reference::sliding_line_contact::SlidingLineContact;
-use schlupf::subsurface::{Measure, Plane, Stress, SubsurfaceStress, SurfaceLoad};
-use schlupf::temperature_field::Side;
+use schlupf::normal::{Ellipse, Extent, Grid};
+use schlupf::problem::{Brush, FastMethod, Method};
+use schlupf::solver::reference::sliding_line_contact::SlidingLineContact;
 use schlupf::{Error, Problem, Solution, Status, unwatched};
 
 /// The contact of an ellipse (semi-axes in m) under p0 = 1 GPa, both bodies with the given
@@ -34,7 +33,7 @@ fn ellipse([a, b]: [f64; 2], poisson_ratio: f64, creepage_x: f64) -> Problem {
 const P0: f64 = 1e9;
 
 fn solve(problem: &Problem, across: usize) -> Solution {
-    let solution = schlupf::rolling::steady::solve(problem, &cells(across), &unwatched).unwrap();
+    let solution = schlupf::solver::solve(problem, &cells(across), &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged);
     solution
 }

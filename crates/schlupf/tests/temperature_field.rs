@@ -4,12 +4,12 @@ mod common;
 
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
-use schlupf::heat::Heat;
-use schlupf::heat::duhamel::Duhamel;
-use schlupf::heat::partition::Partition;
+use schlupf::analysis::temperature_field::{Side, TemperatureField};
+use schlupf::bodies::{Body, Material};
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::material::{Body, Material};
-use schlupf::temperature_field::{Side, TemperatureField};
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
 use schlupf::{Problem, Solution, Status, unwatched};
 use std::f64::consts::FRAC_2_PI;
 use std::sync::Arc;
@@ -24,7 +24,7 @@ fn hot(partition: Partition) -> Problem {
 }
 
 fn solve(problem: &Problem) -> (Solution, TemperatureField) {
-    let solution = schlupf::rolling::steady::solve(problem, &cells(40), &unwatched).unwrap();
+    let solution = schlupf::solver::solve(problem, &cells(40), &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged);
     let field = TemperatureField::new(problem, &solution).unwrap();
     (solution, field)

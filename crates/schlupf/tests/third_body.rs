@@ -8,15 +8,12 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{cells, half_space, layer, problem, rolling, solve};
-use schlupf::elasticity::Elasticity;
-use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::elasticity::rigid::Rigid;
-use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
-use schlupf::identification::{
+use schlupf::analysis::identification::{
     Component, Condition, DataPoint, Parameter, RollingContactModel, fit,
 };
-use schlupf::interface::InterfaceConstant;
-use schlupf::interface::contact_law::{ContactLaw, Incremental};
+use schlupf::bodies::{Kinematics, Material};
+use schlupf::elasticity::half_space::HalfSpace;
+use schlupf::elasticity::{Elasticity, Rigid};
 use schlupf::interface::friction::FrictionLaw;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::constants::FrictionConstant;
@@ -24,12 +21,13 @@ use schlupf::interface::friction::exponential::Exponential;
 use schlupf::interface::friction::memory::FrictionMemory;
 use schlupf::interface::friction::slip_terms::SlipTerms;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::third_body::{ThirdBodyLayer, YieldLimit};
-use schlupf::kinematics::Kinematics;
-use schlupf::material::Material;
-use schlupf::method::{Brush, FastMethod, Method, SlopeReduction};
-use schlupf::normal::ellipse::Ellipse;
-use schlupf::rolling::steady::SteadySolver;
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::{ContactLaw, Incremental, InterfaceConstant, ThirdBodyLayer, YieldLimit};
+use schlupf::normal::Ellipse;
+use schlupf::problem::{Brush, FastMethod, Method, SlopeReduction};
+use schlupf::solver::SteadySolver;
 use schlupf::{Options, Problem, Solution, Status, unwatched};
 
 const LOAD: f64 = 106.7e3;

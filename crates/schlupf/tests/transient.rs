@@ -10,14 +10,14 @@ use common::transients::{
     self, LIMIT, LOAD, constant, contact, force_at, largest_difference, swinging,
 };
 use common::{cells, half_space, layer, problem, rolling, solve_over};
-use schlupf::elasticity::calibrated_layer::CalibratedLayer;
-use schlupf::elasticity::winkler::Winkler;
-use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
-use schlupf::history::History;
-use schlupf::interface::contact_law::Incremental;
+use schlupf::bodies::{Kinematics, Material};
+use schlupf::elasticity::{CalibratedLayer, Winkler};
+use schlupf::interface::Incremental;
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::kinematics::Kinematics;
-use schlupf::material::Material;
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::problem::History;
 use schlupf::{Problem, Solution, Warning, unwatched};
 
 /// With bristles that are nearly rigid.
@@ -252,7 +252,7 @@ fn a_history_starts_with_a_shift() {
             Problem { contact_law: Incremental::new(stiffness).unwrap().into(), ..reference() };
         let history = History { shift: Some([0.015e-3, 0.0]), ..constant(60e-3) };
         let end = solve_over(&problem, history, &cells(40)).normalised.x;
-        let steady = schlupf::rolling::steady::solve(&problem, &cells(40), &unwatched).unwrap();
+        let steady = schlupf::solver::solve(&problem, &cells(40), &unwatched).unwrap();
         assert_relative_eq!(end, steady.normalised.x, epsilon = 1e-4);
     }
     // Nothing of the speed and creepages counts in the shift.

@@ -12,17 +12,15 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{cells, follow, problem, rolling};
-use schlupf::elasticity::rigid::Rigid;
-use schlupf::heat::Heat;
-use schlupf::heat::duhamel::Duhamel;
-use schlupf::heat::partition::Partition;
-use schlupf::history::History;
-use schlupf::interface::contact_law::Incremental;
+use schlupf::bodies::Material;
+use schlupf::elasticity::Rigid;
+use schlupf::interface::Incremental;
 use schlupf::interface::friction::constant::Constant;
-use schlupf::material::Material;
-use schlupf::normal::PressureSource;
-use schlupf::normal::ellipse::Ellipse;
-use schlupf::normal::tabulated::{PressureTable, Tabulated};
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::normal::{Ellipse, PressureSource, PressureTable, Tabulated};
+use schlupf::problem::History;
 use schlupf::{Solution, Transient};
 
 const SPEED: f64 = 30.0;

@@ -4,13 +4,12 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use schlupf::bodies::{Body, Kinematics, Material, ReferencePoint, contact_modulus};
 use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::error::WheelRailError;
-use schlupf::interface::contact_law::{ContactLaw, Incremental};
 use schlupf::interface::friction::constant::Constant;
-use schlupf::kinematics::{Kinematics, ReferencePoint};
-use schlupf::material::{Body, Material, contact_modulus};
+use schlupf::interface::{ContactLaw, Incremental};
 use schlupf::normal::PressureSource;
+use schlupf::reporting::WheelRailError;
 use schlupf::wheel_rail::{
     Contact, Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RestingWheelset,
     Roll, RollingRadiusDifference, RowsMove, Side, Support, Tangential, Track, WheelOnRail,
@@ -87,7 +86,7 @@ fn solve_with<R>(
             .kinematics(kinematics)
             .reference(ReferencePoint::File)
             .friction(Constant::new(friction)?)
-            .heat(schlupf::heat::Heat::none())
+            .heat(schlupf::interface::heat::Heat::none())
             .elasticity(elasticity);
         let problem = builder.build()?;
         Ok(Problem { normal, contact_law: *law, ..problem })

@@ -7,20 +7,19 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{cells, follow, half_space, problem, rolling, solve};
-use schlupf::elasticity::Elasticity;
-use schlupf::elasticity::rigid::Rigid;
-use schlupf::heat::{Heat, duhamel::Duhamel, partition::Partition};
-use schlupf::history::History;
-use schlupf::identification::{
+use schlupf::analysis::identification::{
     Component, Condition, DataPoint, Parameter, RollingContactModel, fit,
 };
-use schlupf::interface::contact_law::{ContactLaw, Incremental};
+use schlupf::bodies::Kinematics;
+use schlupf::elasticity::{Elasticity, Rigid};
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::third_body::{ThirdBodyLayer, YieldLimit};
-use schlupf::kinematics::Kinematics;
-use schlupf::method::{Brush, FastMethod, Flexibilities, Method, TractionBound};
-use schlupf::rolling::marching::march;
-use schlupf::warning::Warning;
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::{ContactLaw, Incremental, ThirdBodyLayer, YieldLimit};
+use schlupf::problem::{Brush, FastMethod, Flexibilities, History, Method, TractionBound};
+use schlupf::reporting::Warning;
+use schlupf::solver::march;
 use schlupf::{Options, Problem, Solution, Status, Transient, unwatched};
 
 /// G/h, in Pa/m: so soft that the half-space is rigid against it.

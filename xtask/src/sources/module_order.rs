@@ -9,19 +9,25 @@ use super::{Finding, Rule};
 
 pub const RULE: Rule = Rule {
     name: "module order",
-    demand: "a module of the core, and of its rolling, uses only what is named above it",
+    demand: "a module of the core uses only what is named above it",
     check,
 };
 
 const CORE: &str = "crates/schlupf/src/";
 
 /// The folders of the core with ordered modules, each with the file that lists them.
-const ORDERED: [(&str, &str); 5] = [
+const ORDERED: [(&str, &str); 11] = [
     ("", "lib.rs"),
-    ("rolling/", "mod.rs"),
-    ("rolling/shared/", "mod.rs"),
-    ("rolling/marching/", "mod.rs"),
-    ("rolling/steady/", "mod.rs"),
+    ("reporting/", "mod.rs"),
+    ("bodies/", "mod.rs"),
+    ("problem/", "mod.rs"),
+    ("solution/", "mod.rs"),
+    ("solver/", "mod.rs"),
+    ("solver/rolling/", "mod.rs"),
+    ("solver/rolling/shared/", "mod.rs"),
+    ("solver/rolling/marching/", "mod.rs"),
+    ("solver/rolling/steady/", "mod.rs"),
+    ("analysis/", "mod.rs"),
 ];
 
 fn check(sources: &[Source]) -> Vec<Finding> {
@@ -54,6 +60,8 @@ fn check_file(source: &Source, root: &Root) -> Vec<Finding> {
                 Some(_) => Some(
                     source.finding(line, format!("`{top}` uses `{module}`, which stands below it")),
                 ),
+                // An item of the file that lists the modules, or the macro.
+                None if !root.path.is_empty() || name == "columns" => None,
                 None => {
                     Some(source.finding(line, format!("`crate::{name}` does not name its module")))
                 }
@@ -108,7 +116,7 @@ mod tests {
 
     const ROOT: (&str, &str) = (
         "crates/schlupf/src/lib.rs",
-        "pub mod material;\npub mod grid;\npub mod heat;\npub use heat::{Heat, Rise as Flash};",
+        "pub mod material;\npub mod grid;\npub mod heat;\npub mod solver;\npub use heat::{Heat, Rise as Flash};",
     );
 
     fn in_grid(text: &str) -> Vec<(usize, String)> {
@@ -147,14 +155,15 @@ mod tests {
     /// Inside an ordered folder, too: by any of the paths.
     #[test]
     fn a_folder_has_its_own_order() {
-        let root = ("crates/schlupf/src/rolling/mod.rs", "mod shared;\nmod steady;");
-        let of =
-            |text| found(&RULE, &[ROOT, root, ("crates/schlupf/src/rolling/shared/a.rs", text)]);
+        let root = ("crates/schlupf/src/solver/rolling/mod.rs", "mod shared;\nmod steady;");
+        let of = |text| {
+            found(&RULE, &[ROOT, root, ("crates/schlupf/src/solver/rolling/shared/a.rs", text)])
+        };
         assert_eq!(
-            of("use super::b::B;\nuse crate::heat::Heat;\nuse crate::rolling::shared::b;"),
+            of("use super::b::B;\nuse crate::heat::Heat;\nuse crate::solver::rolling::shared::b;"),
             []
         );
-        for text in ["use super::super::steady::A;", "use crate::rolling::steady::A;"] {
+        for text in ["use super::super::steady::A;", "use crate::solver::rolling::steady::A;"] {
             let message = "`shared` uses `steady`, which stands below it".to_owned();
             assert_eq!(of(text), [(1, message)], "{text}");
         }

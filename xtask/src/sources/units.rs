@@ -212,7 +212,7 @@ mod tests {
     use super::super::tests::{assert_holds, lines};
     use super::*;
 
-    const FILE: &str = "crates/schlupf/src/heat.rs";
+    const FILE: &str = "crates/schlupf/src/interface/heat.rs";
 
     #[test]
     fn every_public_number_of_the_core_names_its_unit() {

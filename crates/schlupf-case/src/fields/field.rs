@@ -8,7 +8,7 @@ use crate::document::{Content, Value};
 use crate::setting::{Refusal, Setting};
 use crate::units::{Measure, QuantityError, comma, comma_readings, parse_quantity, parse_unit};
 use schlupf::Quantity;
-use schlupf::message::Names;
+use schlupf::reporting::Names;
 
 /// A part of the case file under one heading.
 #[derive(Debug)]

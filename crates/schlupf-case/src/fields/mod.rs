@@ -16,7 +16,7 @@ mod table;
 
 use crate::error::CaseError;
 use crate::place::Place;
-use schlupf::message::shortened;
+use schlupf::reporting::shortened;
 
 pub use alternatives::{
     ALTERNATIVES, Alternatives, HISTORY, MICRO_MODEL, OF_FILE, ROUGHNESS, STIFFNESSES, companions,
@@ -25,7 +25,7 @@ pub use alternatives::{
 pub use choice::{Choice, Choose};
 pub use field::{Allowed, Default, Field, Kind, Section, UsedWith};
 pub use path::FieldPath;
-pub use schlupf::requirement::{Requirement, readable};
+pub use schlupf::reporting::{Requirement, readable};
 pub use suggestion::{NOT_PER_CENT, closest, creepage_in_per_cent, is_per_cent};
 use table::PATHS;
 pub use table::SECTIONS;

@@ -49,7 +49,7 @@ use super::field::{Field, Kind, Section};
 use super::path::FieldPath;
 use crate::units::Measure;
 use schlupf::Quantity;
-use schlupf::requirement::Requirement::{self, Between, Finite, Inside, Magnitude, Radius};
+use schlupf::reporting::Requirement::{self, Between, Finite, Inside, Magnitude, Radius};
 use solver::{CELLS, METHOD};
 use std::f64::consts::FRAC_PI_2;
 

@@ -1,6 +1,6 @@
 //! Notices: what users of an import should know about it.
 
-use schlupf::message::{Message, Names, messages};
+use schlupf::reporting::{Message, Names, messages};
 
 use crate::FieldPath;
 

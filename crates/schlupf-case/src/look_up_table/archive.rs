@@ -2,8 +2,8 @@
 
 use std::io::{Cursor, Read, Write};
 
-use schlupf::look_up_table::{LookUpTable, TableNodes};
-use schlupf::table_building::{BuiltTable, TableOptions};
+use schlupf::analysis::table_building::{BuiltTable, TableOptions};
+use schlupf::problem::look_up_table::{LookUpTable, TableNodes};
 use sha2::{Digest, Sha256};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};

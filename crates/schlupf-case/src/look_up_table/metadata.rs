@@ -1,6 +1,8 @@
 //! What a file says about its table.
 
-use schlupf::table_building::{BuiltTable, LONGER_SIDE_EXPONENT, TableError, TableOptions};
+use schlupf::analysis::table_building::{
+    BuiltTable, LONGER_SIDE_EXPONENT, TableError, TableOptions,
+};
 use serde::{Deserialize, Serialize};
 
 /// What `metadata.json` calls the format.
@@ -52,7 +54,7 @@ pub struct Metadata {
 }
 
 /// Errors of forces over μN and moments over μN √(ab), the larger of both, dimensionless: see
-/// [`TableError`](schlupf::table_building::TableError).
+/// [`TableError`](schlupf::analysis::table_building::TableError).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct StatedError {
     /// Number of random states.

@@ -1,8 +1,9 @@
 //! Look-up tables of creep forces as files, and the standard table of schlupf.
 //!
 //! A file is a `.npz` archive, which NumPy reads: the nodes and the values of
-//! [`TableNodes`](schlupf::look_up_table::TableNodes) under their names, and `metadata.json`, with
-//! the version of the format, what the table holds for, its error, and a checksum of the numbers.
+//! [`TableNodes`](schlupf::problem::look_up_table::TableNodes) under their names, and
+//! `metadata.json`, with the version of the format, what the table holds for, its error, and a
+//! checksum of the numbers.
 
 mod archive;
 mod metadata;

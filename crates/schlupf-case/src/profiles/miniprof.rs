@@ -9,7 +9,7 @@
 
 use super::points::{Axes, Content, File, Row, Separator, begins_with_number, is_row};
 use crate::error::CaseError;
-use schlupf::message::quoted;
+use schlupf::reporting::quoted;
 
 const MILLIMETRE: f64 = 1e-3;
 

@@ -1,6 +1,6 @@
 //! CSV with units, and two columns without.
 
-use schlupf::message::shortened;
+use schlupf::reporting::shortened;
 
 use super::points::{Content, File, Row, Separator, begins_with_number, number};
 use crate::error::CaseError;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::FieldPath;
 use crate::error::CaseError;
 use crate::place::{Place, Source};
-use schlupf::message::quoted;
+use schlupf::reporting::quoted;
 
 /// A text file.
 pub struct File {

@@ -1,6 +1,6 @@
 //! `[wheel]` and `[rail]`.
 
-use schlupf::material::{Body, Material};
+use schlupf::bodies::{Body, Material};
 use schlupf::normal::hertz::Radii;
 
 use crate::FieldPath;

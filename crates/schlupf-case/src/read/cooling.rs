@@ -1,6 +1,6 @@
 //! `[cooling]`.
 
-use schlupf::bulk_temperature::Cooling;
+use schlupf::analysis::bulk_temperature::Cooling;
 
 use crate::FieldPath;
 use crate::error::CaseError;

@@ -1,11 +1,12 @@
 //! `[damage]`.
 
-use schlupf::damage::{ArchardWear, CrackFunction, EnergyWear, Laws, SurfaceFatigue, WearMap};
+use schlupf::analysis::damage::{
+    ArchardWear, CrackFunction, EnergyWear, Laws, SurfaceFatigue, WearMap,
+};
 
-use crate::FieldPath;
 use crate::error::CaseError;
 use crate::settings::Settings;
-use crate::tables;
+use crate::{FieldPath, tables};
 
 const MAP: FieldPath = field!("damage.wear_map");
 const COEFFICIENTS: [FieldPath; 3] = fields![

@@ -3,16 +3,13 @@
 use std::sync::Arc;
 
 use schlupf::Error;
-use schlupf::calibration::kalker_bed;
-use schlupf::elasticity::Elasticity;
-use schlupf::elasticity::calibrated_layer::CalibratedLayer;
+use schlupf::analysis::calibration::kalker_bed;
+use schlupf::bodies::Material;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness, Springs};
 use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::elasticity::rigid::Rigid;
-use schlupf::elasticity::winkler::Winkler;
-use schlupf::history::History;
-use schlupf::material::Material;
+use schlupf::elasticity::{CalibratedLayer, Elasticity, Rigid, Winkler};
 use schlupf::normal::PressureSource;
+use schlupf::problem::History;
 
 use crate::FieldPath;
 use crate::error::CaseError;

@@ -15,11 +15,10 @@ use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
 use schlupf::interface::friction::{Friction, FrictionLaw};
 
-use crate::FieldPath;
 use crate::error::CaseError;
 use crate::fields::choice::{FrictionModel, SpeedModel};
 use crate::settings::Settings;
-use crate::tables;
+use crate::{FieldPath, tables};
 
 type Law = Arc<dyn FrictionLaw>;
 

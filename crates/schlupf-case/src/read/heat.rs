@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use schlupf::heat::constant_source::ConstantSource;
-use schlupf::heat::duhamel::Duhamel;
-use schlupf::heat::partition::Partition;
-use schlupf::heat::{Heat, HeatModel};
+use schlupf::interface::heat::constant_source::ConstantSource;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::heat::{Heat, HeatModel};
 
 use crate::error::CaseError;
 use crate::fields::choice::HeatChoice;

@@ -1,12 +1,11 @@
 //! `[history]`.
 
-use schlupf::history::History;
+use schlupf::problem::History;
 
-use crate::FieldPath;
 use crate::error::CaseError;
 use crate::notice::Notice;
 use crate::settings::Settings;
-use crate::tables;
+use crate::{FieldPath, tables};
 
 const SERIES: [FieldPath; 8] = fields![
     "history.speed",

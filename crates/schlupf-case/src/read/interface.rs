@@ -1,7 +1,7 @@
 //! `[contact_law]`.
 
-use schlupf::interface::contact_law::{ContactLaw, Incremental, TotalDisplacement};
-use schlupf::material::Material;
+use schlupf::bodies::Material;
+use schlupf::interface::{ContactLaw, Incremental, TotalDisplacement};
 
 use super::roughness::{self, OfRoughness};
 use crate::FieldPath;

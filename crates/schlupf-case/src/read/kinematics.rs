@@ -1,7 +1,7 @@
 //! `[kinematics]`.
 
-use schlupf::kinematics::{Kinematics, ReferencePoint};
-use schlupf::prescribed_forces::{LongitudinalForce, PrescribedForces};
+use schlupf::bodies::{Kinematics, ReferencePoint};
+use schlupf::problem::{LongitudinalForce, PrescribedForces};
 
 use crate::FieldPath;
 use crate::error::CaseError;

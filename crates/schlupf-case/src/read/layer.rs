@@ -1,6 +1,6 @@
 //! `[layer]`.
 
-use schlupf::interface::third_body::{ThirdBodyLayer, YieldLimit};
+use schlupf::interface::{ThirdBodyLayer, YieldLimit};
 
 use crate::FieldPath;
 use crate::error::CaseError;

@@ -19,13 +19,11 @@ mod wheel_solver;
 
 use std::sync::Arc;
 
-use schlupf::history::History;
-use schlupf::kinematics::Kinematics;
-use schlupf::material::Material;
+use schlupf::bodies::{Kinematics, Material};
 use schlupf::normal::NormalContact;
-use schlupf::prescribed::ForceSolver;
-use schlupf::prescribed_forces::PrescribedForces;
-use schlupf::rolling::MarchingSolver;
+use schlupf::problem::{History, PrescribedForces};
+use schlupf::solver::ForceSolver;
+use schlupf::solver::MarchingSolver;
 use schlupf::wheel_rail::{WheelOnRail, WheelSolution};
 use schlupf::{Error, Method, Options, Problem, Solver, Watch};
 

@@ -3,12 +3,10 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use schlupf::material::{Material, contact_modulus};
-use schlupf::normal::PressureSource;
-use schlupf::normal::ellipse::Ellipse;
+use schlupf::bodies::{Material, contact_modulus};
 use schlupf::normal::hertz::Hertz;
 use schlupf::normal::profile::{Profile, UndeformedDistance, relative_radius};
-use schlupf::normal::tabulated::{PressureTable, Tabulated};
+use schlupf::normal::{Ellipse, PressureSource, PressureTable, Tabulated};
 
 use super::bodies::{RAIL, WHEEL, radii};
 use super::wheel_rail::Unsolved;

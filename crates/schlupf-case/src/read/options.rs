@@ -2,10 +2,10 @@
 
 use crate::FieldPath;
 use crate::look_up_table::StoredTable;
-use schlupf::method::{
-    AreaReduction, Brush, FastMethod, Flexibilities, SharedTable, SlopeReduction, TractionBound,
+use schlupf::problem::{
+    AreaReduction, Branch, Brush, FastMethod, Flexibilities, SharedTable, SlopeReduction,
+    TractionBound,
 };
-use schlupf::problem::Branch;
 use schlupf::{Method, Options};
 
 use crate::error::CaseError;

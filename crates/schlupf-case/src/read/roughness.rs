@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use schlupf::Watch;
+use schlupf::bodies::{Material, contact_modulus};
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::interface::roughness::load_curve::LoadCurveOptions;
 use schlupf::interface::roughness::micro_model::{
@@ -10,21 +11,19 @@ use schlupf::interface::roughness::micro_model::{
 };
 use schlupf::interface::roughness::stiffness::{TYPICAL_GAMMA, closed_form};
 use schlupf::interface::roughness::tangential_curve::SimilarBodies;
-use schlupf::material::{Material, contact_modulus};
 use schlupf::normal::PressureSource;
 use schlupf::surface::form::Form;
 use schlupf::surface::holes::Holes;
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
 
-use crate::FieldPath;
 use crate::error::CaseError;
 use crate::fields::choice::FormTakenOff;
 use crate::fields::{self, MICRO_MODEL, OF_FILE, ROUGHNESS, readable};
 use crate::law_stiffness::{LawStiffness, MicroContact, MicroKey, StiffnessOrigin};
-use crate::names;
 use crate::place::Place;
 use crate::settings::Settings;
 use crate::surface::{Cells, RoughSurface, SurfaceOptions, SurfaceOrigin, SurfaceSource};
+use crate::{FieldPath, names};
 
 const SECTION: &str = "contact_law.roughness.";
 const RMS_HEIGHT: FieldPath = field!("contact_law.roughness.rms_height");

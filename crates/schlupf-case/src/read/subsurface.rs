@@ -1,6 +1,6 @@
 //! `[subsurface]`.
 
-use schlupf::temperature_field::Side;
+use schlupf::analysis::temperature_field::Side;
 
 use crate::error::CaseError;
 use crate::fields::choice::BodyChoice;

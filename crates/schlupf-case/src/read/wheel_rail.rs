@@ -2,10 +2,9 @@
 
 use std::sync::Arc;
 
-use schlupf::error::WheelRailError;
-use schlupf::kinematics::{Kinematics, ReferencePoint};
-use schlupf::material::contact_modulus;
+use schlupf::bodies::{Kinematics, ReferencePoint, contact_modulus};
 use schlupf::normal::{NormalContact, PressureSource};
+use schlupf::reporting::WheelRailError;
 use schlupf::wheel_rail::{
     Along, Drive, Joining, Motion, Pair, Position, RailShape, RowsMove, Side, Support, Tangential,
     Track, WheelOnRail, WheelShape, WheelSolution,

@@ -1,9 +1,9 @@
 //! What finds the contacts of a wheel on a rail.
 
-use schlupf::error::WheelRailError;
-use schlupf::interface::contact_law::ContactLaw;
-use schlupf::kinematics::Kinematics;
-use schlupf::prescribed_forces::{LongitudinalForce, PrescribedForces};
+use schlupf::bodies::Kinematics;
+use schlupf::interface::ContactLaw;
+use schlupf::problem::{LongitudinalForce, PrescribedForces};
+use schlupf::reporting::WheelRailError;
 use schlupf::solution::{Resultant, Status, Work};
 use schlupf::wheel_rail::{Along, Drive, WheelSolution};
 use schlupf::{Error, Method, Options, Problem, Solution, Solver, Watch};

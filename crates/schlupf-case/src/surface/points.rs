@@ -1,6 +1,6 @@
 //! Points x, y, height as text: CSV with units in its header, and .xyz without.
 
-use schlupf::grid::Axis;
+use schlupf::normal::Axis;
 use schlupf::surface::Lattice;
 
 use super::{ADVICE_ON_HEIGHTS, MeasuredSurface, Reading, finish, is_too_high, too_high, unit};

@@ -15,7 +15,7 @@ use zip::ZipArchive;
 
 use super::{MeasuredSurface, Reading, finish};
 use crate::error::CaseError;
-use schlupf::message::{quoted, shortened};
+use schlupf::reporting::{quoted, shortened};
 
 /// What is wrong with a file, to follow its name in a sentence.
 type Message = String;

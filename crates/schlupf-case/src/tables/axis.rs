@@ -1,6 +1,6 @@
 //! Lattices that the points of a table lie on.
 
-use schlupf::grid::Axis;
+use schlupf::normal::Axis;
 
 use super::columns::Columns;
 use crate::error::CaseError;

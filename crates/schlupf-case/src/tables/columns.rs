@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use schlupf::message::{quoted, shortened};
+use schlupf::reporting::{quoted, shortened};
 
 use super::records::Records;
 use crate::error::CaseError;

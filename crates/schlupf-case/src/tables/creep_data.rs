@@ -1,7 +1,7 @@
 //! Measured points of creep curves.
 
-use schlupf::identification::{Component, Condition, DataPoint};
-use schlupf::kinematics::Kinematics;
+use schlupf::analysis::identification::{Component, Condition, DataPoint};
+use schlupf::bodies::Kinematics;
 
 use super::columns::{Column, Columns};
 use crate::FieldPath;

@@ -1,7 +1,7 @@
 //! Displacements under known tractions, such as those of a finite-element model.
 
-use schlupf::calibration::displacements::Sample;
-use schlupf::grid::{Axis, BORDER, Grid};
+use schlupf::analysis::calibration::displacements::Sample;
+use schlupf::normal::{Axis, BORDER, Grid};
 
 use super::columns::{Column, Columns};
 use super::lattice::Lattice;

@@ -1,6 +1,6 @@
 //! Points of a table that fill a rectangle: in any order from a CSV file, or from an .npy file.
 
-use schlupf::grid::Axis;
+use schlupf::normal::Axis;
 
 use super::axis::{axis, rounded};
 use super::columns::Columns;

@@ -1,6 +1,6 @@
 //! Tables of normal pressure on an equidistant lattice.
 
-use schlupf::normal::tabulated::PressureTable;
+use schlupf::normal::PressureTable;
 
 use super::columns::{Column, Columns};
 use super::lattice::{self, FILE, NpyFile};

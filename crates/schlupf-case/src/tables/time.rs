@@ -1,6 +1,6 @@
 //! Tables over time.
 
-use schlupf::history::History;
+use schlupf::problem::History;
 
 use super::columns::{Column, Columns};
 use crate::FieldPath;

@@ -1,7 +1,7 @@
 //! Maps of coefficients of wear.
 
-use schlupf::damage::WearMap;
-use schlupf::requirement::Requirement;
+use schlupf::analysis::damage::WearMap;
+use schlupf::reporting::Requirement;
 
 use super::columns::{Column, Columns};
 use crate::FieldPath;

@@ -1,6 +1,6 @@
 //! What may be wrong with a quantity.
 
-use schlupf::message::shortened;
+use schlupf::reporting::shortened;
 
 /// What to write in place of a number with a comma.
 pub fn comma(readings: &[String]) -> String {

@@ -2,7 +2,7 @@
 //! an import tells.
 
 use crate::support::{BALL, errors, has, import, one, posed, with};
-use schlupf::rolling::marching::march;
+use schlupf::solver::march;
 use schlupf_case::Rolling;
 
 /// An ellipse of 5 mm under 44 elements in both directions.

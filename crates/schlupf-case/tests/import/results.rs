@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::support::{BALL, one, posed, with};
-use schlupf::rolling::marching::march;
+use schlupf::solver::march;
 use schlupf::wheel_rail::WheelSolution;
 use schlupf_case::import::contact::{self, Options};
 use schlupf_case::{CaseFile, Folder, Overrides, Rolling, Source};

@@ -3,15 +3,14 @@
 use std::f64::consts::PI;
 use std::path::Path;
 
+use schlupf::bodies::{Kinematics, Material};
 use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::interface::contact_law::ContactLaw;
+use schlupf::interface::ContactLaw;
 use schlupf::interface::friction::constant::Constant;
-use schlupf::kinematics::Kinematics;
-use schlupf::material::Material;
-use schlupf::method::{AreaReduction, Brush, FastMethod, SharedTable};
-use schlupf::normal::ellipse::Ellipse;
-use schlupf::simplified::FastContact;
+use schlupf::normal::Ellipse;
+use schlupf::problem::{AreaReduction, Brush, FastMethod, SharedTable};
 use schlupf::solution::Resultant;
+use schlupf::solver::simplified::FastContact;
 use schlupf::{Options, Problem, Status, unwatched};
 use schlupf_case::look_up_table::standard;
 
@@ -114,7 +113,8 @@ fn state(index: u32, load: f64, [low, high]: [f64; 2]) -> ([f64; 2], [f64; 3]) {
     let (height, angle) = (2.0 * of_height - 1.0, 2.0 * PI * of_angle);
     let across = (1.0 - height * height).sqrt();
     let c = 5e-3;
-    let kalker = schlupf::kalker_coefficients::interpolated_coefficients(ratio, 0.28).unwrap();
+    let kalker =
+        schlupf::solver::kalker_coefficients::interpolated_coefficients(ratio, 0.28).unwrap();
     let unit = FRICTION * load / (Material::STEEL.shear_modulus() * c * c);
     let arm = ((kalker.c22.powi(2) * ratio + kalker.c11.powi(2) / ratio) / 5.0).sqrt();
     let creepages = [
@@ -139,7 +139,7 @@ fn gap_on(cells: usize, semi_axes: [f64; 2], creepages: [f64; 3], poisson_ratio:
     case.kinematics = rolling(creepages);
     let options =
         Options { cells_x: cells, cells_y: cells, extrapolate: true, ..Options::default() };
-    let solution = schlupf::rolling::steady::solve(&case, &options, &unwatched).unwrap();
+    let solution = schlupf::solver::solve(&case, &options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{creepages:?}, ν = {poisson_ratio}");
     // A state that was marched to has no coarser grid.
     if solution.extrapolation.is_none() {

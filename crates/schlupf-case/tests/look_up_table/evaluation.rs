@@ -1,13 +1,14 @@
 //! Properties of the forces from the standard table.
 
-use schlupf::method::{FastMethod, SharedTable};
-use schlupf::normal::ellipse::Ellipse;
-use schlupf::simplified::{EllipticContact, FastContact, FastSolver, TableContact};
+use schlupf::bodies::Kinematics;
+use schlupf::normal::Ellipse;
+use schlupf::problem::{FastMethod, SharedTable};
 use schlupf::solution::{Resultant, Sensitivity};
-use schlupf::{Options, Problem, Solver, kinematics::Kinematics, unwatched};
+use schlupf::solver::simplified::{EllipticContact, FastContact, FastSolver, TableContact};
+use schlupf::{Options, Problem, Solver, unwatched};
 use schlupf_case::look_up_table::standard;
 
-fn table() -> &'static schlupf::look_up_table::LookUpTable {
+fn table() -> &'static schlupf::problem::look_up_table::LookUpTable {
     &standard().unwrap().table
 }
 
@@ -93,7 +94,7 @@ fn derivatives_are_those_of_central_differences() {
 /// forces of small creepages are linear.
 #[test]
 fn kalker_1967_small_creepages() {
-    let c = schlupf::kalker_coefficients::interpolated_coefficients(1.0, 0.28).unwrap();
+    let c = schlupf::solver::kalker_coefficients::interpolated_coefficients(1.0, 0.28).unwrap();
     let rest = table().normalised_force(1.0, [0.0; 3]);
     assert_eq!(rest.force, [0.0; 3]);
     let expected = [[-c.c11, 0.0, 0.0], [0.0, -c.c22, -c.c23], [0.0, c.c23, -c.c33]];

@@ -1,6 +1,8 @@
 //! Tables as files.
 
-use schlupf::table_building::{LONGER_SIDE_EXPONENT, NothingKept, TableOptions, build, build_from};
+use schlupf::analysis::table_building::{
+    LONGER_SIDE_EXPONENT, NothingKept, TableOptions, build, build_from,
+};
 use schlupf::unwatched;
 use schlupf_case::look_up_table::{StoredTable, TableFileError, standard};
 

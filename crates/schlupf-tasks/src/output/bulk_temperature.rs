@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 
 use serde::Serialize;
 
-use schlupf::bulk_temperature::{BulkTemperature, Cooling};
-use schlupf::kinematics::ReferencePoint;
-use schlupf::message::Message;
+use schlupf::analysis::bulk_temperature::{BulkTemperature, Cooling};
+use schlupf::bodies::ReferencePoint;
+use schlupf::reporting::Message;
 use schlupf::solution::Status;
 
 use crate::output::figures::{self, Drawing, FigureError};

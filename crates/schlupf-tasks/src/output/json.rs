@@ -7,9 +7,9 @@ use serde_json::Serializer;
 use serde_json::ser::{Formatter, PrettyFormatter};
 
 use schlupf::Method;
-use schlupf::kinematics::{Kinematics, ReferencePoint};
-use schlupf::message::Message;
+use schlupf::bodies::{Kinematics, ReferencePoint};
 use schlupf::normal::NormalSummary;
+use schlupf::reporting::Message;
 use schlupf::solution::{
     Area, Extrapolation, Instant, Power, Resultant, Sensitivity, Solution, Status, TGamma,
     Temperature, Work,

@@ -3,7 +3,7 @@
 use std::any::Any;
 
 use schlupf::Status;
-use schlupf::message::Message;
+use schlupf::reporting::Message;
 
 use crate::output::figures::{self, Drawing, Figure, FigureError};
 use crate::output::summary::Summary;
@@ -12,12 +12,13 @@ use crate::output::table::ColumnValues;
 /// A result with all its output forms.
 ///
 /// ```
-/// use schlupf::{Options, Problem, rolling, unwatched};
+/// use schlupf::solver;
+/// use schlupf::{Options, Problem, unwatched};
 /// use schlupf_tasks::output::{Report, solution::SolutionReport};
 ///
 /// let problem = Problem::builder().creepage_x(0.003).build()?;
 /// let options = Options { cells_x: 10, cells_y: 10, ..Options::default() };
-/// let solution = rolling::steady::solve(&problem, &options, &unwatched)?;
+/// let solution = solver::solve(&problem, &options, &unwatched)?;
 /// let (title, warnings) = ("braking".to_owned(), Vec::new());
 /// let report = SolutionReport { title, contact_law: None, solution, wheel: None, warnings };
 /// assert!(report.summary().to_string().starts_with("braking"));

@@ -1,7 +1,7 @@
 //! Records as tables: CSV, and the arrays of a JSON document.
 
 use schlupf::Quantity;
-use schlupf::columns::{Column, Record, Value};
+use schlupf::reporting::{Column, Record, Value};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use crate::output::number::without_sign_of_zero;
@@ -53,7 +53,7 @@ pub fn columns<R: Record + ?Sized>(record: &R) -> Vec<ColumnValues> {
         };
         ColumnValues { name: column.name, quantity: column.quantity, values }
     };
-    R::columns().iter().map(column).collect()
+    R::COLUMNS.iter().map(column).collect()
 }
 
 /// A table of text.
@@ -74,7 +74,7 @@ impl Table {
 
     /// The same table with the columns of a record added.
     pub fn with_columns<R: Record + ?Sized>(mut self) -> Self {
-        for column in R::columns() {
+        for column in R::COLUMNS {
             self = self.with(column.name, unit(column.quantity));
         }
         self
@@ -104,7 +104,7 @@ pub(crate) fn csv<R: Record + ?Sized>(record: &R, note: &str) -> String {
 
 /// The entries of a row.
 pub(crate) fn entries<R: Record + ?Sized>(record: &R, row: usize) -> impl Iterator<Item = String> {
-    R::columns().iter().map(move |column| entry((column.value)(record, row)))
+    R::COLUMNS.iter().map(move |column| entry((column.value)(record, row)))
 }
 
 /// An entry: the shortest text that reads back as the same number.
@@ -147,8 +147,8 @@ pub(crate) struct Arrays<'a, R: ?Sized>(pub &'a R);
 
 impl<R: Record + ?Sized> Serialize for Arrays<'_, R> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(R::columns().len()))?;
-        for column in R::columns() {
+        let mut map = serializer.serialize_map(Some(R::COLUMNS.len()))?;
+        for column in R::COLUMNS {
             let values = (0..self.0.rows()).map(|row| Entry((column.value)(self.0, row)));
             map.serialize_entry(column.name, &values.collect::<Vec<_>>())?;
         }
@@ -161,8 +161,8 @@ pub(crate) struct Row<'a, R: ?Sized>(pub Option<&'a R>);
 
 impl<R: Record + ?Sized> Serialize for Row<'_, R> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(R::columns().len()))?;
-        for column in R::columns() {
+        let mut map = serializer.serialize_map(Some(R::COLUMNS.len()))?;
+        for column in R::COLUMNS {
             let value = self.0.map_or(Value::Unknown, |record| (column.value)(record, 0));
             map.serialize_entry(column.name, &Entry(value))?;
         }
@@ -178,7 +178,7 @@ impl<R: Record + ?Sized> Serialize for Nested<'_, R> {
         let mut map = serializer.serialize_map(None)?;
         let vector = |column: &Column<R>| column.quantity.vector().map(|(vector, _)| vector);
         for columns in
-            R::columns().chunk_by(|one, next| vector(one).is_some() && vector(one) == vector(next))
+            R::COLUMNS.chunk_by(|one, next| vector(one).is_some() && vector(one) == vector(next))
         {
             let entry = |column: &Column<R>| Entry((column.value)(self.0, self.1));
             match vector(&columns[0]) {

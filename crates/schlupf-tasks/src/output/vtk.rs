@@ -1,7 +1,7 @@
 //! The fields as a legacy VTK file, for `ParaView` and similar programs.
 
 use schlupf::Quantity;
-use schlupf::columns::Record;
+use schlupf::reporting::Record;
 use schlupf::solution::{Fields, Solution};
 
 /// The fields on the uniform grid of the patch: binary structured points, one value per cell, zero
@@ -9,7 +9,7 @@ use schlupf::solution::{Fields, Solution};
 pub fn structured_points(title: &str, solution: &Solution) -> Vec<u8> {
     let fields = &solution.fields;
     let mut file = header(title, fields).into_bytes();
-    let columns = Fields::columns().iter().filter(|column| !POSITION.contains(&column.quantity));
+    let columns = Fields::COLUMNS.iter().filter(|column| !POSITION.contains(&column.quantity));
     for column in columns {
         let number = |cell| (column.value)(fields, cell).number().unwrap_or_default();
         match column.quantity.vector() {
@@ -28,7 +28,7 @@ const POSITION: [Quantity; 2] = [Quantity::X, Quantity::Y];
 /// The column of a component.
 fn component(fields: &Fields, vector: &str, name: &str) -> impl Fn(usize) -> f64 {
     let wanted = Some((vector, name));
-    let column = Fields::columns().iter().find(|column| column.quantity.vector() == wanted);
+    let column = Fields::COLUMNS.iter().find(|column| column.quantity.vector() == wanted);
     move |cell| column.and_then(|column| (column.value)(fields, cell).number()).unwrap_or_default()
 }
 

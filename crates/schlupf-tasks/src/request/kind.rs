@@ -1,6 +1,6 @@
 //! How the fields of requests are read.
 
-use schlupf::message::quoted;
+use schlupf::reporting::quoted;
 use schlupf_case::fields::Choice;
 use schlupf_case::{CaseError, Family, FieldPath, InputFile, Place, TableColumn};
 use schlupf_case::{depths, direction, length, position, range};

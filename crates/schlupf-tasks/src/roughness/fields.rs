@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::sync::{Arc, LazyLock};
 
 use schlupf::Watch;
-use schlupf::message::quoted;
+use schlupf::reporting::quoted;
 use schlupf_case::document::without_quotes;
 use schlupf_case::fields::Kind;
 use schlupf_case::{

@@ -4,8 +4,7 @@ use std::collections::HashMap;
 
 use crate::messages;
 use crate::states::{self, CONTACTS, NoState, StateSolver};
-use schlupf::message::Message;
-use schlupf::tally::Tally;
+use schlupf::reporting::{Message, Tally};
 use schlupf::{Solution, Watch};
 use schlupf_case::{Case, field};
 

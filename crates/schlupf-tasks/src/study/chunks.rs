@@ -6,7 +6,7 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use schlupf::Solution;
-use schlupf::columns::{Column as ResultColumn, Record};
+use schlupf::reporting::{Column as ResultColumn, Record};
 use schlupf::solution::Fields;
 
 use crate::study::error::StudyError;
@@ -18,7 +18,7 @@ pub(crate) type FieldColumn = ResultColumn<Fields>;
 
 /// All of them.
 pub(crate) fn all() -> Vec<&'static FieldColumn> {
-    Fields::columns().iter().collect()
+    Fields::COLUMNS.iter().collect()
 }
 
 /// The columns of a chunk: the index of the row in the table, then the quantities of a cell.

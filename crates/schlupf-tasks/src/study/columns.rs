@@ -1,8 +1,7 @@
 //! The columns of a study's table, and a row of it.
 
 use crate::states::{CONTACTS, FAILED, NO_CONTACT};
-use schlupf::columns::{Column as ResultColumn, Record, Value};
-use schlupf::message::Message;
+use schlupf::reporting::{Column as ResultColumn, Message, Record, Value};
 use schlupf::wheel_rail::{Contact, WheelSolution};
 use schlupf::{Quantity, Solution};
 
@@ -93,10 +92,10 @@ pub(crate) fn columns(design: &Design, has_wheel: bool) -> Vec<Column> {
 
 /// The results that a table has.
 pub(crate) fn results(has_wheel: bool) -> impl Iterator<Item = ResultOf> {
-    let state = <Solution as Record>::columns().iter().map(ResultOf::State);
-    let wheel = <WheelSolution as Record>::columns().iter().map(ResultOf::Wheel);
+    let state = <Solution as Record>::COLUMNS.iter().map(ResultOf::State);
+    let wheel = <WheelSolution as Record>::COLUMNS.iter().map(ResultOf::Wheel);
     let contacts = (0..CONTACTS).flat_map(|place| {
-        <Contact as Record>::columns().iter().map(move |column| ResultOf::Contact(place, column))
+        <Contact as Record>::COLUMNS.iter().map(move |column| ResultOf::Contact(place, column))
     });
     state.chain(wheel.chain(contacts).filter(move |_| has_wheel))
 }

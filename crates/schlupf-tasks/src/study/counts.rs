@@ -2,8 +2,7 @@
 
 use crate::Notice as TaskNotice;
 use schlupf::Warning;
-use schlupf::message::Message;
-use schlupf::tally::{Tallied, Tally};
+use schlupf::reporting::{Message, Tallied, Tally};
 use schlupf_case::Notice as CaseNotice;
 
 /// The column with the codes of the warnings of each row.

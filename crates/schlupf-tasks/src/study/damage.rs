@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use crate::Notice;
 use crate::output::damage::{DamageReport, LeftOut};
 use crate::states::{CONTACTS, NO_CONTACT};
-use schlupf::damage::{self, Laws, State};
-use schlupf::message::Message;
+use schlupf::analysis::damage::{self, Laws, State};
+use schlupf::reporting::Message;
 use schlupf::{Status, Watch};
 use schlupf_case::{CaseErrors, CaseFile, FieldPath, InputFile, Setting, field};
 

@@ -21,7 +21,7 @@ use crate::study::design::{self, Design, Sample, Values, Varied, assignment, rea
 use crate::study::digest::{digest, varied_files};
 use crate::study::error::StudyError;
 use crate::study::table::{Column, Contents};
-use schlupf::message::shortened;
+use schlupf::reporting::shortened;
 
 /// Fewest and most rows of a batch where each is solved in full, and where a fast method gives it:
 /// as many as make some batches for each core of a machine, whatever its number of cores.

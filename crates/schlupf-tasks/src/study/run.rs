@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::states::{FAILED, NO_CONTACT};
-use schlupf::progress::{Progress, Stage};
-use schlupf::{Watch, parallel};
+use schlupf::Watch;
+use schlupf::numerics::parallel;
+use schlupf::reporting::{Progress, Stage};
 use tempfile::NamedTempFile;
 
 pub use crate::study::solved::Solved;

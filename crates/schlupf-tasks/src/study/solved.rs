@@ -2,8 +2,7 @@
 
 use std::path::Path;
 
-use schlupf::message::Message;
-use schlupf::tally::Tally;
+use schlupf::reporting::{Message, Tally};
 
 use crate::study::error::StudyError;
 use crate::study::plan::Study;

@@ -1,7 +1,7 @@
 //! The figure of a made-up calibration.
 
 use schlupf::Status;
-use schlupf::calibration::side_by_side::{Answer, Course, Model, SideBySide};
+use schlupf::analysis::calibration::side_by_side::{Answer, Course, Model, SideBySide};
 use schlupf::normal::NormalSummary;
 use schlupf_tasks::output::Report;
 use schlupf_tasks::output::calibration::CalibrationReport;

@@ -1,8 +1,8 @@
 //! A comparison of methods as text, tables and figure.
 
 use crate::common::{RECIPE, solution};
-use schlupf::message::Message;
-use schlupf::method::{AreaReduction, FastMethod};
+use schlupf::problem::{AreaReduction, FastMethod};
+use schlupf::reporting::Message;
 use schlupf::{Method, Solution, Status};
 use schlupf_tasks::output::Report;
 use schlupf_tasks::output::comparison::{Answer, Comparison, Entry};

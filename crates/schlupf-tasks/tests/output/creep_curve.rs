@@ -3,12 +3,12 @@
 use std::collections::BTreeSet;
 
 use crate::common::{RECIPE, solution};
-use schlupf::creep_curve::{
+use schlupf::analysis::creep_curve::{
     CreepCurve, Creepages, InitialSlope, Maximum, Path, Point, Sampling, Spacing,
 };
-use schlupf::kinematics::ReferencePoint;
-use schlupf::message::Message;
+use schlupf::bodies::ReferencePoint;
 use schlupf::normal::NormalSummary;
+use schlupf::reporting::Message;
 use schlupf::solution::{Area, Power, Resultant, Work};
 use schlupf::{Method, Status};
 use schlupf_tasks::output::Report;

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use schlupf::Status;
-use schlupf::damage::{Laws, RunPoint, State, of_run};
+use schlupf::analysis::damage::{Laws, RunPoint, State, of_run};
 use schlupf_tasks::output::Report;
 use schlupf_tasks::output::damage::{DamageReport, LeftOut};
 

@@ -1,14 +1,14 @@
 //! JSON, CSV, summary and figure of a made-up fit.
 
 use schlupf::Status;
-use schlupf::creep_curve::Abscissa;
-use schlupf::identification::{
+use schlupf::analysis::creep_curve::Abscissa;
+use schlupf::analysis::identification::{
     Component, Condition, DataPoint, Estimate, Fit, FittedCurves, FittedPoint, ModelPoint,
     Parameter, Series,
 };
+use schlupf::bodies::Kinematics;
 use schlupf::interface::friction::constants::FrictionConstant;
-use schlupf::kinematics::Kinematics;
-use schlupf::message::Message;
+use schlupf::reporting::Message;
 use schlupf::solution::Work;
 use schlupf_tasks::output::Report;
 use schlupf_tasks::output::figures::FigureError;

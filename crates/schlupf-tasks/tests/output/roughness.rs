@@ -1,13 +1,12 @@
 //! CSV, JSON, .npy, summary and figures of a small rough contact.
 
-use schlupf::Status;
 use schlupf::interface::roughness::load_curve::LoadCurveOptions;
 use schlupf::interface::roughness::micro_model::MicroModel;
 use schlupf::interface::roughness::tangential_curve::SimilarBodies;
-use schlupf::message::Message;
+use schlupf::reporting::Message;
 use schlupf::surface::spectrum::{RadialSpectrum, Window};
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
-use schlupf::unwatched;
+use schlupf::{Status, unwatched};
 use schlupf_tasks::output::Report;
 use schlupf_tasks::output::contact_law::{ContactLaw, Fit, Origin};
 use schlupf_tasks::output::figures::FigureError;

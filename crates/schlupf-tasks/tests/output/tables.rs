@@ -3,8 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::common::{RECIPE, solution};
-use schlupf::columns::Record;
-use schlupf::message::Message;
+use schlupf::reporting::{Message, Record};
 use schlupf::solution::{Extrapolation, Resultant};
 use schlupf::{Solution, Status};
 use schlupf_tasks::output::Report;
@@ -216,7 +215,7 @@ fn columns_of_a_solution_are_the_keys_of_its_json() {
     let document: serde_json::Value =
         serde_json::from_str(&report("case", solution.clone()).json()).unwrap();
     let mut count = 0;
-    for column in Solution::columns() {
+    for column in Solution::COLUMNS {
         let mut value = &document;
         for key in column.name.split('.') {
             value = value.get(key).unwrap_or_else(|| panic!("no {} in the JSON", column.name));
@@ -237,7 +236,7 @@ fn columns_of_a_solution_are_the_keys_of_its_json() {
     for section in sections.split(' ') {
         for key in document[section].as_object().unwrap().keys() {
             let name = format!("{section}.{key}");
-            let has_column = Solution::columns().iter().any(|column| column.name == name);
+            let has_column = Solution::COLUMNS.iter().any(|column| column.name == name);
             assert!(has_column || known.contains(&&*name), "{name} has no column");
         }
     }

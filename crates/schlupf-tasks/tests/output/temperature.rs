@@ -1,7 +1,7 @@
 //! CSV, JSON, summary and figure of made-up temperatures along lines.
 
 use schlupf::Status;
-use schlupf::message::Message;
+use schlupf::reporting::Message;
 use schlupf_tasks::output::Report;
 use schlupf_tasks::output::figures::FigureError;
 use schlupf_tasks::output::temperature::{Line, Positions, Row, Temperatures};

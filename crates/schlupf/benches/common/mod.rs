@@ -9,13 +9,14 @@ pub mod transforms;
 
 use std::sync::Arc;
 
+use schlupf::bodies::Kinematics;
 use schlupf::elasticity::Compliance;
-use schlupf::grid::{Grid, VectorField};
-use schlupf::heat::duhamel::Duhamel;
-use schlupf::heat::{Heat, partition::Partition};
 use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::kinematics::Kinematics;
-use schlupf::rolling::steady::SteadySolver;
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::normal::{Grid, VectorField};
+use schlupf::solver::SteadySolver;
 use schlupf::{Options, Problem, Solution, Solver, Status, unwatched};
 
 pub use problems::{elastic_layer, rolling};

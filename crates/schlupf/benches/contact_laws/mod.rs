@@ -3,9 +3,9 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use schlupf::interface::contact_law::{ContactLaw, Incremental};
-use schlupf::normal::ellipse::Ellipse;
-use schlupf::rolling::steady::SteadySolver;
+use schlupf::interface::{ContactLaw, Incremental};
+use schlupf::normal::Ellipse;
+use schlupf::solver::SteadySolver;
 use schlupf::{Problem, Solution};
 
 use super::common::{Bodies, Case, creep_curve, moving, rolling, solve};

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use std::hint::black_box;
 use std::time::Instant;
 
-use schlupf::look_up_table::{LookUpTable, TableNodes};
+use schlupf::problem::look_up_table::{LookUpTable, TableNodes};
 
 /// Nodes of the standard table.
 const NODES: [usize; 4] = [17, 33, 14, 21];

@@ -3,12 +3,11 @@
 use std::sync::Arc;
 use std::time::Instant;
 
+use schlupf::bodies::{Body, Kinematics, ReferencePoint, contact_modulus};
 use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::heat::Heat;
-use schlupf::interface::contact_law::{ContactLaw, Incremental};
 use schlupf::interface::friction::constant::Constant;
-use schlupf::kinematics::{Kinematics, ReferencePoint};
-use schlupf::material::{Body, contact_modulus};
+use schlupf::interface::heat::Heat;
+use schlupf::interface::{ContactLaw, Incremental};
 use schlupf::normal::PressureSource;
 use schlupf::wheel_rail::{
     Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side, Support,

@@ -1,4 +1,5 @@
-//! Written by the test `the_table_is_as_near_as_a_new_calibration` of [`crate::calibration`].
+//! Written by the test `the_table_is_as_near_as_a_new_calibration` of
+//! [`crate::analysis::calibration`].
 
 /// Poisson's ratios of the rows: multiples of this, from zero on; dimensionless.
 pub(super) const POISSON_RATIO_STEP: f64 = 0.5 / 3.0;

@@ -25,13 +25,11 @@ use rustfft::{Fft, FftPlanner};
 
 use super::ellipsoidal_traction::EllipsoidalTraction;
 use super::{Compliance, Elasticity};
-use crate::error::{Error, require_positive};
-use crate::fourier::smooth_from;
-use crate::grid::{Grid, VectorField};
-use crate::material::Material;
+use crate::bodies::Material;
+use crate::normal::{Grid, VectorField};
+use crate::numerics::fourier::smooth_from;
 use crate::numerics::love;
-use crate::quantity::Quantity;
-use crate::warning::Warning;
+use crate::reporting::{Error, Quantity, Warning, require_positive};
 
 /// Two half-spaces in contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,7 +49,8 @@ impl HalfSpace {
     /// to K = ¼ G ((1 − 2ν₁)/G₁ − (1 − 2ν₂)/G₂) (Kalker 1990, §1.7). This effect is neglected.
     ///
     /// ```
-    /// use schlupf::{elasticity::half_space::HalfSpace, material::Material};
+    /// use schlupf::bodies::Material;
+    /// use schlupf::elasticity::half_space::HalfSpace;
     ///
     /// let steel = HalfSpace::new(&Material::STEEL, &Material::STEEL)?;
     /// assert!((steel.shear_modulus() / Material::STEEL.shear_modulus() - 1.0).abs() < 1e-12);
@@ -423,7 +422,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
-    use crate::grid::Extent;
+    use crate::normal::Extent;
 
     fn grid() -> Grid {
         Grid::across(&Extent { x: [-6e-3, 6e-3], y: [-4e-3, 4e-3] }, 7, 10)

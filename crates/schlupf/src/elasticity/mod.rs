@@ -1,20 +1,24 @@
 //! Elastic deformation of the two bodies under tangential traction, u = A t.
 
-pub mod calibrated_layer;
+mod calibrated_layer;
 mod calibration_table;
 pub mod elastic_layer;
-pub mod ellipsoidal_traction;
+mod ellipsoidal_traction;
 pub mod half_space;
-pub mod rigid;
-pub mod winkler;
+mod rigid;
+mod winkler;
+
+pub use calibrated_layer::{
+    AXIS_RATIO_RANGE, CalibratedLayer, RelativeStiffness, tabulated_stiffness,
+};
+pub use ellipsoidal_traction::EllipsoidalTraction;
+pub use rigid::Rigid;
+pub use winkler::Winkler;
 
 use std::fmt::Debug;
 
-use crate::error::Error;
-use crate::grid::{Grid, VectorField};
-use crate::warning::Warning;
-
-use ellipsoidal_traction::EllipsoidalTraction;
+use crate::normal::{Grid, VectorField};
+use crate::reporting::{Error, Warning};
 
 /// A model of elasticity. Extension point.
 pub trait Elasticity: Debug + Send + Sync {

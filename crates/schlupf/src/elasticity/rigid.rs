@@ -1,17 +1,18 @@
 //! Rigid bodies, u = 0: the slip is prescribed. For studies of heat and friction alone.
 
 use super::{Compliance, Elasticity};
-use crate::error::Error;
-use crate::grid::{Grid, VectorField};
+use crate::normal::{Grid, VectorField};
+use crate::reporting::Error;
 
 /// Bodies that do not deform tangentially.
 ///
 /// ```
-/// use schlupf::elasticity::rigid::Rigid;
-/// use schlupf::{Options, Problem, rolling, unwatched};
+/// use schlupf::elasticity::Rigid;
+/// use schlupf::solver;
+/// use schlupf::{Options, Problem, unwatched};
 ///
 /// let problem = Problem::builder().creepage_x(0.05).elasticity(Rigid).build()?;
-/// let solution = rolling::steady::solve(&problem, &Options::default(), &unwatched)?;
+/// let solution = solver::solve(&problem, &Options::default(), &unwatched)?;
 /// assert!(solution.normalised.x < -0.6);
 /// # Ok::<(), schlupf::Error>(())
 /// ```

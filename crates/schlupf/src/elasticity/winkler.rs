@@ -2,9 +2,8 @@
 //! (Kalker 1982).
 
 use super::{Compliance, Elasticity};
-use crate::error::{Error, require_positive};
-use crate::grid::{Grid, VectorField};
-use crate::quantity::Quantity;
+use crate::normal::{Grid, VectorField};
+use crate::reporting::{Error, Quantity, require_positive};
 
 /// Springs from every point to the rigid wheel, none between the points.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,7 +16,7 @@ impl Winkler {
     /// Bedding stiffnesses c along and across rolling, in N/m³.
     ///
     /// ```
-    /// use schlupf::elasticity::winkler::Winkler;
+    /// use schlupf::elasticity::Winkler;
     ///
     /// assert!(Winkler::new(1e13, 1e13).is_ok() && Winkler::new(0.0, 1e13).is_err());
     /// ```

@@ -3,8 +3,7 @@
 //! All laws are written for the traction on the *rail* divided by μ pₙ, q = −t/(μ pₙ): it points
 //! along the sliding of the wheel, which avoids minus signs.
 
-use crate::error::{Error, require_positive};
-use crate::quantity::Quantity;
+use crate::reporting::{Error, Quantity, require_positive};
 
 /// A law for the tangential traction.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,9 +1,14 @@
 //! The interface between the surfaces: contact law and friction.
 
-pub mod contact_law;
+pub mod heat;
+mod contact_law;
 pub mod friction;
 pub mod roughness;
-pub mod third_body;
+mod third_body;
+
+pub use contact_law::{ContactLaw, Incremental, TotalDisplacement};
+pub(crate) use third_body::Flow;
+pub use third_body::{ShearedPoint, ThirdBodyLayer, YieldLimit};
 
 use self::friction::constants::FrictionConstant;
 

@@ -1,8 +1,6 @@
 //! A layer between the surfaces, the third body: oxides, wear debris, leaves, sand.
 
-use crate::error::{Error, require};
-use crate::quantity::Quantity;
-use crate::requirement::Requirement;
+use crate::reporting::{Error, Quantity, Requirement, require};
 
 /// A thin layer that is sheared by the traction of the point above it.
 ///
@@ -50,7 +48,7 @@ impl ThirdBodyLayer {
     /// An elastic layer of thickness h (in m) and shear modulus G, in Pa.
     ///
     /// ```
-    /// use schlupf::interface::third_body::ThirdBodyLayer;
+    /// use schlupf::interface::ThirdBodyLayer;
     ///
     /// let layer = ThirdBodyLayer::new(1.25e-3, 8.2e9)?;
     /// assert!((layer.compliance() - 1.524e-13).abs() < 1e-16);
@@ -139,7 +137,7 @@ pub(crate) struct Flow {
 /// A point of a layer that is sheared: elastic, and flowing at the limit.
 ///
 /// ```
-/// use schlupf::interface::third_body::{ShearedPoint, ThirdBodyLayer, YieldLimit};
+/// use schlupf::interface::{ShearedPoint, ThirdBodyLayer, YieldLimit};
 ///
 /// let limit = YieldLimit { stress: 200e6, hardening: 0.0 };
 /// let layer = ThirdBodyLayer::new(1e-3, 8e9)?.with_yield(limit)?;

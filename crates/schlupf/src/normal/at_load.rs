@@ -3,10 +3,7 @@
 use std::sync::Arc;
 
 use super::{NormalContact, PressureSource};
-use crate::error::{Error, require_positive};
-use crate::progress::Watch;
-use crate::quantity::Quantity;
-use crate::warning::Warning;
+use crate::reporting::{Error, Quantity, Warning, Watch, require_positive};
 
 /// A pressure source with a different own load.
 #[derive(Debug, Clone)]
@@ -21,7 +18,7 @@ impl AtLoad {
     /// ```
     /// use std::sync::Arc;
     /// use schlupf::normal::hertz::{Hertz, Radii};
-    /// use schlupf::normal::{PressureSource, at_load::AtLoad};
+    /// use schlupf::normal::{PressureSource, AtLoad};
     ///
     /// let [ball, plane] = [0.5, f64::INFINITY].map(|radius| Radii { x: radius, y: radius });
     /// let source = Arc::new(Hertz::new(ball, plane, 1e11, 10e3)?);

@@ -3,8 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::{NormalContact, NormalSummary, Pressure, PressureSource};
-use crate::error::{Error, require_positive};
-use crate::quantity::Quantity;
+use crate::reporting::{Error, Quantity, require_positive};
 
 /// Semi-ellipsoidal pressure on an ellipse with given semi-axes, N = (2/3) π a b p0.
 ///
@@ -21,7 +20,7 @@ impl Ellipse {
     /// An ellipse with given semi-axes (in m) and load (in N).
     ///
     /// ```
-    /// use schlupf::normal::{PressureSource, ellipse::Ellipse};
+    /// use schlupf::normal::{PressureSource, Ellipse};
     ///
     /// let contact = Ellipse::from_load(6e-3, 5e-3, 80e3)?.normal_contact(None)?.summary;
     /// let mean = 80e3 / (std::f64::consts::PI * 6e-3 * 5e-3);

@@ -14,10 +14,8 @@ use std::f64::consts::TAU;
 use ellip::{elliprd, elliprf};
 
 use super::{NormalContact, NormalSummary, Pressure, PressureSource};
-use crate::error::{Error, require, require_positive};
 use crate::numerics::root::bisection;
-use crate::quantity::Quantity;
-use crate::requirement::Requirement;
+use crate::reporting::{Error, Quantity, Requirement, require, require_positive};
 
 /// Radii of curvature of a body at the contact: positive where convex, negative where concave,
 /// infinite where flat.
@@ -57,8 +55,9 @@ impl Hertz {
     /// A contact of bodies with the given radii and contact modulus E* (in Pa) under `load` (in N).
     ///
     /// ```
-    /// use schlupf::material::{Material, contact_modulus};
-    /// use schlupf::normal::{PressureSource, hertz::{Hertz, Radii}};
+    /// use schlupf::bodies::{Material, contact_modulus};
+    /// use schlupf::normal::PressureSource;
+    /// use schlupf::normal::hertz::{Hertz, Radii};
     ///
     /// let modulus = contact_modulus(&Material::STEEL, &Material::STEEL);
     /// // Crossed cylinders of one radius touch in a circle.

@@ -1,22 +1,25 @@
 //! Normal contact: the pressure, an input of the tangential problem.
 
-pub mod at_load;
-pub mod ellipse;
+mod grid;
+pub mod patch;
+mod at_load;
+mod ellipse;
 pub mod hertz;
 pub mod profile;
 pub mod rough_contact;
-pub mod tabulated;
+mod tabulated;
+
+pub use at_load::AtLoad;
+pub use ellipse::Ellipse;
+pub use grid::{Axis, BORDER, Extent, Grid, VectorField};
+pub(crate) use tabulated::positive_runs;
+pub use tabulated::{PressureTable, Tabulated};
 
 use std::fmt::Debug;
 use std::sync::Arc;
 
-use crate::error::Error;
-use crate::grid::Extent;
-use crate::progress::Watch;
-use crate::row_motion::RowMotion;
-use crate::warning::Warning;
-
-use tabulated::PressureTable;
+use crate::bodies::RowMotion;
+use crate::reporting::{Error, Warning, Watch};
 
 /// A source of the normal pressure. Extension point.
 pub trait PressureSource: Debug + Send + Sync {
@@ -97,5 +100,24 @@ impl NormalContact {
             }
             Pressure::Tabulated(table, _) => table.extent(),
         }
+    }
+}
+
+/// With the components of its origin as separate fields.
+#[cfg(feature = "serde")]
+impl serde::Serialize for NormalSummary {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        use serde::ser::SerializeStruct;
+
+        let mut fields = serializer.serialize_struct("NormalSummary", 8)?;
+        fields.serialize_field("load", &self.load)?;
+        fields.serialize_field("semi_axis_x", &self.semi_axis_x)?;
+        fields.serialize_field("semi_axis_y", &self.semi_axis_y)?;
+        fields.serialize_field("peak_pressure", &self.peak_pressure)?;
+        fields.serialize_field("approach", &self.approach)?;
+        fields.serialize_field("origin_x", &self.origin.map(|[x, _]| x))?;
+        fields.serialize_field("origin_y", &self.origin.map(|[_, y]| y))?;
+        fields.serialize_field("parts", &self.parts)?;
+        fields.end()
     }
 }

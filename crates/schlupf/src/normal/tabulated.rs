@@ -3,11 +3,9 @@
 use std::sync::Arc;
 
 use super::{NormalContact, NormalSummary, Pressure, PressureSource};
-use crate::error::{Error, Place, require_at, require_positive};
-use crate::grid::{Axis, Extent};
+use crate::normal::{Axis, Extent};
 use crate::numerics::interpolation::mix;
-use crate::quantity::Quantity;
-use crate::requirement::Requirement;
+use crate::reporting::{Error, Place, Quantity, Requirement, require_at, require_positive};
 
 /// Samples below this fraction of the largest one are considered noise and set to zero.
 const NOISE: f64 = 1e-4;
@@ -279,7 +277,7 @@ impl Tabulated {
     /// The table unchanged, or scaled to `load` (in N).
     ///
     /// ```
-    /// use schlupf::normal::{PressureSource, tabulated::{PressureTable, Tabulated}};
+    /// use schlupf::normal::{PressureSource, PressureTable, Tabulated};
     ///
     /// let positions = [0.0, 2e-3, 4e-3, 6e-3];
     /// let row = [0.0, 1e9, 1e9, 0.0];

@@ -1,6 +1,10 @@
 //! Shared numerics: numbers side by side, vector operations, interpolation, roots and minima, sums
 //! over the corners of rectangles.
 
+pub mod parallel;
+pub(crate) mod least_squares;
+pub(crate) mod fourier;
+
 pub(crate) mod interpolation;
 pub(crate) mod lanes;
 pub(crate) mod love;

@@ -9,9 +9,7 @@ use std::f64::consts::{LN_2, PI};
 
 use super::profile::Profile;
 use super::{HeightMap, Lattice};
-use crate::error::{Error, require};
-use crate::quantity::Quantity;
-use crate::requirement::Requirement;
+use crate::reporting::{Error, Quantity, Requirement, require};
 
 /// Range of the weights in cut-off wavelengths: beyond, they are below 10⁻⁶.
 const REACH: f64 = 1.0;

@@ -14,9 +14,9 @@
 use nalgebra::DMatrix;
 
 use super::HeightMap;
-use crate::error::{Error, SurfaceError};
-use crate::least_squares::{Limits, Minimum, Residuals, minimise};
+use crate::numerics::least_squares::{Limits, Minimum, Residuals, minimise};
 use crate::numerics::vector::norm;
+use crate::reporting::{Error, SurfaceError};
 
 /// A nominal form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,7 +60,8 @@ impl HeightMap {
     /// Removes a form.
     ///
     /// ```
-    /// use schlupf::surface::{HeightMap, Lattice, form::Form};
+    /// use schlupf::surface::{HeightMap, Lattice};
+    /// use schlupf::surface::form::Form;
     ///
     /// let lattice = Lattice { columns: 20, rows: 10, spacing_x: 1e-6, spacing_y: 1e-6 };
     /// let tilted = (0..200).map(|cell| 1e-8 * f64::from(cell % 20));

@@ -1,9 +1,9 @@
 //! Cells without a measured height: NaN or infinite heights.
 
 use super::{HeightMap, Lattice, require_count};
-use crate::error::{Error, SurfaceError};
 use crate::numerics::interpolation::bilinear;
 use crate::numerics::vector::{add_scaled, dot, norm};
+use crate::reporting::{Error, SurfaceError};
 
 /// Treatment of holes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -13,9 +13,9 @@ pub mod spectrum;
 pub mod statistics;
 pub mod synthesis;
 
-use crate::error::{Error, Place, SurfaceError, require, require_at, require_positive};
-use crate::quantity::Quantity;
-use crate::requirement::Requirement;
+use crate::reporting::{
+    Error, Place, Quantity, Requirement, SurfaceError, require, require_at, require_positive,
+};
 
 /// A regular lattice of rectangular cells.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -135,7 +135,8 @@ impl HeightMap {
     /// Heights given by a function of x and y (in m), relative to the centre of the lattice.
     ///
     /// ```
-    /// use schlupf::surface::{HeightMap, Lattice, statistics::Statistics};
+    /// use schlupf::surface::{HeightMap, Lattice};
+    /// use schlupf::surface::statistics::Statistics;
     ///
     /// let wave = |x: f64| 1e-6 * (std::f64::consts::TAU * x / 1e-3).sin();
     /// let surface = HeightMap::from_fn(Lattice::square(64, 1e-3), |x, _| wave(x))?;

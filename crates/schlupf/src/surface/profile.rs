@@ -9,10 +9,10 @@ use super::ring_spectrum::RingSpectrum;
 use super::spectrum::hann;
 use super::synthesis::isotropic;
 use super::{HeightMap, Lattice};
-use crate::error::{Error, Place, SurfaceError, require_at, require_positive};
 use crate::numerics::vector::root_mean_square;
-use crate::quantity::Quantity;
-use crate::requirement::Requirement;
+use crate::reporting::{
+    Error, Place, Quantity, Requirement, SurfaceError, require_at, require_positive,
+};
 
 /// Heights along a line, equidistant.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,8 +1,8 @@
 //! The same surface on a finer or coarser lattice.
 
 use super::{HeightMap, Lattice};
-use crate::error::Error;
 use crate::numerics::interpolation::catmull_rom;
+use crate::reporting::Error;
 
 impl HeightMap {
     /// The surface in `columns` × `rows` cells on the same area. Along a side that becomes coarser,

@@ -8,7 +8,8 @@
 use std::f64::consts::{PI, TAU};
 
 use super::HeightMap;
-use crate::fourier::RealTransform;
+use crate::numerics::fourier::RealTransform;
+use crate::reporting::{Column, Record, columns};
 
 /// Treatment of the jump where a surface that is not periodic is continued.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -259,6 +260,18 @@ impl Rings {
             filled.map(|[count, q, density]| (q / count, density / count)).unzip();
         RadialSpectrum { wave_numbers, densities }
     }
+}
+
+/// Power spectral density of a surface.
+impl Record for RadialSpectrum {
+    fn rows(&self) -> usize {
+        self.wave_numbers.len()
+    }
+
+    const COLUMNS: &'static [Column<Self>] = columns! { RadialSpectrum:
+        WaveNumber => |spectrum, k| spectrum.wave_numbers[k],
+        SpectralDensity => |spectrum, k| spectrum.densities[k],
+    };
 }
 
 #[cfg(test)]

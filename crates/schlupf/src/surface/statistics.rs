@@ -2,7 +2,7 @@
 
 use super::HeightMap;
 use super::spectrum::spectral_gradient;
-use crate::error::Error;
+use crate::reporting::Error;
 
 /// Height and hybrid parameters of ISO 25178-2, about the mean height: form and tilt must be
 /// removed before (see [`super::form`]).

@@ -16,11 +16,9 @@ use rustfft::num_complex::Complex;
 
 use super::spectrum::spectral_gradient;
 use super::{HeightMap, LARGEST, Lattice};
-use crate::error::{Error, SurfaceError, require, require_positive};
-use crate::fourier::{RealTransform, smooth_from};
+use crate::numerics::fourier::{RealTransform, smooth_from};
 use crate::numerics::vector::root_mean_square;
-use crate::quantity::Quantity;
-use crate::requirement::Requirement;
+use crate::reporting::{Error, Quantity, Requirement, SurfaceError, require, require_positive};
 
 /// Prescribed roughness of a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,7 +68,8 @@ impl SelfAffine {
     ///
     /// ```
     /// use schlupf::surface::synthesis::{Roughness, SelfAffine};
-    /// use schlupf::surface::{Lattice, statistics::Statistics};
+    /// use schlupf::surface::Lattice;
+    /// use schlupf::surface::statistics::Statistics;
     ///
     /// let spectrum = SelfAffine {
     ///     roughness: Roughness::Height(1e-6),
@@ -136,7 +135,8 @@ const ROUNDING: f64 = 1e-9;
 /// Waves shorter than two cells are omitted.
 ///
 /// ```
-/// use schlupf::surface::{Lattice, synthesis::isotropic};
+/// use schlupf::surface::Lattice;
+/// use schlupf::surface::synthesis::isotropic;
 ///
 /// let white = isotropic(Lattice::square(32, 1e-4), |_| 1e-24, 7)?;
 /// assert_eq!(white.heights().len(), 32 * 32);

@@ -14,12 +14,11 @@ use super::pair::Pair;
 use super::pose::{Attitude, minus};
 use super::resting::resting_roll;
 use super::side::Side;
-use crate::error::{Error, require, require_positive};
 use crate::numerics::interpolation::piecewise_linear;
 use crate::numerics::root::bisection;
-use crate::progress::{Progress, Stage, Watch, tell};
-use crate::quantity::Quantity;
-use crate::requirement::Requirement;
+use crate::reporting::{
+    Error, Progress, Quantity, Requirement, Stage, Watch, require, require_positive, tell,
+};
 
 /// Points of a period of the lateral motion.
 const SAMPLES: usize = 8000;

@@ -2,7 +2,7 @@
 
 use super::contact_plane::ContactPlane;
 use super::pose::{Pose, cross, dot, minus};
-use crate::kinematics::Kinematics;
+use crate::bodies::Kinematics;
 
 /// Motion of a wheelset.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,9 +6,8 @@
 //! and closes it. Where h falls on the way, the peak between the last three points is looked for:
 //! it is part of a bracket, or it is the largest share there is.
 
-use crate::error::{Error, require_finite};
 use crate::numerics::root::GOLDEN;
-use crate::quantity::Quantity;
+use crate::reporting::{Error, Quantity, require_finite};
 
 /// What turns a wheel.
 #[derive(Debug, Clone, Copy, PartialEq)]

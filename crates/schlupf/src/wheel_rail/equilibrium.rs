@@ -12,9 +12,8 @@ use super::gap::Gap;
 use super::pair::Pair;
 use super::pose::{Attitude, Pose, dot, minus};
 use super::pressed::{Accuracy, Pressed, Pressing};
-use crate::error::{Error, WheelRailError};
 use crate::numerics::root::Bracket;
-use crate::progress::Watch;
+use crate::reporting::{Error, Watch, WheelRailError};
 
 /// Power of the depth with which the force of a contact grows (Hertz 1882), dimensionless.
 const POWER: f64 = 1.5;

@@ -12,7 +12,7 @@
 use super::pair::{Candidate, Pair};
 use super::pose::Attitude;
 use super::seen::Seen;
-use crate::error::{Error, WheelRailError};
+use crate::reporting::{Error, WheelRailError};
 
 /// Largest x of a candidate relative to the radius of the wheel, dimensionless.
 const FARTHEST: f64 = 0.5;

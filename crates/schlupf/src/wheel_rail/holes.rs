@@ -4,8 +4,7 @@
 use super::pair::Pair;
 use super::pressed::Pressed;
 use super::profile_curve::ProfileCurve;
-use crate::quantity::Quantity;
-use crate::warning::Warning;
+use crate::reporting::{Quantity, Warning};
 
 /// Part of the width of a contact above which a step between two points is too long,
 /// dimensionless: with fewer than two points inside, the curvature under it is not known.

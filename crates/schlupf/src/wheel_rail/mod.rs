@@ -14,6 +14,7 @@
 //! turns), while its rows slip as the curved surface; rails
 //! are straight prisms; the friction that helps to carry the wheel is that of steady rolling.
 
+mod columns;
 mod spline;
 mod profile_curve;
 mod seen;

@@ -5,9 +5,7 @@
 
 use super::profile_curve::{CurvePoint, ProfileCurve};
 use super::seen::{Across, FLATTEST, Seen};
-use crate::error::{Error, WheelRailError, require};
-use crate::quantity::Quantity;
-use crate::requirement::Requirement;
+use crate::reporting::{Error, Quantity, Requirement, WheelRailError, require};
 
 /// Bounds of lengths of the track and of the wheelset, in m.
 const LENGTH: Requirement = Requirement::Between(1e-3, 10.0);

@@ -4,10 +4,9 @@ use std::sync::Arc;
 
 use super::pressed::Pressed;
 use super::side::Side;
-use crate::error::Error;
-use crate::normal::tabulated::{PressureTable, Tabulated};
-use crate::normal::{NormalContact, NormalSummary, PressureSource};
-use crate::row_motion::RowMotion;
+use crate::bodies::RowMotion;
+use crate::normal::{NormalContact, NormalSummary, PressureSource, PressureTable, Tabulated};
+use crate::reporting::Error;
 
 /// The pressure in the plane of a contact. Positions are relative to the plane's origin, x along
 /// the track and y to the left.

@@ -10,11 +10,10 @@ use super::contact_plane::ContactPlane;
 use super::distance::{CLEAR, Heights, PlaneView};
 use super::pair::Pair;
 use super::pose::Pose;
-use crate::error::Error;
 use crate::normal::rough_contact::{
     Boundary, RoughContact, RoughContactOptions, RoughContactSolution,
 };
-use crate::progress::Watch;
+use crate::reporting::{Error, Watch};
 use crate::surface::{HeightMap, Lattice};
 
 /// Cells each way of the lattice on which the overlap is found, and on which the contact is found

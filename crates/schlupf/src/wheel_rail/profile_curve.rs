@@ -7,10 +7,8 @@
 //! profile has a kink.
 
 use super::spline;
-use crate::error::{Error, Place, WheelRailError, require_at};
 use crate::numerics::interpolation::{hermite, hermite_slope};
-use crate::quantity::Quantity;
-use crate::requirement::Requirement;
+use crate::reporting::{Error, Place, Quantity, Requirement, WheelRailError, require_at};
 
 /// Least distance of two points that a curve runs through, in m.
 pub const LEAST_SPACING: f64 = 3e-5;
@@ -100,7 +98,7 @@ impl ProfileCurve {
             return Err(WheelRailError::FewPoints { profile: quantity, count, fewest }.into());
         }
         let requirement = Requirement::Between(0.0, LARGEST);
-        crate::error::require(Quantity::ProfileSmoothing, requirement, smoothing)?;
+        crate::reporting::require(Quantity::ProfileSmoothing, requirement, smoothing)?;
         let kinks = kinks(&points, REACH * smoothing);
         let mut length = chords(&points);
         let points = smoothed(&length, points, &kinks, smoothing);

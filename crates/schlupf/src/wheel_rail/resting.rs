@@ -9,9 +9,8 @@ use super::pose::Attitude;
 use super::side::Side;
 use super::sliding::Tangential;
 use super::wheel::{Position, WheelOnRail, WheelSolution};
-use crate::error::{Error, WheelRailError};
 use crate::numerics::root::Bracket;
-use crate::progress::Watch;
+use crate::reporting::{Error, Watch, WheelRailError};
 
 /// Change of the roll angle below which it is found, in rad: less than 0.2 µm at the rails.
 const SETTLED: f64 = 2e-7;

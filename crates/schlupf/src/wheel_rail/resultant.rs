@@ -1,7 +1,7 @@
 //! A wheel as a whole: what all its contacts together do.
 
 use super::wheel::{Contact, WheelSolution};
-use crate::kinematics::Kinematics;
+use crate::bodies::Kinematics;
 use crate::solution::{Area, Fields, Power, Resultant, Solution, TGamma, Temperature, Work};
 
 impl WheelSolution {

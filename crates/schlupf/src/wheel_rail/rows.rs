@@ -21,9 +21,8 @@ use super::creepage::Moving;
 use super::distance::{PlaneView, RailPoint};
 use super::pair::Pair;
 use super::pose::{Pose, dot, minus};
-use crate::error::Error;
-use crate::kinematics::Kinematics;
-use crate::row_motion::{RowMotion, RowSlip};
+use crate::bodies::{Kinematics, RowMotion, RowSlip};
+use crate::reporting::Error;
 
 /// With what the rows of a contact move.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -11,10 +11,9 @@ use super::equilibrium::{DEEPEST, FrictionRatio, Guess, Lowered, Lowering};
 use super::pressed::Accuracy;
 use super::sliding::{Tangential, Turning};
 use super::wheel::{NEARLY_SETTLED, SETTLED, WheelOnRail, WheelSolution, first_guess};
-use crate::error::Error;
 use crate::numerics::root::Bracket;
 use crate::problem::Options;
-use crate::progress::Watch;
+use crate::reporting::{Error, Watch};
 
 /// Share of the tolerance with which a depth is found at given friction, dimensionless.
 const SHARE: f64 = 0.2;

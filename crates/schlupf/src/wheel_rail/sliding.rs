@@ -12,13 +12,10 @@ use super::pose::{Pose, cross, dot, minus};
 use super::pressed::Pressed;
 use super::rows::{Interface, RowsMove};
 use super::side::Side;
-use crate::error::{Error, ForceError};
-use crate::kinematics::Kinematics;
+use crate::bodies::{Kinematics, RowMotion};
 use crate::normal::PressureSource;
 use crate::problem::{Options, Problem};
-use crate::progress::Watch;
-use crate::quantity::Quantity;
-use crate::row_motion::RowMotion;
+use crate::reporting::{Error, ForceError, Quantity, Watch};
 use crate::solution::Solution;
 use crate::solver::Solver;
 
@@ -30,7 +27,7 @@ pub struct Tangential<'a> {
     /// The problem of a contact from its motion and its pressure, with both bodies and all laws;
     /// creepages hold at the origin of the pressure's file.
     pub problem: &'a dyn Fn(Kinematics, Arc<dyn PressureSource>) -> Result<Problem, Error>,
-    /// Contact modulus E* of both bodies, in Pa (see [`crate::material::contact_modulus`]).
+    /// Contact modulus E* of both bodies, in Pa (see [`crate::bodies::contact_modulus`]).
     pub contact_modulus: f64,
     /// A solver with given options.
     pub solver: &'a dyn Fn(&Options) -> Box<dyn Solver>,

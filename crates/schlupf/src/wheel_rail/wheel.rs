@@ -14,13 +14,12 @@ use super::pressed::Accuracy;
 use super::rows::{CONFORMAL, RowsMove};
 use super::side::Side;
 use super::sliding::{Slid, Sliding, Tangential, Turning, turn};
-use crate::error::{Error, WheelRailError, require, require_finite, require_positive};
 use crate::problem::{Options, Problem};
-use crate::progress::Watch;
-use crate::quantity::Quantity;
-use crate::requirement::Requirement;
+use crate::reporting::{
+    Error, Quantity, Requirement, Warning, Watch, WheelRailError, require, require_finite,
+    require_positive,
+};
 use crate::solution::{Solution, Status};
-use crate::warning::Warning;
 
 /// Position of a wheelset in the track: x forwards, y to the left, z up.
 #[derive(Debug, Clone, Copy, PartialEq)]

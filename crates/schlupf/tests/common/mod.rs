@@ -6,19 +6,18 @@ pub mod transients;
 
 use std::sync::Arc;
 
+use schlupf::bodies::{Body, Kinematics, Material, ReferencePoint};
 use schlupf::elasticity::Elasticity;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
 use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::heat::{Heat, partition::Partition};
-use schlupf::history::History;
-use schlupf::interface::contact_law::Incremental;
-use schlupf::interface::friction::{Friction, constant::Constant};
-use schlupf::kinematics::{Kinematics, ReferencePoint};
-use schlupf::material::{Body, Material};
-use schlupf::normal::ellipse::Ellipse;
-use schlupf::prescribed_forces::PrescribedForces;
-use schlupf::rolling::marching::march;
-use schlupf::state::State;
+use schlupf::interface::Incremental;
+use schlupf::interface::friction::Friction;
+use schlupf::interface::friction::constant::Constant;
+use schlupf::interface::heat::Heat;
+use schlupf::interface::heat::partition::Partition;
+use schlupf::normal::Ellipse;
+use schlupf::problem::{History, PrescribedForces, State};
+use schlupf::solver::march;
 use schlupf::{Options, Problem, Solution, Status, Transient, unwatched};
 
 /// Numbers between 0 and 1 (Park and Miller 1988).
@@ -88,7 +87,7 @@ pub fn cells(cells: usize) -> Options {
 
 /// Solves for the steady state, and accepts neither a march nor less than convergence.
 pub fn at_once(problem: &Problem, options: &Options) -> Solution {
-    let solution = schlupf::rolling::steady::solve(problem, options, &unwatched).unwrap();
+    let solution = schlupf::solver::solve(problem, options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     assert_eq!(solution.work.steps, 0, "marched: {:?}", solution.warnings);
     solution

@@ -3,13 +3,12 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
+use schlupf::bodies::{Kinematics, Material};
 use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::history::History;
-use schlupf::interface::contact_law::ContactLaw;
+use schlupf::interface::ContactLaw;
 use schlupf::interface::friction::constant::Constant;
-use schlupf::kinematics::Kinematics;
-use schlupf::material::Material;
 use schlupf::normal::hertz::Hertz;
+use schlupf::problem::History;
 use schlupf::{Problem, Solution};
 
 use super::{problem, rolling};

@@ -7,7 +7,7 @@ use crate::fields::field::Default::{Computed, Nothing, Same, Text};
 use crate::fields::field::{Field, Kind, Section};
 use crate::fields::path::FieldPath;
 use crate::units::Measure;
-use schlupf::requirement::Requirement::{self, AboveUpTo, Between, Finite};
+use schlupf::reporting::Requirement::{self, AboveUpTo, Between, Finite};
 
 const MODEL: FieldPath = field!("contact_law.model");
 /// The model without bristles.

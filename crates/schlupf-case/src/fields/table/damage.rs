@@ -1,6 +1,6 @@
 //! `[damage]`.
 
-use schlupf::requirement::Requirement::{self, Between, Finite};
+use schlupf::reporting::Requirement::{self, Between, Finite};
 
 use super::{MODULUS, quantity};
 use crate::fields::field::Default::{Computed, Nothing, Text};

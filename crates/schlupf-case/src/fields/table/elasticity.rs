@@ -7,7 +7,7 @@ use crate::fields::field::Default::{Computed, Nothing, Same, Text};
 use crate::fields::field::{Field, Kind, Section};
 use crate::fields::path::FieldPath;
 use crate::units::Measure;
-use schlupf::requirement::Requirement::{self, Between, Finite};
+use schlupf::reporting::Requirement::{self, Between, Finite};
 
 const BEDDING: Requirement = Between(1.0, 1e20);
 const COUPLING: Requirement = Between(0.0, 1e18);

@@ -6,7 +6,7 @@ use crate::fields::field::Default::{Nothing, Same, Text};
 use crate::fields::field::{Field, Kind, Section};
 use crate::fields::path::FieldPath;
 use crate::units::Measure;
-use schlupf::requirement::Requirement::{self, Between, Finite, Magnitude};
+use schlupf::reporting::Requirement::{self, Between, Finite, Magnitude};
 
 const COEFFICIENT: Requirement = Between(1e-9, 1e2);
 const PART: Requirement = Between(0.0, 1e2);

@@ -1,6 +1,6 @@
 //! `[layer]`.
 
-use schlupf::requirement::Requirement::{self, Between};
+use schlupf::reporting::Requirement::{self, Between};
 
 use super::quantity;
 use crate::fields::field::Default::Nothing;

@@ -7,7 +7,7 @@ use crate::fields::field::Default::{Computed, Text};
 use crate::fields::field::{Field, Kind, Section};
 use crate::fields::path::FieldPath;
 use schlupf::problem::MAX_CELLS;
-use schlupf::requirement::Requirement::{self, AboveUpTo, AtLeast, Between, Finite};
+use schlupf::reporting::Requirement::{self, AboveUpTo, AtLeast, Between, Finite};
 
 /// The choice that most of these fields belong to.
 pub(super) const METHOD: FieldPath = field!("solver.method");

@@ -1,6 +1,6 @@
 //! `[subsurface]`.
 
-use schlupf::requirement::Requirement::{self, Between, Finite};
+use schlupf::reporting::Requirement::{self, Between, Finite};
 
 use super::quantity;
 use crate::fields::choice::{BodyChoice, Choose};

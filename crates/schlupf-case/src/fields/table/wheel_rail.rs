@@ -5,7 +5,7 @@ use crate::fields::choice::{Choose, ForceAxis, WheelSide};
 use crate::fields::field::Default::{Computed, Nothing, Text};
 use crate::fields::field::{Field, Kind, Section};
 use crate::units::Measure;
-use schlupf::requirement::Requirement::{self, Between, Finite, Inside, Magnitude};
+use schlupf::reporting::Requirement::{self, Between, Finite, Inside, Magnitude};
 
 const LENGTH: Requirement = Between(1e-3, 10.0);
 const ANGLE: Requirement = Inside(-1.0, 1.0);

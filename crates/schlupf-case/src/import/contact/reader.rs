@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use crate::{CaseError, Place, Source};
-use schlupf::message::shortened;
+use schlupf::reporting::shortened;
 
 use super::given::{At, Form, Given, GivenText, Item, angle};
 

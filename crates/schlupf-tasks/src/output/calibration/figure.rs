@@ -2,7 +2,7 @@
 //! the traction along the centre line of the patch.
 
 use schlupf::Status;
-use schlupf::calibration::side_by_side::{Answer, Course, Model, SideBySide};
+use schlupf::analysis::calibration::side_by_side::{Answer, Course, Model, SideBySide};
 
 use crate::output::figures::color::{BLUE, GREEN, INK, VERMILION};
 use crate::output::figures::label::{Anchor, TextStyle};

@@ -1,9 +1,9 @@
 //! Calibrated stiffnesses as JSON.
 
 use schlupf::Status;
-use schlupf::calibration::Deviation;
+use schlupf::analysis::calibration::Deviation;
 use schlupf::elasticity::elastic_layer::LayerStiffness;
-use schlupf::message::Message;
+use schlupf::reporting::Message;
 use serde::Serialize;
 
 use super::{CalibrationReport, FittedComponent, Layer};

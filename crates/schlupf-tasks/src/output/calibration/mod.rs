@@ -6,12 +6,12 @@ mod json;
 mod snippet;
 mod summary;
 
-use schlupf::calibration::Deviation;
-use schlupf::calibration::displacements::DisplacementFit;
-use schlupf::calibration::side_by_side::SideBySide;
+use schlupf::analysis::calibration::Deviation;
+use schlupf::analysis::calibration::displacements::DisplacementFit;
+use schlupf::analysis::calibration::side_by_side::SideBySide;
 use schlupf::elasticity::elastic_layer::LayerStiffness;
-use schlupf::message::Message;
 use schlupf::normal::NormalSummary;
+use schlupf::reporting::Message;
 use schlupf::solution::Status;
 
 use crate::output::figures::{Drawing, FigureError};

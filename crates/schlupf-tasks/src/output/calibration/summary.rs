@@ -1,6 +1,6 @@
 //! Calibrated stiffnesses as text.
 
-use schlupf::calibration::Deviation;
+use schlupf::analysis::calibration::Deviation;
 use schlupf::elasticity::elastic_layer::LayerStiffness;
 
 use super::snippet::snippet;

@@ -1,6 +1,6 @@
 //! Results of several methods for one case: bars side by side, and their times.
 
-use schlupf::method::FastMethod;
+use schlupf::problem::FastMethod;
 use schlupf::{Method, Status};
 
 use super::{Answer, Comparison, Entry};

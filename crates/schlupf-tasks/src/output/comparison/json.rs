@@ -1,8 +1,8 @@
 //! A comparison as JSON, for other programs.
 
-use schlupf::kinematics::Kinematics;
-use schlupf::message::Message;
+use schlupf::bodies::Kinematics;
 use schlupf::normal::NormalSummary;
+use schlupf::reporting::Message;
 use serde::Serialize;
 
 use super::Comparison;

@@ -4,9 +4,8 @@ mod figure;
 mod json;
 mod summary;
 
-use schlupf::columns::{Column, Record, Value};
-use schlupf::message::Message;
-use schlupf::{Solution, Status, columns};
+use schlupf::reporting::{Column, Message, Record, Value, columns};
+use schlupf::{Solution, Status};
 
 use crate::output::figures::{Drawing, FigureError};
 use crate::output::report::Report;
@@ -86,29 +85,27 @@ impl Record for Comparison {
         self.entries.len()
     }
 
-    fn columns() -> &'static [Column<Self>] {
-        columns! { Comparison:
-            ForceX => |methods, k| methods.of(k, |answer| answer.solution.force.x),
-            ForceY => |methods, k| methods.of(k, |answer| answer.solution.force.y),
-            MomentZ => |methods, k| methods.of(k, |answer| answer.solution.force.moment_z),
-            NormalisedX => |methods, k| methods.of(k, |answer| answer.solution.normalised.x),
-            NormalisedY => |methods, k| methods.of(k, |answer| answer.solution.normalised.y),
-            NormalisedMomentZ => |methods, k| {
-                methods.of(k, |answer| answer.solution.normalised.moment_z)
-            },
-            TractionCoefficient => |methods, k| {
-                methods.of(k, |answer| answer.solution.traction_coefficient)
-            },
-            CreepPower => |methods, k| {
-                methods.of(k, |answer| answer.solution.power.map(|power| power.creep))
-            },
-            MaxRise => |methods, k| {
-                methods.of(k, |answer| answer.solution.temperature.map(|largest| largest.max_rise))
-            },
-            ComputingTime "time" => |methods, k| methods.of(k, |answer| answer.time),
-            ComputingTimeAgain "time_again" => |methods, k| methods.of(k, |answer| answer.time_again),
-        }
-    }
+    const COLUMNS: &'static [Column<Self>] = columns! { Comparison:
+        ForceX => |methods, k| methods.of(k, |answer| answer.solution.force.x),
+        ForceY => |methods, k| methods.of(k, |answer| answer.solution.force.y),
+        MomentZ => |methods, k| methods.of(k, |answer| answer.solution.force.moment_z),
+        NormalisedX => |methods, k| methods.of(k, |answer| answer.solution.normalised.x),
+        NormalisedY => |methods, k| methods.of(k, |answer| answer.solution.normalised.y),
+        NormalisedMomentZ => |methods, k| {
+            methods.of(k, |answer| answer.solution.normalised.moment_z)
+        },
+        TractionCoefficient => |methods, k| {
+            methods.of(k, |answer| answer.solution.traction_coefficient)
+        },
+        CreepPower => |methods, k| {
+            methods.of(k, |answer| answer.solution.power.map(|power| power.creep))
+        },
+        MaxRise => |methods, k| {
+            methods.of(k, |answer| answer.solution.temperature.map(|largest| largest.max_rise))
+        },
+        ComputingTime "time" => |methods, k| methods.of(k, |answer| answer.time),
+        ComputingTimeAgain "time_again" => |methods, k| methods.of(k, |answer| answer.time_again),
+    };
 }
 
 impl Report for Comparison {

@@ -1,6 +1,6 @@
 //! A comparison as text: one table.
 
-use schlupf::kinematics::ReferencePoint;
+use schlupf::bodies::ReferencePoint;
 
 use super::{Answer, Comparison};
 use crate::output::number::significant as number;

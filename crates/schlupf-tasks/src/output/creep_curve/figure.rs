@@ -1,7 +1,7 @@
 //! Creep curves: force on the rail over load, moment and temperature rise against creepage; or
 //! creepage against a prescribed force.
 
-use schlupf::creep_curve::{Abscissa, CreepCurve, Point, VariedForce};
+use schlupf::analysis::creep_curve::{Abscissa, CreepCurve, Point, VariedForce};
 use schlupf::solution::Resultant;
 use schlupf::{Quantity, Status};
 

@@ -3,10 +3,12 @@
 use serde::Serialize;
 
 use schlupf::Method;
-use schlupf::creep_curve::{Abscissa, CreepCurve, Creepages, InitialSlope, Maximum, Path, Spacing};
-use schlupf::kinematics::ReferencePoint;
-use schlupf::message::Message;
+use schlupf::analysis::creep_curve::{
+    Abscissa, CreepCurve, Creepages, InitialSlope, Maximum, Path, Spacing,
+};
+use schlupf::bodies::ReferencePoint;
 use schlupf::normal::NormalSummary;
+use schlupf::reporting::Message;
 use schlupf::solution::Work;
 
 use super::{CreepMap, CurveFamily, Member};

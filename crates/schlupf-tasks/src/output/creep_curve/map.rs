@@ -2,9 +2,8 @@
 //! over two fields.
 
 use schlupf::Status;
-use schlupf::columns;
-use schlupf::columns::{Column, Record};
-use schlupf::creep_curve::{CreepCurve, Creepages};
+use schlupf::analysis::creep_curve::{CreepCurve, Creepages};
+use schlupf::reporting::{Column, Record, columns};
 use schlupf::solution::Resultant;
 use serde::ser::{Serialize, SerializeMap, SerializeStruct, Serializer};
 
@@ -91,7 +90,7 @@ impl CurveFamily {
             let row = |member: &usize| columns_of_x.iter().map(|k| value(*member, *k)).collect();
             map_column(column, places.iter().map(row).collect())
         };
-        let columns = CreepCurve::columns().iter().map(column).collect();
+        let columns = CreepCurve::COLUMNS.iter().map(column).collect();
         Some(CreepMap { x: axis, y: self.axis(0)?, columns: with_values(columns) })
     }
 
@@ -112,7 +111,7 @@ impl CurveFamily {
             let row = |y: &f64| x.values.iter().map(|x| value(*x, *y)).collect();
             map_column(column, y.values.iter().map(row).collect())
         };
-        let columns = Peak::columns().iter().map(column).collect();
+        let columns = Peak::COLUMNS.iter().map(column).collect();
         Some(CreepMap { columns: with_values(columns), x, y })
     }
 
@@ -158,7 +157,8 @@ impl Peak {
         if let Some(top) = curve.maximum() {
             return Some(peak(top.abscissa, top.force, top.normalised, top.traction_coefficient));
         }
-        let larger = |one: &&schlupf::creep_curve::Point, other: &&schlupf::creep_curve::Point| {
+        let larger = |one: &&schlupf::analysis::creep_curve::Point,
+                      other: &&schlupf::analysis::creep_curve::Point| {
             one.traction_coefficient.total_cmp(&other.traction_coefficient)
         };
         let end = curve.points.iter().max_by(larger)?;
@@ -172,21 +172,19 @@ impl Record for Peak {
         1
     }
 
-    fn columns() -> &'static [Column<Self>] {
-        columns! { Peak:
-            CreepageX => |peak, _| peak.creepages.x,
-            CreepageY => |peak, _| peak.creepages.y,
-            Spin => |peak, _| peak.creepages.spin,
-            Creepage => |peak, _| peak.creepage,
-            ForceX => |peak, _| peak.force.x,
-            ForceY => |peak, _| peak.force.y,
-            MomentZ => |peak, _| peak.force.moment_z,
-            NormalisedX => |peak, _| peak.normalised.x,
-            NormalisedY => |peak, _| peak.normalised.y,
-            NormalisedMomentZ => |peak, _| peak.normalised.moment_z,
-            TractionCoefficient => |peak, _| peak.traction_coefficient,
-        }
-    }
+    const COLUMNS: &'static [Column<Self>] = columns! { Peak:
+        CreepageX => |peak, _| peak.creepages.x,
+        CreepageY => |peak, _| peak.creepages.y,
+        Spin => |peak, _| peak.creepages.spin,
+        Creepage => |peak, _| peak.creepage,
+        ForceX => |peak, _| peak.force.x,
+        ForceY => |peak, _| peak.force.y,
+        MomentZ => |peak, _| peak.force.moment_z,
+        NormalisedX => |peak, _| peak.normalised.x,
+        NormalisedY => |peak, _| peak.normalised.y,
+        NormalisedMomentZ => |peak, _| peak.normalised.moment_z,
+        TractionCoefficient => |peak, _| peak.traction_coefficient,
+    };
 }
 
 /// The places of numbers in increasing order.

@@ -1,7 +1,7 @@
 //! Maps of creep curves: colours with labelled contours.
 
 use schlupf::Status;
-use schlupf::creep_curve::{Abscissa, VariedForce};
+use schlupf::analysis::creep_curve::{Abscissa, VariedForce};
 
 use super::{Axis, CreepMap, CurveFamily, figure};
 use crate::output::figures::Drawing as Named;

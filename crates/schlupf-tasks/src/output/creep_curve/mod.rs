@@ -7,9 +7,8 @@ mod map_figure;
 mod summary;
 
 use schlupf::Status;
-use schlupf::columns::{Column, Record};
-use schlupf::creep_curve::{Abscissa, CreepCurve, Sampling, VariedForce};
-use schlupf::message::Message;
+use schlupf::analysis::creep_curve::{Abscissa, CreepCurve, Sampling, VariedForce};
+use schlupf::reporting::{Column, Message, Record};
 
 use crate::output::figures::{Drawing, FigureError, marks};
 use crate::output::report::Report;
@@ -149,7 +148,7 @@ impl Report for CurveFamily {
     /// the columns of the points, such as the total creepage in a fixed direction.
     fn csv(&self) -> Option<String> {
         let is_column = |name| {
-            CreepCurve::columns().iter().any(|column: &Column<CreepCurve>| column.name == name)
+            CreepCurve::COLUMNS.iter().any(|column: &Column<CreepCurve>| column.name == name)
         };
         let varied = self.members.first().map(|member| member.curve.path.quantity());
         let varied = varied.filter(|quantity| !is_column(quantity.name()));

@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use schlupf::creep_curve::{
+use schlupf::analysis::creep_curve::{
     Abscissa, CreepCurve, InitialSlope, Maximum, PLATEAU, Point, VariedForce,
 };
-use schlupf::kinematics::ReferencePoint;
+use schlupf::bodies::ReferencePoint;
 use schlupf::solution::Resultant;
 use schlupf::{Method, Status};
 

@@ -1,6 +1,6 @@
 //! Damage over a run: wear across the profile, the run, and distributions.
 
-use schlupf::damage::{Histogram, RunPoint};
+use schlupf::analysis::damage::{Histogram, RunPoint};
 use schlupf::{Quantity, Status};
 
 use super::DamageReport;

@@ -1,8 +1,8 @@
 //! Damage over a run as JSON, for other programs.
 
 use schlupf::Status;
-use schlupf::damage::{CrackFunction, Laws, Profile, RunDamage, WearMap};
-use schlupf::message::Message;
+use schlupf::analysis::damage::{CrackFunction, Laws, Profile, RunDamage, WearMap};
+use schlupf::reporting::Message;
 use serde::Serialize;
 
 use super::{DamageReport, LeftOut};

@@ -5,8 +5,8 @@ pub(crate) mod json;
 mod summary;
 
 use schlupf::Status;
-use schlupf::damage::{Laws, RunDamage};
-use schlupf::message::Message;
+use schlupf::analysis::damage::{Laws, RunDamage};
+use schlupf::reporting::Message;
 
 use crate::output::figures::{Drawing, FigureError};
 use crate::output::report::{OwnFile, Report};

@@ -1,6 +1,6 @@
 //! Damage over a run as text.
 
-use schlupf::damage::WearTotal;
+use schlupf::analysis::damage::WearTotal;
 
 use super::DamageReport;
 use crate::output::number::significant as number;

@@ -1,6 +1,6 @@
 //! Elements shared by several figures: heading, colour bar, arrows, legend.
 
-use schlupf::kinematics::ReferencePoint;
+use schlupf::bodies::ReferencePoint;
 use schlupf::{Solution, Status};
 
 use super::color::{ColorScale, INK, LEVELS, MUTED, paint};

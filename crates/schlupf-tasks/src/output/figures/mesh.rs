@@ -1,6 +1,6 @@
 //! The surface of a field over the patch, as polygons.
 
-use schlupf::grid::BORDER;
+use schlupf::normal::BORDER;
 
 use super::patch::Patch;
 use super::sampler::Sampler;

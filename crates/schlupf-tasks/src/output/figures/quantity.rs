@@ -1,6 +1,6 @@
 //! The quantities shown over the patch.
 
-use schlupf::columns::Record;
+use schlupf::reporting::Record;
 use schlupf::solution::Fields;
 
 use super::color::{ColorScale, Palette};
@@ -167,7 +167,7 @@ impl Map {
 /// A column of the fields.
 fn column(patch: &Patch, quantity: schlupf::Quantity) -> Vec<f64> {
     let fields = patch.fields();
-    let column = Fields::columns().iter().find(|column| column.quantity == quantity);
+    let column = Fields::COLUMNS.iter().find(|column| column.quantity == quantity);
     let value = |cell| column.and_then(|column| (column.value)(fields, cell).number());
     (0..fields.rows()).map(|cell| value(cell).unwrap_or_default()).collect()
 }

@@ -1,6 +1,6 @@
 //! A fit: measured forces with the fitted curves, a panel for each component, and the residuals.
 
-use schlupf::identification::{Component, Condition, Estimate, FittedPoint};
+use schlupf::analysis::identification::{Component, Condition, Estimate, FittedPoint};
 
 use super::{FitReport, in_usual_unit, with_uncertainty};
 use crate::output::creep_curve::axis;

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use schlupf::Status;
-use schlupf::message::Message;
+use schlupf::reporting::Message;
 use schlupf::solution::Work;
 
 use super::FitReport;

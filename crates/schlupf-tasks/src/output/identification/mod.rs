@@ -4,10 +4,9 @@ mod figure;
 mod json;
 mod summary;
 
-use schlupf::columns::{Column, Record, Value};
-use schlupf::identification::{Component, Fit, FittedCurves, FittedPoint, Parameter};
-use schlupf::message::Message;
-use schlupf::{Status, columns};
+use schlupf::Status;
+use schlupf::analysis::identification::{Component, Fit, FittedCurves, FittedPoint, Parameter};
+use schlupf::reporting::{Column, Message, Record, Value, columns};
 
 use crate::output::figures::{Drawing, FigureError};
 use crate::output::number::significant;
@@ -56,20 +55,18 @@ impl Record for FitReport {
         self.fit.points.len()
     }
 
-    fn columns() -> &'static [Column<Self>] {
-        columns! { FitReport:
-            CreepageX => |report, k| report.point(k).data.condition.kinematics.creepage_x,
-            CreepageY => |report, k| report.point(k).data.condition.kinematics.creepage_y,
-            Spin => |report, k| report.point(k).data.condition.kinematics.spin,
-            Speed => |report, k| report.point(k).data.condition.kinematics.speed,
-            Load => |report, k| report.load_of(report.point(k)),
-            Component => |report, k| Value::Name(component(report.point(k).data.component)),
-            ForceRatio => |report, k| report.point(k).data.force_ratio,
-            FittedRatio "fitted" => |report, k| report.point(k).fitted,
-            RatioResidual "residual" => |report, k| report.point(k).residual(),
-            StandardDeviation => |report, k| report.point(k).data.standard_deviation,
-        }
-    }
+    const COLUMNS: &'static [Column<Self>] = columns! { FitReport:
+        CreepageX => |report, k| report.point(k).data.condition.kinematics.creepage_x,
+        CreepageY => |report, k| report.point(k).data.condition.kinematics.creepage_y,
+        Spin => |report, k| report.point(k).data.condition.kinematics.spin,
+        Speed => |report, k| report.point(k).data.condition.kinematics.speed,
+        Load => |report, k| report.load_of(report.point(k)),
+        Component => |report, k| Value::Name(component(report.point(k).data.component)),
+        ForceRatio => |report, k| report.point(k).data.force_ratio,
+        FittedRatio "fitted" => |report, k| report.point(k).fitted,
+        RatioResidual "residual" => |report, k| report.point(k).residual(),
+        StandardDeviation => |report, k| report.point(k).data.standard_deviation,
+    };
 }
 
 impl Report for FitReport {

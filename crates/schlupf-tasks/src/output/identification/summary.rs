@@ -1,6 +1,6 @@
 //! A fit as text.
 
-use schlupf::identification::Estimate;
+use schlupf::analysis::identification::Estimate;
 
 use super::{FitReport, in_usual_unit, with_uncertainty};
 use crate::output::number::significant as number;

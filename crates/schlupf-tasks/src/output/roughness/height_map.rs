@@ -3,12 +3,11 @@
 use schlupf::surface::Lattice;
 
 use super::{RoughnessReport, Spots};
-use crate::output::figures::cells;
 use crate::output::figures::color::{ColorScale, Palette};
 use crate::output::figures::frame::Frame;
 use crate::output::figures::marks::{self, HEADING, Heading, short};
 use crate::output::figures::svg::Drawing;
-use crate::output::figures::units;
+use crate::output::figures::{cells, units};
 use crate::output::report::Report;
 
 /// Maximum number of cells along a side in a map of the heights, and in one of the spots: larger

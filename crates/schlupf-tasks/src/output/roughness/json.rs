@@ -1,11 +1,10 @@
 //! A rough surface, its contact and its k_c as JSON, for other programs.
 
 use schlupf::Status;
-use schlupf::columns::Record;
 use schlupf::interface::roughness::load_curve::LoadCurve;
 use schlupf::interface::roughness::stiffness::{ExponentialFit, TYPICAL_GAMMA};
 use schlupf::interface::roughness::tangential_curve::TangentialCurve;
-use schlupf::message::Message;
+use schlupf::reporting::{Message, Record};
 use schlupf::surface::Lattice;
 use schlupf::surface::statistics::Statistics;
 use serde::Serialize;
@@ -137,7 +136,7 @@ struct CurvePoints<'a>(&'a TangentialCurve);
 
 impl Serialize for CurvePoints<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let columns = TangentialCurve::columns().iter().filter(|c| c.name != "stiffness");
+        let columns = TangentialCurve::COLUMNS.iter().filter(|c| c.name != "stiffness");
         let mut map = serializer.serialize_map(None)?;
         for column in columns {
             let number = |row| (column.value)(self.0, row).number();

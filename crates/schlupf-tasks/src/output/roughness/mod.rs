@@ -10,9 +10,8 @@ mod summary;
 
 use schlupf::Status;
 use schlupf::interface::roughness::micro_model::MicroModelResult;
-use schlupf::interface::roughness::tangential_curve::SimilarBodies;
-use schlupf::interface::roughness::tangential_curve::TangentialCurve;
-use schlupf::message::Message;
+use schlupf::interface::roughness::tangential_curve::{SimilarBodies, TangentialCurve};
+use schlupf::reporting::Message;
 use schlupf::surface::HeightMap;
 use schlupf::surface::spectrum::RadialSpectrum;
 

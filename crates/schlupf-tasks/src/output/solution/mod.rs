@@ -5,7 +5,7 @@ pub(crate) mod wheel;
 
 use std::sync::Arc;
 
-use schlupf::message::Message;
+use schlupf::reporting::Message;
 use schlupf::wheel_rail::WheelSolution;
 use schlupf::{Solution, Status};
 

@@ -1,7 +1,7 @@
 //! A text summary in engineering units.
 
 use schlupf::Method;
-use schlupf::kinematics::ReferencePoint;
+use schlupf::bodies::ReferencePoint;
 use schlupf::solution::{Power, Solution, Status, Temperature};
 
 use super::SolutionReport;

@@ -1,7 +1,7 @@
 //! Stresses below the surface: the stress of von Mises and the largest shear stress in a section
 //! along rolling, the former in one across rolling, too, and stresses below a point.
 
-use schlupf::subsurface::{Measure, Plane, PointStress, Stress};
+use schlupf::analysis::subsurface::{Measure, Plane, PointStress, Stress};
 
 use super::StressReport;
 use crate::output::figures::Drawing as Named;

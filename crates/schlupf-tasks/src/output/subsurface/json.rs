@@ -1,9 +1,9 @@
 //! Stresses below the surface as JSON, for other programs.
 
 use schlupf::Status;
-use schlupf::message::Message;
+use schlupf::analysis::subsurface::{Largest, Measure, PointStress};
 use schlupf::normal::NormalSummary;
-use schlupf::subsurface::{Largest, Measure, PointStress};
+use schlupf::reporting::Message;
 use serde::Serialize;
 
 use super::StressReport;

@@ -5,11 +5,13 @@ mod json;
 mod summary;
 mod vtk;
 
-use schlupf::message::Message;
+use schlupf::analysis::subsurface::{
+    Largest, Measure, PointStress, StressVolume, SubsurfaceStress,
+};
+use schlupf::analysis::temperature_field::Side;
 use schlupf::normal::NormalSummary;
+use schlupf::reporting::Message;
 use schlupf::solution::Status;
-use schlupf::subsurface::{Largest, Measure, PointStress, StressVolume, SubsurfaceStress};
-use schlupf::temperature_field::Side;
 
 use crate::output::figures::{Drawing, FigureError};
 use crate::output::report::{OwnFile, Report};
@@ -61,7 +63,7 @@ impl StressReport {
 
     /// The largest value of a measure in every layer, in Pa.
     fn by_depth(&self, measure: Measure) -> Vec<f64> {
-        let of_layer = |stress: &[schlupf::subsurface::Stress]| {
+        let of_layer = |stress: &[schlupf::analysis::subsurface::Stress]| {
             stress.iter().map(|stress| measure.of(stress)).fold(f64::NEG_INFINITY, f64::max)
         };
         self.volume.layers.iter().map(|layer| of_layer(&layer.stress)).collect()

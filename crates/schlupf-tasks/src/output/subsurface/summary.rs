@@ -1,6 +1,6 @@
 //! Stresses below the surface as text.
 
-use schlupf::subsurface::{Measure, PointStress};
+use schlupf::analysis::subsurface::{Measure, PointStress};
 
 use super::StressReport;
 use crate::output::number::significant as number;

@@ -1,7 +1,7 @@
 //! The stresses in all layers as a legacy VTK file, for `ParaView` and similar programs.
 
-use schlupf::subsurface::{Stress, StressVolume};
-use schlupf::temperature_field::Side;
+use schlupf::analysis::subsurface::{Stress, StressVolume};
+use schlupf::analysis::temperature_field::Side;
 
 use super::StressReport;
 use crate::output::vtk::{append, title_line};

@@ -1,7 +1,7 @@
 //! Temperatures along lines as JSON, for other programs.
 
 use schlupf::Status;
-use schlupf::message::Message;
+use schlupf::reporting::Message;
 use serde::Serialize;
 
 use super::{Row, Temperatures};

@@ -6,11 +6,9 @@ mod json;
 mod summary;
 
 use schlupf::Quantity;
-use schlupf::columns;
-use schlupf::columns::{Column, Record};
-use schlupf::message::Message;
+use schlupf::analysis::temperature_field::{Side, TemperatureField};
+use schlupf::reporting::{Column, Message, Record, columns};
 use schlupf::solution::Status;
-use schlupf::temperature_field::{Side, TemperatureField};
 
 use crate::output::figures::{Drawing, FigureError};
 use crate::output::report::Report;
@@ -144,12 +142,10 @@ impl Record for Line {
         self.position.len()
     }
 
-    fn columns() -> &'static [Column<Self>] {
-        columns! { Line:
-            WheelTemperature => |line, k| line.wheel[k],
-            RailTemperature => |line, k| line.rail[k],
-        }
-    }
+    const COLUMNS: &'static [Column<Self>] = columns! { Line:
+        WheelTemperature => |line, k| line.wheel[k],
+        RailTemperature => |line, k| line.rail[k],
+    };
 }
 
 impl Report for Temperatures {

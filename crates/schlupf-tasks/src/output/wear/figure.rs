@@ -1,16 +1,15 @@
 //! Damage per wheel passage: depth of wear across the profile, its rate in the patch, and the
 //! shakedown map.
 
-use schlupf::damage::{PassageWear, ShakedownLimits};
+use schlupf::analysis::damage::{PassageWear, ShakedownLimits};
 
 use super::WearReport;
-use crate::output::figures::Drawing as Named;
 use crate::output::figures::color::{BLUE, GREEN, INK, Palette, VERMILION};
-use crate::output::figures::map;
 use crate::output::figures::marks::{Entry, Heading, Shape, short};
 use crate::output::figures::panels::{self, Axis, Curve, Mark, Panel, Stack};
 use crate::output::figures::patch::Patch;
 use crate::output::figures::quantity::Quantity;
+use crate::output::figures::{Drawing as Named, map};
 
 /// Names of all figures.
 pub(super) const NAMES: [&str; 3] = ["wear_profile", "wear_rate", "wear_shakedown"];

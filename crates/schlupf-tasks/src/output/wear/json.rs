@@ -1,10 +1,10 @@
 //! The damage per wheel passage as JSON, for other programs.
 
 use schlupf::Status;
-use schlupf::damage::{Passage, PassageProfile, WearCells};
-use schlupf::kinematics::Kinematics;
-use schlupf::message::Message;
+use schlupf::analysis::damage::{Passage, PassageProfile, WearCells};
+use schlupf::bodies::Kinematics;
 use schlupf::normal::NormalSummary;
+use schlupf::reporting::Message;
 use schlupf::solution::Resultant;
 use serde::Serialize;
 

@@ -4,8 +4,8 @@ mod figure;
 mod json;
 mod summary;
 
-use schlupf::damage::{Laws, Passage};
-use schlupf::message::Message;
+use schlupf::analysis::damage::{Laws, Passage};
+use schlupf::reporting::Message;
 use schlupf::{Solution, Status};
 
 use crate::output::figures::{Drawing, FigureError};

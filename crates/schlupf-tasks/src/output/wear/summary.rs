@@ -1,6 +1,6 @@
 //! The damage per wheel passage as text.
 
-use schlupf::damage::{Melting, PassageWear, ShakedownPoint};
+use schlupf::analysis::damage::{Melting, PassageWear, ShakedownPoint};
 
 use super::WearReport;
 use crate::output::number::significant as number;

@@ -1,7 +1,7 @@
 //! The contacts of a wheelset as JSON, for other programs.
 
 use schlupf::Status;
-use schlupf::message::Message;
+use schlupf::reporting::Message;
 use schlupf::wheel_rail::Side;
 use serde::Serialize;
 

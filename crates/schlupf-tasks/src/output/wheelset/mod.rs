@@ -6,9 +6,7 @@ mod json;
 mod summary;
 
 use schlupf::Status;
-use schlupf::columns;
-use schlupf::columns::{Column, Record, Value};
-use schlupf::message::Message;
+use schlupf::reporting::{Column, Message, Record, Value, columns};
 use schlupf::wheel_rail::{Contact, Pair, RollingRadiusDifference, Side, WheelSolution};
 use std::sync::Arc;
 
@@ -91,13 +89,11 @@ impl Record for Conicity {
         self.amplitude.len()
     }
 
-    fn columns() -> &'static [Column<Self>] {
-        columns! { Conicity:
-            Amplitude => |curve, k| curve.amplitude[k],
-            EquivalentConicity => |curve, k| curve.nonlinear[k],
-            HarmonicConicity => |curve, k| curve.harmonic[k],
-        }
-    }
+    const COLUMNS: &'static [Column<Self>] = columns! { Conicity:
+        Amplitude => |curve, k| curve.amplitude[k],
+        EquivalentConicity => |curve, k| curve.nonlinear[k],
+        HarmonicConicity => |curve, k| curve.harmonic[k],
+    };
 }
 
 /// A contact of a wheel, or a wheel that was not found.
@@ -163,46 +159,44 @@ impl Record for WheelsetReport {
         self.contacts().count()
     }
 
-    fn columns() -> &'static [Column<Self>] {
-        columns! { WheelsetReport:
-            LateralPosition => |all, k| all.of(k, |row| row.at.lateral),
-            WheelSide "side" => |all, k| all.of(k, |row| Value::Name(row.side.name())),
-            ContactNumber "contact" => |all, k| all.of(k, |row| row.number),
-            WheelsetHeight => |all, k| all.of_wheel(k, |wheel| wheel.height),
-            RollAngle => |all, k| all.of_wheel(k, |wheel| wheel.position.roll),
-            RollingRadiusDifference => |all, k| all.of(k, |row| row.at.rolling_radius_difference()),
-            RigidRollingRadiusDifference => |all, k| all.of(k, |row| row.at.rigid),
-            PositionX "position.x" => |all, k| all.of_contact(k, |contact| contact.position[0]),
-            PositionY "position.y" => |all, k| all.of_contact(k, |contact| contact.position[1]),
-            PositionZ "position.z" => |all, k| all.of_contact(k, |contact| contact.position[2]),
-            ContactAngle "angle" => |all, k| all.of_contact(k, |contact| contact.angle),
-            RailPosition => |all, k| all.of_contact(k, |contact| contact.rail_position),
-            WheelPosition => |all, k| all.of_contact(k, |contact| contact.wheel_position),
-            RollingRadius => |all, k| all.of_contact(k, |contact| contact.rolling_radius),
-            CreepageX => |all, k| all.of_contact(k, |c| c.solution.kinematics.creepage_x),
-            CreepageY => |all, k| all.of_contact(k, |c| c.solution.kinematics.creepage_y),
-            Spin => |all, k| all.of_contact(k, |c| c.solution.kinematics.spin),
-            Load "normal.load" => |all, k| all.of_contact(k, |c| c.solution.normal.load),
-            SemiAxisX "normal.semi_axis_x" => |all, k| {
-                all.of_contact(k, |c| c.solution.normal.semi_axis_x)
-            },
-            SemiAxisY "normal.semi_axis_y" => |all, k| {
-                all.of_contact(k, |c| c.solution.normal.semi_axis_y)
-            },
-            PeakPressure "normal.peak_pressure" => |all, k| {
-                all.of_contact(k, |c| c.solution.normal.peak_pressure)
-            },
-            ForceX "force.x" => |all, k| all.of_contact(k, |c| c.solution.force.x),
-            ForceY "force.y" => |all, k| all.of_contact(k, |c| c.solution.force.y),
-            MomentZ "force.moment_z" => |all, k| {
-                all.of(k, |row| row.contact.and_then(|c| c.solution.force.moment_z))
-            },
-            WheelForceX "wheel_force.x" => |all, k| all.of_wheel(k, |wheel| wheel.force[0]),
-            WheelForceY "wheel_force.y" => |all, k| all.of_wheel(k, |wheel| wheel.force[1]),
-            WheelForceZ "wheel_force.z" => |all, k| all.of_wheel(k, |wheel| wheel.force[2]),
-            Convergence "status" => |all, k| all.of(k, |row| Value::Name(row.status())),
-        }
-    }
+    const COLUMNS: &'static [Column<Self>] = columns! { WheelsetReport:
+        LateralPosition => |all, k| all.of(k, |row| row.at.lateral),
+        WheelSide "side" => |all, k| all.of(k, |row| Value::Name(row.side.name())),
+        ContactNumber "contact" => |all, k| all.of(k, |row| row.number),
+        WheelsetHeight => |all, k| all.of_wheel(k, |wheel| wheel.height),
+        RollAngle => |all, k| all.of_wheel(k, |wheel| wheel.position.roll),
+        RollingRadiusDifference => |all, k| all.of(k, |row| row.at.rolling_radius_difference()),
+        RigidRollingRadiusDifference => |all, k| all.of(k, |row| row.at.rigid),
+        PositionX "position.x" => |all, k| all.of_contact(k, |contact| contact.position[0]),
+        PositionY "position.y" => |all, k| all.of_contact(k, |contact| contact.position[1]),
+        PositionZ "position.z" => |all, k| all.of_contact(k, |contact| contact.position[2]),
+        ContactAngle "angle" => |all, k| all.of_contact(k, |contact| contact.angle),
+        RailPosition => |all, k| all.of_contact(k, |contact| contact.rail_position),
+        WheelPosition => |all, k| all.of_contact(k, |contact| contact.wheel_position),
+        RollingRadius => |all, k| all.of_contact(k, |contact| contact.rolling_radius),
+        CreepageX => |all, k| all.of_contact(k, |c| c.solution.kinematics.creepage_x),
+        CreepageY => |all, k| all.of_contact(k, |c| c.solution.kinematics.creepage_y),
+        Spin => |all, k| all.of_contact(k, |c| c.solution.kinematics.spin),
+        Load "normal.load" => |all, k| all.of_contact(k, |c| c.solution.normal.load),
+        SemiAxisX "normal.semi_axis_x" => |all, k| {
+            all.of_contact(k, |c| c.solution.normal.semi_axis_x)
+        },
+        SemiAxisY "normal.semi_axis_y" => |all, k| {
+            all.of_contact(k, |c| c.solution.normal.semi_axis_y)
+        },
+        PeakPressure "normal.peak_pressure" => |all, k| {
+            all.of_contact(k, |c| c.solution.normal.peak_pressure)
+        },
+        ForceX "force.x" => |all, k| all.of_contact(k, |c| c.solution.force.x),
+        ForceY "force.y" => |all, k| all.of_contact(k, |c| c.solution.force.y),
+        MomentZ "force.moment_z" => |all, k| {
+            all.of(k, |row| row.contact.and_then(|c| c.solution.force.moment_z))
+        },
+        WheelForceX "wheel_force.x" => |all, k| all.of_wheel(k, |wheel| wheel.force[0]),
+        WheelForceY "wheel_force.y" => |all, k| all.of_wheel(k, |wheel| wheel.force[1]),
+        WheelForceZ "wheel_force.z" => |all, k| all.of_wheel(k, |wheel| wheel.force[2]),
+        Convergence "status" => |all, k| all.of(k, |row| Value::Name(row.status())),
+    };
 }
 
 impl Report for WheelsetReport {

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::path::Path;
 use std::sync::Arc;
 
-use schlupf::message::{quoted, shortened};
+use schlupf::reporting::{quoted, shortened};
 use schlupf_case::fields::{self, Field, FieldPath, Kind};
 use schlupf_case::units::{Conversion, Measure, comma, comma_readings, parse_unit};
 use schlupf_case::{CaseError, LARGEST_FILE, Place, Records, Source, read_up_to};

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::{Cells, Column, Contents, Kind, Place, Rows};
 use crate::study::error::StudyError;
-use schlupf::message::quoted;
+use schlupf::reporting::quoted;
 
 /// What the first line begins with.
 const MARK: &str = "# schlupf study ";

@@ -2,14 +2,13 @@
 
 #![allow(dead_code, reason = "each test file uses its part of it")]
 
-use schlupf::grid::{Extent, Grid};
-use schlupf::kinematics::{Kinematics, ReferencePoint};
-use schlupf::normal::NormalSummary;
+use schlupf::bodies::{Kinematics, ReferencePoint};
+use schlupf::normal::{Extent, Grid, NormalSummary};
+use schlupf::problem::State;
 use schlupf::solution::{
     Area, Fields, Instant, Power, Resultant, Sensitivity, Solution, Strategy, TGamma, Temperature,
     Work,
 };
-use schlupf::state::State;
 use schlupf::{Method, Status};
 
 pub const FRICTION: f64 = 0.4;

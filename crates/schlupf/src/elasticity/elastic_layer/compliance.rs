@@ -6,8 +6,8 @@ use std::fmt;
 use super::super::Compliance;
 use super::tridiagonal::{Pair, Tridiagonal, each};
 use super::{LayerStiffness, Surroundings};
-use crate::fourier::cosine::PairedCosine;
-use crate::grid::{Grid, VectorField};
+use crate::normal::{Grid, VectorField};
+use crate::numerics::fourier::cosine::PairedCosine;
 
 const ZERO: Pair = Pair { re: 0.0, im: 0.0 };
 
@@ -297,7 +297,7 @@ impl fmt::Debug for LayerCompliance {
 mod tests {
     use super::super::ElasticLayer;
     use super::*;
-    use crate::grid::Extent;
+    use crate::normal::Extent;
     use approx::assert_relative_eq;
 
     impl LayerCompliance {

@@ -14,11 +14,9 @@ mod tridiagonal;
 use compliance::LayerCompliance;
 
 use super::{Compliance, Elasticity};
-use crate::error::{Error, require, require_positive};
-use crate::fourier::smooth_from;
-use crate::grid::{BORDER, Grid};
-use crate::quantity::Quantity;
-use crate::requirement::Requirement;
+use crate::normal::{BORDER, Grid};
+use crate::numerics::fourier::smooth_from;
+use crate::reporting::{Error, Quantity, Requirement, require, require_positive};
 
 /// Stiffnesses per area of the layer for one displacement component.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -196,7 +194,7 @@ impl ElasticLayer {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::Extent;
+    use crate::normal::Extent;
     use approx::assert_relative_eq;
 
     /// The paper's springs on a grid equal the layer's stiffnesses per area on that grid.

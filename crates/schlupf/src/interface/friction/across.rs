@@ -4,10 +4,8 @@ use std::sync::Arc;
 
 use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::{FrictionLaw, FrictionResponse, FrictionState};
-use crate::error::{Error, Place, require_at};
 use crate::numerics::interpolation::piecewise_linear;
-use crate::quantity::Quantity;
-use crate::requirement::Requirement;
+use crate::reporting::{Error, Place, Quantity, Requirement, require_at};
 
 /// Tolerance of the factor at y = 0: tables have few digits.
 const ROUNDING: f64 = 1e-6;
@@ -19,9 +17,9 @@ const ROUNDING: f64 = 1e-6;
 /// constants of the law. Limits: μ0, by which forces are normalised, is that at y = 0.
 ///
 /// ```
-/// use schlupf::interface::friction::{
-///     FrictionLaw, FrictionState, constant::Constant, across::Across,
-/// };
+/// use schlupf::interface::friction::{FrictionLaw, FrictionState};
+/// use schlupf::interface::friction::constant::Constant;
+/// use schlupf::interface::friction::across::Across;
 ///
 /// let law = Across::new(
 ///     std::sync::Arc::new(Constant::new(0.4)?),

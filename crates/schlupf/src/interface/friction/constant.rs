@@ -4,12 +4,13 @@ use std::sync::Arc;
 
 use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::{FrictionLaw, FrictionResponse, FrictionState, require_coefficient};
-use crate::error::Error;
+use crate::reporting::Error;
 
 /// μ = μ0 everywhere.
 ///
 /// ```
-/// use schlupf::interface::friction::{FrictionLaw, FrictionState, constant::Constant};
+/// use schlupf::interface::friction::{FrictionLaw, FrictionState};
+/// use schlupf::interface::friction::constant::Constant;
 ///
 /// let law = Constant::new(0.3)?;
 /// let state = FrictionState { slip_speed: 2.0, ..FrictionState::default() };

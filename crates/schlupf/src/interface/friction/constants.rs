@@ -3,8 +3,7 @@
 use std::sync::Arc;
 
 use super::{FrictionLaw, FrictionState};
-use crate::error::Error;
-use crate::quantity::Quantity;
+use crate::reporting::{Error, Quantity};
 
 /// A constant of a friction law.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

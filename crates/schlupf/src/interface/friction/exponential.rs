@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::slip_terms::SlipTerms;
 use super::{FrictionLaw, FrictionResponse, FrictionState};
-use crate::error::Error;
+use crate::reporting::Error;
 
 /// μ = μ_kin + μ1 2^(−s/s1) + μ2 2^(−s/s2), with s the slip speed, μ1 = μ0 − μ_kin − μ2; each term
 /// halves with every further s1 or s2.
@@ -15,9 +15,9 @@ use crate::error::Error;
 /// it jumps at the onset of sliding; neither term may increase.
 ///
 /// ```
-/// use schlupf::interface::friction::{
-///     FrictionLaw, FrictionState, exponential::Exponential, slip_terms::SlipTerms,
-/// };
+/// use schlupf::interface::friction::{FrictionLaw, FrictionState};
+/// use schlupf::interface::friction::exponential::Exponential;
+/// use schlupf::interface::friction::slip_terms::SlipTerms;
 ///
 /// let law = Exponential(SlipTerms::new(0.4, 0.2, 1.5, None)?);
 /// let state = FrictionState { slip_speed: 1.5, ..FrictionState::default() };

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::slip_terms::SlipTerms;
 use super::{FrictionLaw, FrictionResponse, FrictionState};
-use crate::error::Error;
+use crate::reporting::Error;
 
 /// μ = μ_kin + μ1 max(0, 1 − s/2s1) + μ2 max(0, 1 − s/2s2), with s the slip speed, μ1 = μ0 − μ_kin
 /// − μ2; the terms have halved at s1 and s2 and vanish at twice these speeds, where μ_kin remains.
@@ -15,9 +15,9 @@ use crate::error::Error;
 /// increase.
 ///
 /// ```
-/// use schlupf::interface::friction::{
-///     FrictionLaw, FrictionState, linear::Linear, slip_terms::SlipTerms,
-/// };
+/// use schlupf::interface::friction::{FrictionLaw, FrictionState};
+/// use schlupf::interface::friction::linear::Linear;
+/// use schlupf::interface::friction::slip_terms::SlipTerms;
 ///
 /// let law = Linear(SlipTerms::new(0.4, 0.2, 1.5, None)?);
 /// let state = FrictionState { slip_speed: 1.5, ..FrictionState::default() };

@@ -8,9 +8,7 @@
 //! CONTACT, "friction memory".) Without memory μ jumps at the onset of sliding, if the law falls
 //! with the slip speed.
 
-use crate::error::{Error, require, require_positive};
-use crate::quantity::Quantity;
-use crate::requirement::Requirement;
+use crate::reporting::{Error, Quantity, Requirement, require, require_positive};
 
 /// Parameters of friction memory.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,7 +33,8 @@ impl FrictionMemory {
     /// at s_0; with s_0 = 0 the memory does not fade while the surfaces stick.
     ///
     /// ```
-    /// use schlupf::{Problem, interface::friction::memory::FrictionMemory};
+    /// use schlupf::Problem;
+    /// use schlupf::interface::friction::memory::FrictionMemory;
     ///
     /// let mut problem = Problem::builder().build()?;
     /// problem.friction.memory = Some(FrictionMemory::new(0.02e-3, 0.01)?);

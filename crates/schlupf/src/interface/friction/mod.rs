@@ -21,9 +21,7 @@ pub mod temperature_piecewise_linear;
 use std::fmt::Debug;
 use std::sync::Arc;
 
-use crate::error::{Error, require, require_finite, require_positive};
-use crate::quantity::Quantity;
-use crate::requirement::Requirement;
+use crate::reporting::{Error, Quantity, Requirement, require, require_finite, require_positive};
 
 use self::constants::AdjustableFriction;
 use self::memory::FrictionMemory;

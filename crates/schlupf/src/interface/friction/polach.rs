@@ -4,9 +4,7 @@ use std::sync::Arc;
 
 use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::{FrictionLaw, FrictionResponse, FrictionState, require_coefficient};
-use crate::error::{Error, require, require_positive};
-use crate::quantity::Quantity;
-use crate::requirement::Requirement;
+use crate::reporting::{Error, Quantity, Requirement, require, require_positive};
 
 /// μ = μ0 ((1 − A) e^(−B s) + A), with s the slip speed.
 ///
@@ -17,7 +15,8 @@ use crate::requirement::Requirement;
 /// decrease due to heating, which an additional temperature law would count twice.
 ///
 /// ```
-/// use schlupf::interface::friction::{FrictionLaw, FrictionState, polach::Polach};
+/// use schlupf::interface::friction::{FrictionLaw, FrictionState};
+/// use schlupf::interface::friction::polach::Polach;
 ///
 /// let law = Polach::new(0.55, 0.4, 0.6)?;
 /// let state = FrictionState { slip_speed: 1e3, ..FrictionState::default() };

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::{FrictionLaw, FrictionResponse, FrictionState};
-use crate::error::Error;
+use crate::reporting::Error;
 
 /// Relative tolerance for the equality of the two μ0.
 const ROUNDING: f64 = 1e-12;
@@ -16,9 +16,9 @@ const ROUNDING: f64 = 1e-12;
 /// the product is positive where both are.
 ///
 /// ```
-/// use schlupf::interface::friction::{
-///     FrictionLaw, FrictionState, constant::Constant, product::Product,
-/// };
+/// use schlupf::interface::friction::{FrictionLaw, FrictionState};
+/// use schlupf::interface::friction::constant::Constant;
+/// use schlupf::interface::friction::product::Product;
 ///
 /// let law = Product::new(
 ///     std::sync::Arc::new(Constant::new(0.3)?),

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::slip_terms::SlipTerms;
 use super::{FrictionLaw, FrictionResponse, FrictionState};
-use crate::error::Error;
+use crate::reporting::Error;
 
 /// μ = μ_kin + μ1/(1 + s/s1) + μ2/(1 + (s/s2)²), with s the slip speed, μ1 = μ0 − μ_kin − μ2; the
 /// terms have halved at s1 and s2.
@@ -16,9 +16,9 @@ use crate::error::Error;
 /// increase.
 ///
 /// ```
-/// use schlupf::interface::friction::{
-///     FrictionLaw, FrictionState, rational::Rational, slip_terms::SlipTerms,
-/// };
+/// use schlupf::interface::friction::{FrictionLaw, FrictionState};
+/// use schlupf::interface::friction::rational::Rational;
+/// use schlupf::interface::friction::slip_terms::SlipTerms;
 ///
 /// let law = Rational(SlipTerms::new(0.4, 0.2, 1.5, None)?);
 /// let state = FrictionState { slip_speed: 1.5, ..FrictionState::default() };

@@ -2,8 +2,7 @@
 
 use super::constants::{Changes, FrictionConstant};
 use super::{FrictionResponse, require_below, require_coefficient};
-use crate::error::{Error, require_positive};
-use crate::quantity::Quantity;
+use crate::reporting::{Error, Quantity, require_positive};
 
 /// Relative tolerance by which sums of coefficients may exceed μ0: decimal numbers add up with
 /// rounding error.

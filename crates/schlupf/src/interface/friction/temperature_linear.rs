@@ -4,16 +4,14 @@ use std::sync::Arc;
 
 use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::{FrictionLaw, FrictionResponse, FrictionState, require_below, require_coefficient};
-use crate::error::{Error, require_positive};
-use crate::quantity::Quantity;
+use crate::reporting::{Error, Quantity, require_positive};
 
 /// μ = μ0 (1 − T/T_E), bounded below by a floor (Neuhaus and Sextro 2014, Eq. 23; there the floor
 /// is zero).
 ///
 /// ```
-/// use schlupf::interface::friction::{
-///     FrictionLaw, FrictionState, temperature_linear::TemperatureLinear,
-/// };
+/// use schlupf::interface::friction::{FrictionLaw, FrictionState};
+/// use schlupf::interface::friction::temperature_linear::TemperatureLinear;
 ///
 /// let law = TemperatureLinear::new(0.4, 700.0, 0.0)?;
 /// let state = FrictionState { temperature: 350.0, ..FrictionState::default() };

@@ -4,9 +4,7 @@ use std::sync::Arc;
 
 use super::constants::{AdjustableFriction, Changes, FrictionConstant};
 use super::{FrictionLaw, FrictionResponse, FrictionState, require_coefficient};
-use crate::error::{Error, require, require_positive};
-use crate::quantity::Quantity;
-use crate::requirement::Requirement;
+use crate::reporting::{Error, Quantity, Requirement, require, require_positive};
 
 /// μ = μ0 up to the reference temperature, linear from there to μ_hot at ΔT above it, and μ_hot at
 /// higher temperatures.
@@ -15,9 +13,8 @@ use crate::requirement::Requirement;
 /// the reference temperature. Friction rises if μ_hot is larger than μ0, as on a drying rail.
 ///
 /// ```
-/// use schlupf::interface::friction::{
-///     FrictionLaw, FrictionState, temperature_piecewise_linear::TemperaturePiecewiseLinear,
-/// };
+/// use schlupf::interface::friction::{FrictionLaw, FrictionState};
+/// use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
 ///
 /// let law = TemperaturePiecewiseLinear::new(0.4, 0.1, 500.0)?;
 /// let state = FrictionState { temperature: 800.0, ..FrictionState::default() };

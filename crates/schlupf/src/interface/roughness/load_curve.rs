@@ -1,11 +1,12 @@
 //! Approach of two rough bodies as a function of load, d(P).
 
-use crate::error::{Error, SurfaceError, require_positive};
 use crate::normal::rough_contact::{RoughContact, RoughContactOptions, RoughContactSolution};
 use crate::numerics::interpolation::{hermite, hermite_slope};
 use crate::numerics::vector::dot;
-use crate::progress::{Progress, Stage, Watch, within};
-use crate::quantity::Quantity;
+use crate::reporting::{
+    Column, Error, Progress, Quantity, Record, Stage, SurfaceError, Watch, columns,
+    require_positive, within,
+};
 
 /// A rough contact at one load. Everything is per unit nominal area.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -303,6 +304,32 @@ impl LoadPoint {
             is_converged: solution.is_converged,
             iterations: solution.iterations,
         }
+    }
+}
+
+/// Loads on a rough surface.
+impl Record for LoadCurve {
+    fn rows(&self) -> usize {
+        self.points().len()
+    }
+
+    const COLUMNS: &'static [Column<Self>] = columns! { LoadCurve:
+        MeanPressure => |curve, k| curve.points()[k].mean_pressure,
+        Approach => |curve, k| curve.points()[k].approach,
+        MeanGap => |curve, k| curve.points()[k].mean_gap,
+        ContactFraction => |curve, k| curve.points()[k].contact_fraction,
+        CorrectedContactFraction => |curve, k| curve.points()[k].corrected_contact_fraction,
+        SpotPressure => |curve, k| curve.points()[k].spot_pressure,
+        PlasticFraction => |curve, k| curve.points()[k].plastic_fraction,
+        Iterations => |curve, k| curve.points()[k].iterations,
+    };
+}
+
+/// As its points.
+#[cfg(feature = "serde")]
+impl serde::Serialize for LoadCurve {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.points().serialize(serializer)
     }
 }
 

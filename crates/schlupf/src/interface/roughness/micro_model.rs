@@ -3,10 +3,8 @@
 use super::load_curve::{ExponentialRange, LoadCurve, LoadCurveOptions};
 use super::stiffness::{ContactStiffness, TYPICAL_GAMMA, closed_form};
 use super::tangential_curve::{SimilarBodies, TangentialCurve};
-use crate::error::{Error, require_positive};
 use crate::normal::rough_contact::{Boundary, RoughContact};
-use crate::progress::Watch;
-use crate::quantity::Quantity;
+use crate::reporting::{Error, Quantity, Watch, require_positive};
 use crate::surface::HeightMap;
 use crate::surface::statistics::Statistics;
 
@@ -54,9 +52,9 @@ impl MicroModel {
     /// Solves the normal contact as a function of load and fits k_c.
     ///
     /// ```
-    /// use schlupf::interface::roughness::{
-    ///     load_curve::LoadCurveOptions, micro_model::MicroModel, tangential_curve::SimilarBodies,
-    /// };
+    /// use schlupf::interface::roughness::load_curve::LoadCurveOptions;
+    /// use schlupf::interface::roughness::micro_model::MicroModel;
+    /// use schlupf::interface::roughness::tangential_curve::SimilarBodies;
     /// use schlupf::surface::synthesis::{Roughness, SelfAffine};
     /// use schlupf::surface::Lattice;
     ///

@@ -15,10 +15,10 @@
 //! spots.
 
 use super::load_curve::LoadCurve;
-use crate::error::{Error, require, require_positive};
 use crate::numerics::interpolation::piecewise_linear;
-use crate::quantity::Quantity;
-use crate::requirement::Requirement;
+use crate::reporting::{
+    Column, Error, Quantity, Record, Requirement, columns, require, require_positive,
+};
 
 /// Friction and elasticity of the two bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -143,4 +143,21 @@ impl TangentialCurve {
         let (displacements, tractions): (Vec<f64>, Vec<f64>) = points.unzip();
         piecewise_linear(&displacements, &tractions, displacement)[0]
     }
+}
+
+/// Displacements of a rough surface at one mean pressure.
+impl Record for TangentialCurve {
+    fn rows(&self) -> usize {
+        self.points.len()
+    }
+
+    const COLUMNS: &'static [Column<Self>] = columns! { TangentialCurve:
+        SurfaceDisplacement "displacement" => |curve, k| curve.points[k].displacement,
+        SurfaceTraction "traction" => |curve, k| curve.points[k].traction,
+        NormalisedTraction => |curve, k| curve.points[k].normalised_traction,
+        NormalisedDisplacement => |curve, k| curve.points[k].normalised_displacement,
+        TangentialStiffness "stiffness" => |curve, k| curve.points[k].stiffness,
+        MicroSlip => |curve, k| curve.points[k].micro_slip,
+        SlidingFraction => |curve, k| curve.points[k].sliding_fraction,
+    };
 }

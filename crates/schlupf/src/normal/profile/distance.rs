@@ -6,10 +6,8 @@
 //! are the cubics of Catmull and Rom (1974).
 
 use super::interpolation::{Weights, weights_at};
-use crate::error::{Error, Place, require_at, require_positive};
-use crate::grid::Extent;
-use crate::quantity::Quantity;
-use crate::requirement::Requirement;
+use crate::normal::Extent;
+use crate::reporting::{Error, Place, Quantity, Requirement, require_at, require_positive};
 
 /// Undeformed distance of two bodies (profile of the wheel minus that of the rail) around their
 /// contact. Only differences matter, so it may include any constant.

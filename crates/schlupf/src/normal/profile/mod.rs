@@ -34,12 +34,10 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use super::hertz::curvature_sum;
 use super::tabulated::PressureTable;
 use super::{NormalContact, NormalSummary, Pressure, PressureSource};
-use crate::error::{Error, require, require_positive};
-use crate::grid::Extent;
-use crate::progress::{Watch, unwatched};
-use crate::quantity::Quantity;
-use crate::requirement::Requirement;
-use crate::warning::Warning;
+use crate::normal::Extent;
+use crate::reporting::{
+    Error, Quantity, Requirement, Warning, Watch, require, require_positive, unwatched,
+};
 
 pub use distance::UndeformedDistance;
 

@@ -1,11 +1,10 @@
 //! Locates the contact and solves for the pressure.
 
 use super::distance::{Shape, UndeformedDistance};
-use crate::error::Error;
 use crate::normal::rough_contact::{
     Boundary, RoughContact, RoughContactOptions, RoughContactSolution,
 };
-use crate::progress::Watch;
+use crate::reporting::{Error, Watch};
 use crate::surface::{HeightMap, Lattice};
 
 /// The contact problem.

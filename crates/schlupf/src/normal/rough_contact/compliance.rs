@@ -15,7 +15,7 @@
 use std::f64::consts::PI;
 
 use super::Boundary;
-use crate::fourier::{RealTransform, smooth_from};
+use crate::numerics::fourier::{RealTransform, smooth_from};
 use crate::numerics::love;
 use crate::surface::Lattice;
 

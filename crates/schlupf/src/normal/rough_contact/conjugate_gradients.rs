@@ -21,8 +21,7 @@
 //! bounds the distance of the energy from its minimum, which is half the squared error of the
 //! pressure in the energy norm. Its ratio to pᵀu is the residual.
 
-use crate::error::Error;
-use crate::progress::{Progress, Stage, Watch, tell};
+use crate::reporting::{Error, Progress, Stage, Watch, tell};
 
 use super::RoughContactOptions;
 use super::compliance::NormalCompliance;

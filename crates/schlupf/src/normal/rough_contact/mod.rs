@@ -18,9 +18,7 @@ mod area;
 mod compliance;
 mod conjugate_gradients;
 
-use crate::error::{Error, SurfaceError, require_positive};
-use crate::progress::Watch;
-use crate::quantity::Quantity;
+use crate::reporting::{Error, Quantity, SurfaceError, Watch, require_positive};
 use crate::surface::{HeightMap, Lattice};
 
 use compliance::NormalCompliance;
@@ -98,11 +96,11 @@ pub struct RoughContactSolution {
 
 impl RoughContact {
     /// Two bodies with the undeformed distance (see [`HeightMap::distance_to_plane`]) and the
-    /// contact modulus E* (in Pa, see [`crate::material::contact_modulus`]).
+    /// contact modulus E* (in Pa, see [`crate::bodies::contact_modulus`]).
     ///
     /// ```
     /// use schlupf::normal::rough_contact::{Boundary, RoughContact};
-    /// use schlupf::reference::westergaard::Westergaard;
+    /// use schlupf::solver::reference::westergaard::Westergaard;
     /// use schlupf::surface::{HeightMap, Lattice};
     ///
     /// let wave = Westergaard { amplitude: 1e-6, wavelength: 1e-3, contact_modulus: 115e9 };

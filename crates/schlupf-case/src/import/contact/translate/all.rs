@@ -3,9 +3,8 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::FieldPath;
-use crate::{CaseError, Place, Source};
-use schlupf::message::Message;
+use crate::{CaseError, FieldPath, Place, Source};
+use schlupf::reporting::Message;
 
 use crate::import::Notice;
 use crate::import::contact::given::At;

@@ -2,9 +2,8 @@
 
 use std::sync::Arc;
 
-use crate::FieldPath;
-use crate::{CaseError, Source};
-use schlupf::message::shortened;
+use crate::{CaseError, FieldPath, Source};
+use schlupf::reporting::shortened;
 
 use crate::import::Notice;
 use crate::import::contact::given::{At, Given};

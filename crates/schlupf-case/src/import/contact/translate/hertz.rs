@@ -1,7 +1,7 @@
 //! Hertz's contact from whatever the input file gives of it.
 
 use schlupf::Error;
-use schlupf::material::{Material, contact_modulus};
+use schlupf::bodies::{Material, contact_modulus};
 use schlupf::normal::hertz::Hertz;
 use schlupf::normal::{NormalSummary, PressureSource};
 

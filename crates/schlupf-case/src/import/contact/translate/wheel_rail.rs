@@ -3,8 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
-use crate::FieldPath;
-use crate::Source;
+use crate::{FieldPath, Source};
 
 use crate::import::Notice;
 use crate::import::contact::control::Control;

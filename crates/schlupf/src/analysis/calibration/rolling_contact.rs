@@ -1,0 +1,78 @@
+//! The contact on which the half-space and its substitutes are compared: an ellipse, a stiff
+//! contact law, constant friction.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use crate::bodies::{Body, Kinematics, Material, ReferencePoint};
+use crate::elasticity::half_space::HalfSpace;
+use crate::interface::Incremental;
+use crate::interface::friction::Friction;
+use crate::interface::friction::constant::Constant;
+use crate::interface::heat::Heat;
+use crate::interface::heat::partition::Partition;
+use crate::normal::Ellipse;
+use crate::problem::{PrescribedForces, Problem};
+use crate::reporting::Error;
+use crate::solver::kalker_coefficients::creep_coefficients;
+use crate::solver::reference::kalker_linear::CreepCoefficients;
+
+/// √(ab), in m; any value would do.
+pub(super) const SIZE: f64 = 6e-3;
+
+/// p0, in Pa.
+pub(super) const PEAK_PRESSURE: f64 = 1e9;
+
+/// μ, dimensionless.
+pub(super) const FRICTION: f64 = 0.3;
+
+/// k_c, in 1/m: close to Coulomb's law.
+const STIFFNESS: f64 = 1e8;
+
+/// One ellipse between half-spaces.
+pub(super) struct RollingContact {
+    pub bodies: HalfSpace,
+    pub coefficients: CreepCoefficients,
+    /// Along and across rolling, in m.
+    pub semi_axes: [f64; 2],
+    /// Rolling without creepage, on the half-space.
+    pub problem: Problem,
+}
+
+impl RollingContact {
+    pub fn new(axis_ratio: f64, poisson_ratio: f64) -> Result<Self, Error> {
+        let coefficients = creep_coefficients(axis_ratio, poisson_ratio)?;
+        let semi_axes = [SIZE * axis_ratio.sqrt(), SIZE / axis_ratio.sqrt()];
+        let material = Material { poisson_ratio, ..Material::STEEL };
+        let bodies = HalfSpace::new(&material, &material)?;
+        let ellipse = Ellipse::from_peak_pressure(semi_axes[0], semi_axes[1], PEAK_PRESSURE)?;
+        let problem = Problem {
+            kinematics: Kinematics { speed: 1.0, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 },
+            prescribed: PrescribedForces::default(),
+            reference: ReferencePoint::Patch,
+            wheel: Body { material, ..Body::STEEL },
+            rail: Body { material, ..Body::STEEL },
+            normal: Arc::new(ellipse),
+            elasticity: Arc::new(bodies),
+            layer: None,
+            contact_law: Incremental::new(STIFFNESS)?.into(),
+            friction: Friction::new(Arc::new(Constant::new(FRICTION)?), 20.0),
+            heat: Heat { model: None, partition: Partition::Given(0.5) },
+        };
+        Ok(Self { bodies, coefficients, semi_axes, problem })
+    }
+
+    /// Kinematics for creepages given as fractions of those at which Kalker's linear theory gives
+    /// the force μN: along, across, spin.
+    pub fn motion(&self, [along, across, spin]: [f64; 3]) -> Kinematics {
+        // μN over C G s² and C G s³, N = (2/3) π s² p0.
+        let strain = FRICTION * 2.0 / 3.0 * PI * PEAK_PRESSURE / self.bodies.shear_modulus();
+        let CreepCoefficients { c11, c22, c23, .. } = self.coefficients;
+        Kinematics {
+            speed: 1.0,
+            creepage_x: along * strain / c11,
+            creepage_y: across * strain / c22,
+            spin: spin * strain / (c23 * SIZE),
+        }
+    }
+}

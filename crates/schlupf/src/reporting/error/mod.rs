@@ -1,0 +1,593 @@
+//! What can go wrong before and during a solution.
+
+mod demand;
+mod fit;
+mod force;
+mod over_time;
+mod place;
+mod purpose;
+mod surface;
+mod wheel_rail;
+
+use crate::reporting::{Quantity, Requirement, messages, readable, with_unit};
+
+pub(crate) use demand::{require, require_at, require_finite, require_positive, require_several};
+use over_time::{OverTime, over_time};
+
+pub use fit::{FitCause, FitError, FitStop};
+pub use force::ForceError;
+pub use place::Place;
+pub use purpose::MethodPurpose;
+pub use surface::SurfaceError;
+pub use wheel_rail::WheelRailError;
+
+messages! {
+    /// Why a problem cannot be solved as posed.
+    ///
+    /// A solution that was computed but did not converge is not an error: see
+    /// [`Status`](crate::solution::Status).
+    Error:
+
+    /// A quantity has a value that the model does not allow.
+    "invalid" Invalid {
+        /// The quantity.
+        quantity: Quantity,
+        /// What it must be.
+        requirement: Requirement,
+        /// What it is, in the unit of the quantity.
+        value: f64,
+        /// Where.
+        place: Place,
+    } *quantity, |name, words| {
+        let unit = quantity.unit();
+        let rounded = readable(*value);
+        let is_misleading = rounded.parse().is_ok_and(|rounded| requirement.holds(rounded));
+        let value = if is_misleading { value.to_string() } else { rounded };
+        let value = format!("{value} {unit}");
+        let requirement = requirement.text(unit, words);
+        format!("{name} must be {requirement}, but is {}{}", value.trim_end(), place.text())
+    };
+
+    /// The wheel does not roll forwards.
+    "no-rolling" NoRolling {
+        /// Longitudinal creepage, dimensionless.
+        creepage_x: f64,
+        /// That at which the wheel locks, √(1 − η²), dimensionless.
+        limit: f64,
+        /// Circumferential speed of the wheel, in m/s.
+        rolling: f64,
+    } Quantity::CreepageX, |name, words| format!(
+        "{name} must be below √(1 − η²) = {}, at which the wheel locks, but is {creepage_x}: a {} \
+         wheel with a circumferential speed of {} m/s",
+        readable(*limit),
+        if *rolling == 0.0 { "locked" } else { "reversed" },
+        readable(*rolling)
+    );
+
+    /// Something that is wrong at a time of a history.
+    "at-time" [error] AtTime {
+        /// What.
+        error: Box<Error>,
+        /// When, in s.
+        time: f64,
+    } over_time(error.quantity()), |name, words| {
+        format!("at {} s, {}", readable(*time), error.text(&OverTime(words)))
+    };
+
+    /// Something is listed fewer times than needed.
+    "too-few" TooFew {
+        /// What.
+        quantity: Quantity,
+        /// How many are needed.
+        fewest: usize,
+        /// How many there are.
+        count: usize,
+    } *quantity, |name, words| {
+        format!("{name} needs at least {fewest} entries, got {count}")
+    };
+
+    /// A table has fewer positions than needed.
+    "too-few-positions" TooFewPositions {
+        /// The table.
+        quantity: Quantity,
+        /// Of what it has too few.
+        axis: char,
+        /// How many are needed.
+        fewest: usize,
+        /// How many there are.
+        count: usize,
+    } *quantity, |name, words| {
+        format!("{name} needs at least {fewest} values of {axis}, got {count}")
+    };
+
+    /// Another number of values than there are places for.
+    "wrong-count" WrongCount {
+        /// Of what.
+        quantity: Quantity,
+        /// How many are needed.
+        expected: usize,
+        /// How many there are.
+        count: usize,
+    } *quantity, |name, words| {
+        format!("{name} needs {expected} values, got {count}")
+    };
+
+    /// Numbers that must ascend do not.
+    "not-ascending" NotAscending {
+        /// The numbers, or the table that has them.
+        quantity: Quantity,
+        /// Which of them, if there are several; else empty.
+        axis: &'static str,
+        /// A number, in the unit of the quantity, or a position in m.
+        before: f64,
+        /// The one after it, in the same unit.
+        after: f64,
+    } *quantity, |name, words| {
+        let unit = if axis.is_empty() { quantity.unit() } else { "m" };
+        let [before, after] = [before, after].map(|value| format!("{value} {unit}"));
+        let (before, after) = (before.trim_end(), after.trim_end());
+        let of = if axis.is_empty() { String::new() } else { format!(" in {axis}") };
+        format!("{name} must ascend strictly{of}, but {after} comes after {before}")
+    };
+
+    /// Positions of a table are not equidistant.
+    "not-equidistant" NotEquidistant {
+        /// Which.
+        axis: char,
+        /// The two between which the step is farthest from the mean, in m.
+        step: [f64; 2],
+        /// The mean step, in m.
+        spacing: f64,
+    } Quantity::PressureTable, |name, words| format!(
+        "{name} must have ascending, equidistant positions {axis}, but the step from {} m to {} m \
+         differs from the mean of {} m",
+        step[0],
+        step[1],
+        readable(*spacing)
+    );
+
+    /// The pressures of a table are not those of a contact.
+    "table-peak" TablePeak {
+        /// Largest pressure, in Pa.
+        peak: f64,
+        /// Least and largest that it may be, in Pa.
+        range: [f64; 2],
+    } Quantity::PressureTable, |name, words| format!(
+        "{name} must have a largest pressure between {} and {} Pa, but has {} Pa",
+        readable(range[0]),
+        readable(range[1]),
+        readable(*peak)
+    );
+
+    /// A table of the pressure has no area.
+    "no-area" NoArea {} Quantity::PressureTable, |name, words| {
+        format!("{name} must cover an area, but has none")
+    };
+
+    /// More cells than can be solved for.
+    "too-many-cells" TooManyCells {
+        /// Cells along rolling.
+        columns: usize,
+        /// Cells across rolling.
+        rows: usize,
+        /// Most of them together.
+        most: usize,
+    } Quantity::CellsX, |name, words| format!(
+        "{name}: {columns} × {rows} cells are {}, more than {most}",
+        *columns as u128 * *rows as u128
+    );
+
+    /// A reference point that the normal contact does not have.
+    "no-origin" NoOrigin {} Quantity::Reference, |name, words| {
+        let [file, patch] = ["file", "patch"].map(|point| words.choice(Quantity::Reference, point));
+        format!(
+            "{file} needs a normal contact read from a file; the only reference point of this one is \
+             the middle of the patch, {patch}"
+        )
+    };
+
+    /// Prescribed forces that cannot be.
+    "force" [error] Force {
+        /// Why.
+        error: ForceError,
+    } error.quantity(), |name, words| error.text(words);
+
+    /// The motion at the middle of the patch is no rolling.
+    "no-rolling-at-patch" [error] NoRollingAtPatch {
+        /// Where the reference point lies from the middle of the patch, x and y in m.
+        place: [f64; 2],
+        /// What is wrong there.
+        error: Box<Error>,
+    } Quantity::Reference, |name, words| format!(
+        "{name}: creepages at the middle of the patch, {} m and {} m from the origin of the file, \
+         follow from those at the origin and from the spin: {}",
+        readable(place[0]),
+        readable(place[1]),
+        error.text(words)
+    );
+
+    /// A patch for which no layer was calibrated.
+    "beyond-calibration" BeyondCalibration {
+        /// a/b, dimensionless.
+        axis_ratio: f64,
+        /// Least and largest of the table, dimensionless.
+        range: [f64; 2],
+    } Quantity::Calibration, |name, words| format!(
+        "{name}: the patch has a/b = {axis_ratio:.4}, but the layer is calibrated for ratios between \
+         {} and {}; give its stiffnesses, or choose {}",
+        range[0],
+        range[1],
+        words.choice(Quantity::Elasticity, "half-space")
+    );
+
+    /// A layer with more cells than can be solved for.
+    "layer-too-large" LayerTooLarge {
+        /// Its margin, in m.
+        margin: f64,
+        /// Cells in one direction, dimensionless.
+        cells: f64,
+        /// Most of them, dimensionless.
+        most: f64,
+    } Quantity::Margin, |name, words| format!(
+        "{name}: a margin of {} m on this grid makes a layer of {} cells in one direction, more than \
+         {most}",
+        readable(*margin),
+        readable(*cells)
+    );
+
+    /// Two laws of a product with different cold coefficients.
+    "unequal-friction" UnequalFriction {
+        /// That of one, dimensionless.
+        one: f64,
+        /// That of the other, dimensionless.
+        other: f64,
+    } Quantity::FrictionCoefficient, |name, words| format!(
+        "{name}: both laws of a product must have the same μ0, but one has {one} and the other {other}"
+    );
+
+    /// Friction has vanished before the material enters.
+    "friction-vanishes" FrictionVanishes {
+        /// Temperature of the entering material, in degC.
+        entry: f64,
+        /// Reference temperature, in degC.
+        reference: f64,
+        /// Rise at which friction vanishes, in K.
+        limit: f64,
+    } Quantity::ReferenceTemperature, |name, words| format!(
+        "{name}: the material enters the contact at {} degC, but friction vanishes {} K above the \
+         reference temperature of {} degC, at {} degC",
+        readable(*entry),
+        readable(*limit),
+        readable(*reference),
+        readable(reference + limit)
+    );
+
+    /// Friction that varies across rolling is not that of the law in the middle.
+    "off-centre-factor" OffCentreFactor {
+        /// The factor at y = 0, dimensionless.
+        factor: f64,
+    } Quantity::VariationFactor, |name, words| {
+        let coefficient = words.word(Quantity::FrictionCoefficient);
+        format!(
+            "{name}: the factor must be 1 at y = 0, where friction is {coefficient}, but is {factor} \
+             there: divide all factors by it, and multiply {coefficient} by it"
+        )
+    };
+
+    /// The second term of friction is larger than what is left for it.
+    "second-term" SecondTerm {
+        /// Its size, dimensionless.
+        second: f64,
+        /// Coefficient of friction, dimensionless.
+        coefficient: f64,
+        /// Kinetic coefficient of friction, dimensionless.
+        kinetic: f64,
+    } Quantity::SecondCoefficient, |name, words| format!(
+        "{name} must be between 0 and {} - {} = {coefficient} - {kinetic}, but is {second}",
+        words.word(Quantity::FrictionCoefficient),
+        words.word(Quantity::KineticCoefficient)
+    );
+
+    /// A contact that is a line.
+    "line-contact" LineContact {
+        /// Sums of curvature along and across rolling, in 1/m.
+        curvatures: [f64; 2],
+        /// Largest ratio of both, dimensionless.
+        most: f64,
+    } flatter(curvatures), |name, words| format!(
+        "{name}: the curvature sums along and across rolling are {} and {} 1/m; beyond a ratio of \
+         {most} the contact is a line, without an elliptic patch",
+        readable(curvatures[0]),
+        readable(curvatures[1])
+    );
+
+    /// Radii of two bodies that do not touch in a point.
+    "curvature-sum" CurvatureSum {
+        /// The radii of wheel and rail.
+        radii: [Quantity; 2],
+        /// The sum of curvatures, in 1/m.
+        sum: f64,
+    } radii[0], |name, words| {
+        let [wheel, rail] = radii.map(|radius| words.word(radius));
+        let is_along = radii[0] == Quantity::WheelRadiusX;
+        let plane = if is_along { "along" } else { "across" };
+        let requirement = if *sum == 0.0 {
+            "is zero, a line contact without an elliptic patch; at least one radius must be finite"
+                .to_owned()
+        } else {
+            format!("must be positive, but is {} 1/m", readable(*sum))
+        };
+        format!("{wheel}: the sum of curvatures {plane} rolling ({wheel}, {rail}) {requirement}")
+    };
+
+    /// The contact reaches the edge of the distance that is given.
+    "contact-at-edge" ContactAtEdge {
+        /// Load, in N.
+        load: f64,
+        /// Which direction.
+        axis: char,
+        /// Position of the edge, in m.
+        edge: f64,
+    } Quantity::UndeformedDistance, |name, words| format!(
+        "{name}: under {} N the contact reaches the edge of the given distance, at {axis} = {:.6} mm: \
+         the distance must extend until the bodies are clear of each other (or its sign is wrong: it \
+         is wheel minus rail, largest where they are farthest apart)",
+        readable(*load),
+        1e3 * edge
+    );
+
+    /// The normal contact was not found.
+    "normal-contact-not-converged" NormalNotConverged {
+        /// Iterations that were done.
+        iterations: usize,
+        /// Residual, dimensionless.
+        residual: f64,
+        /// Tolerance, dimensionless.
+        tolerance: f64,
+    } Quantity::UndeformedDistance, |name, words| format!(
+        "{name}: the normal contact does not converge: after {iterations} iterations its residual is \
+         {residual:.1e}, above {tolerance:.1e}"
+    );
+
+    /// The place of the contact was not found.
+    "contact-not-found" ContactNotFound {
+        /// Rounds of the search.
+        rounds: usize,
+        /// Where the last one looked, x in m.
+        x: [f64; 2],
+        /// Where the last one looked, y in m.
+        y: [f64; 2],
+    } Quantity::UndeformedDistance, |name, words| format!(
+        "{name}: the contact was not found in {rounds} rounds; the last one searched x = {:.6} to \
+         {:.6} mm, y = {:.6} to {:.6} mm",
+        1e3 * x[0],
+        1e3 * x[1],
+        1e3 * y[0],
+        1e3 * y[1]
+    );
+
+    /// A load that leaves no pressure that numbers can hold.
+    "no-pressure" NoPressure {
+        /// Load, in N.
+        load: f64,
+        /// Semi-axes, in m.
+        semi_axes: [f64; 2],
+    } Quantity::Load, |name, words| format!(
+        "{name}: a load of {} N on semi-axes of {} m and {} m gives a pressure beyond the range of \
+         floating-point numbers",
+        readable(*load),
+        readable(semi_axes[0]),
+        readable(semi_axes[1])
+    );
+
+    /// A rough surface that cannot be.
+    "surface" [error] Surface {
+        /// Why.
+        error: SurfaceError,
+    } error.quantity(), |name, words| error.text(words);
+
+    /// A solution that did not keep the state of the material.
+    "no-state" NoState {} Quantity::Method, |_name, _words| "a march that goes on from a \
+         solution, and temperatures below the surface, need a solution that keeps the state of the \
+         material".to_owned();
+
+    /// A bound of FASTSIM that a pressure does not have.
+    "no-paraboloid" NoParaboloid {} Quantity::TractionBound, |name, words| format!(
+        "{name}: the pressure of a table or a profile, or that on a layer that flows, is no \
+         paraboloid; choose {}, where the pressure itself bounds the traction",
+        words.choice(Quantity::TractionBound, "elliptic")
+    );
+
+    /// Coulomb's law between rigid bodies.
+    "coulomb-of-rigid-bodies" CoulombOfRigidBodies {} Quantity::Elasticity, |name, words| format!(
+        "{name}: with Coulomb's law ({}) the bodies must be elastic, because nothing else determines \
+         the traction where they stick",
+        words.word(Quantity::ContactLaw)
+    );
+
+    /// Coulomb's law on cells that are much wider than long.
+    "too-few-across" TooFewAcross {
+        /// How many cells are needed across rolling.
+        fewest: usize,
+        /// How many there are along rolling.
+        columns: usize,
+        /// How many there are across.
+        count: usize,
+    } Quantity::CellsY, |name, words| format!(
+        "{name} must be at least {fewest} for {columns} cells along rolling on this patch, but is \
+         {count}: cells must not be much wider than long where the edge of the patch runs through \
+         many of them; take more across or fewer along"
+    );
+
+    /// A look-up table for bodies with a layer between them.
+    "layer-with-table" LayerWithTable {} Quantity::LookUpTable, |name, words| format!(
+        "{name}: a look-up table holds for surfaces without a layer between them; choose another {} \
+         or leave out {}",
+        words.word(Quantity::Method),
+        words.word(Quantity::LayerThickness)
+    );
+
+    /// A history over which the wheel rolls too far.
+    "history-too-long" HistoryTooLong {
+        /// First and last time, in s.
+        span: [f64; 2],
+        /// Time steps that it would take, dimensionless.
+        steps: f64,
+        /// Most of them, dimensionless.
+        most: f64,
+    } Quantity::Time, |name, words| format!(
+        "{name}: from {} s to {} s the wheel rolls over up to {} cells, one per time step; at most {} \
+         are allowed, and no time step may be lost in rounding",
+        readable(span[0]),
+        readable(span[1]),
+        readable(*steps),
+        readable(*most)
+    );
+
+    /// A state to start from that cannot be.
+    "impossible-state" ImpossibleState {} Quantity::InitialState, |name, words| format!(
+        "{name}: the state has an element outside the grid, two in one cell, one with more traction \
+         than friction allows, or one with an impossible slip speed, friction or heat"
+    );
+
+    /// A state to start from that was left on another grid.
+    "state-of-another-grid" StateOfAnotherGrid {
+        /// Columns and rows of its grid, and of that of the problem.
+        cells: [[usize; 2]; 2],
+        /// Size of the cells of both, in m.
+        spacings: [[f64; 2]; 2],
+    } Quantity::InitialState, |name, words| {
+        let grid = |k: usize| {
+            let ([columns, rows], [x, y]) = (cells[k], spacings[k].map(readable));
+            format!("{columns} × {rows} cells of {x} × {y} m")
+        };
+        let [left, here] = [grid(0), grid(1)];
+        format!("{name}: the state was left on a grid of {left}, but this problem has {here}")
+    };
+
+    /// The caller stopped it.
+    "stopped" Stopped {} Quantity::MaxIterations, |name, words| "stopped before the end".to_owned();
+
+    /// A method without temperatures or fields where they are needed.
+    "method" OtherMethod {
+        /// For what.
+        purpose: MethodPurpose,
+        /// The method.
+        method: &'static str,
+    } Quantity::Method, |name, words| {
+        format!("{name}: {}; {method:?} has none", purpose.text())
+    };
+
+    /// No heat where something follows from it.
+    "no-heat" NoHeat {} Quantity::HeatModel, |name, words| format!(
+        "{name}: the wheel is heated by friction only, but {}",
+        words.choice(Quantity::HeatModel, "none")
+    );
+
+    /// A curve from a creepage to the same.
+    "no-range" NoRange {
+        /// The creepage.
+        quantity: Quantity,
+        /// Its value, in its unit if it has one.
+        value: f64,
+    } *quantity, |name, words| format!(
+        "{name} must differ between start and end of a creep curve, as no other creepage varies, but \
+         is {} at both",
+        with_unit(*value, quantity.unit())
+    );
+
+    /// A wheel that locks on a creep curve.
+    "locks-on-curve" LocksOnCurve {
+        /// The creepage that varies.
+        quantity: Quantity,
+        /// Where the wheel no longer rolls, in the unit of the creepage if it has one.
+        value: f64,
+    } quantity.own_component(), |name, words| {
+        let place = with_unit(*value, quantity.unit());
+        let abscissa = words.word(*quantity);
+        format!(
+            "{name}: the wheel must roll throughout a creep curve, but does not at {abscissa} = {place}"
+        )
+    };
+
+    /// Motions of a calibration that were not solved.
+    "calibration-not-converged" CalibrationNotConverged {
+        /// a/b, dimensionless.
+        axis_ratio: f64,
+    } Quantity::Calibration, |name, words| format!(
+        "{name}: the motions of a/b = {} could not be solved",
+        readable(*axis_ratio)
+    );
+
+    /// Displacements for which no layer could be set up.
+    "no-layer" NoLayer {} Quantity::SampleDisplacement, |name, words| format!("{name}: no layer could be set up on its grid");
+
+    /// Displacements against their load.
+    "against-load" AgainstLoad {} Quantity::SampleDisplacement, |name, words| format!(
+        "{name}: the displacements oppose their load: tractions must be those on the wheel, \
+         displacements those of the wheel minus those of the rail"
+    );
+
+    /// Displacements that no layer has.
+    "unlike-a-layer" UnlikeALayer {
+        /// Those along rolling, or across.
+        quantity: Quantity,
+        /// Deviation of the nearest layer, dimensionless.
+        deviation: f64,
+    } *quantity, |name, words| format!(
+        "{name}: no elastic layer has such displacements: the nearest is {:.0} % of them away; check \
+         that tractions and displacements belong together, and their units",
+        100.0 * deviation
+    );
+
+    /// Data and parameters that do not go together.
+    "fit" [error] Fit {
+        /// Why.
+        error: FitError,
+    } error.quantity(), |name, words| error.text(words);
+
+    /// A wheel and a rail that cannot be solved for.
+    "wheel-rail" [error] WheelRail {
+        /// Why.
+        error: WheelRailError,
+    } error.quantity(), |name, words| error.text(words);
+}
+
+impl std::error::Error for Error {}
+
+impl From<ForceError> for Error {
+    fn from(error: ForceError) -> Self {
+        Self::Force { error }
+    }
+}
+
+impl From<SurfaceError> for Error {
+    fn from(error: SurfaceError) -> Self {
+        Self::Surface { error }
+    }
+}
+
+impl From<FitError> for Error {
+    fn from(error: FitError) -> Self {
+        Self::Fit { error }
+    }
+}
+
+impl Error {
+    /// Whether the input may be right, but what follows from it was not found.
+    pub fn is_of_convergence(&self) -> bool {
+        matches!(
+            self,
+            Self::NormalNotConverged { .. }
+                | Self::ContactNotFound { .. }
+                | Self::Fit { error: FitError::FitStuck { .. } }
+                | Self::Force { error: ForceError::NotFound { .. } }
+                | Self::WheelRail { error: WheelRailError::RollNotSettled { .. } }
+        )
+    }
+}
+
+/// The radius of the wheel in the direction in which the bodies are flatter.
+fn flatter(curvatures: &[f64; 2]) -> Quantity {
+    if curvatures[0] > curvatures[1] { Quantity::WheelRadiusY } else { Quantity::WheelRadiusX }
+}

@@ -1,0 +1,127 @@
+//! What can be wrong with a wheel on a rail.
+
+use super::Error;
+use crate::reporting::{Quantity, messages, readable};
+
+messages! {
+    /// Why two profiles and a position give no contacts.
+    WheelRailError:
+
+    /// A profile with too few points.
+    "few-profile-points" FewPoints {
+        /// That of the wheel or of the rail.
+        profile: Quantity,
+        /// Points that it has, those too close to their neighbours not counted.
+        count: usize,
+        /// Points that it needs.
+        fewest: usize,
+    } *profile, |name, words| format!(
+        "{name} needs at least {fewest} points that are 0.03 mm apart, got {count}"
+    );
+
+    /// A profile that nowhere shows the side on which the bodies touch.
+    "no-running-surface" NoRunningSurface {
+        /// That of the wheel or of the rail.
+        profile: Quantity,
+    } *profile, |name, words| format!(
+        "{name}: y does not grow along any part of the profile, so there is no surface for the other \
+         body to touch"
+    );
+
+    /// A wheel that is not above the rail.
+    "wheel-beside-rail" BesideRail {
+        /// Lateral positions of the wheel's profile, in m.
+        wheel: [f64; 2],
+        /// Lateral positions of the rail's profile, in m.
+        rail: [f64; 2],
+    } Quantity::LateralPosition, |name, words| {
+        let span = |[from, to]: &[f64; 2]| format!("{:.3} to {:.3} mm", 1e3 * from, 1e3 * to);
+        format!(
+            "{name}: the wheel is beside the rail: from the middle of the track its profile spans {}, \
+             the rail's {}",
+            span(wheel),
+            span(rail)
+        )
+    };
+
+    /// A wheel at a height at which it does not touch.
+    "wheel-lifted" Lifted {
+        /// Least vertical gap to the rail, in m.
+        gap: f64,
+    } Quantity::WheelsetHeight, |name, words| format!(
+        "{name}: at this height the wheel does not touch the rail; the least gap is {} mm",
+        readable(1e3 * gap)
+    );
+
+    /// Friction that holds a flange however deep it goes.
+    "jammed" Jammed {
+        /// Contact angle, outwards, in rad.
+        angle: f64,
+        /// Lateral over normal force in the contact, dimensionless.
+        ratio: f64,
+    } Quantity::Load, |name, words| format!(
+        "{name}: the wheel is jammed: at a contact angle of {} rad and with a lateral force of {} times \
+         the normal one, friction alone holds it, and no normal force carries the load",
+        readable(*angle),
+        readable(*ratio)
+    );
+
+    /// A contact that reaches the end of a profile.
+    "contact-at-profile-end" AtProfileEnd {
+        /// That of the wheel or of the rail.
+        profile: Quantity,
+        /// y of its end, outwards from its origin, in m.
+        end: f64,
+        /// Lateral position of the contact in the track, outwards, in m.
+        position: f64,
+    } *profile, |name, words| format!(
+        "{name}: the contact {:.3} mm from the middle of the track reaches the end of this profile at \
+         y = {:.1} mm (outwards from its origin); give a longer profile, or check position and gauge",
+        1e3 * position,
+        1e3 * end
+    );
+
+    /// Profiles that lie deep in each other.
+    "deep-overlap" DeepOverlap {
+        /// Depth, in m.
+        depth: f64,
+    } Quantity::WheelsetHeight, |name, words| format!(
+        "{name}: the bodies would overlap by {} mm, which is no elastic contact: check height, gauge \
+         and the profiles' units",
+        readable(1e3 * depth)
+    );
+
+    /// A vertical force that no elastic contact of the profiles carries.
+    "load-not-carried" NotCarried {
+        /// Depth below first touch at which the search ends, in m.
+        deepest: f64,
+        /// Vertical force of the contacts there, in N.
+        force: f64,
+    } Quantity::Load, |name, words| format!(
+        "{name}: no elastic contact of these profiles carries it: {} mm below first touch they carry \
+         {force:.3e} N; check load, gauge and the profiles' units",
+        readable(1e3 * deepest)
+    );
+
+    /// A roll angle that did not settle.
+    "roll-not-settled" RollNotSettled {
+        /// Rounds that were made.
+        rounds: usize,
+        /// Last change of the roll angle, in rad.
+        step: f64,
+    } Quantity::RollAngle, |name, words| format!(
+        "{name}: no roll angle was found in {rounds} rounds at which both wheels carry their \
+         forces at one height of the wheelset; the last one changed it by {step:.1e} rad"
+    );
+
+    /// A normal contact of profiles that is not solved yet.
+    "unsolved-wheel" Unsolved {} Quantity::WheelProfile, |name, words| format!(
+        "{name}: the contacts of a wheel on a rail are known only once they are solved for together"
+    );
+}
+
+impl From<WheelRailError> for Error {
+    fn from(error: WheelRailError) -> Self {
+        Self::WheelRail { error }
+    }
+}

@@ -1,7 +1,0 @@
-//! Shared by steady rolling and marching.
-
-pub(crate) mod contact;
-pub(crate) mod cell;
-pub(crate) mod passage;
-pub(in crate::rolling) mod strip;
-pub(crate) mod warnings;

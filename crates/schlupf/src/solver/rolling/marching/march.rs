@@ -1,0 +1,389 @@
+//! Marching in time: everything that changes from step to step.
+
+mod records;
+mod equilibrium;
+mod result;
+
+use crate::bodies::Kinematics;
+use crate::normal::VectorField;
+use crate::numerics::vector::norm;
+use crate::problem::{Element, History, Options, PrescribedForces, Problem, State, Transient};
+use crate::reporting::{Error, Quantity, Watch, require_finite, tell, within};
+use crate::solution::{FieldsAt, Instant, Solution, Strategy, Work};
+use crate::solver::equilibrium::{Newton, Outcome, measure};
+use crate::solver::reference_point::AtPatch;
+use crate::solver::rolling::shared::contact::{DiscreteContact, Former};
+use crate::solver::rolling::shared::passage::{Passage, speed_of};
+use crate::solver::settings;
+use crate::solver::summary::snapshot::Snapshot;
+
+use super::arrival::{Arrival, carry_over, positions};
+use super::change::{largest_change, relative_change};
+use super::force_control::ForceControl;
+use super::friction_heat::{FrictionPoint, remember, set_temperatures};
+use super::initial_state::{check_length, fitting, grid_over_history, on_patch};
+use super::moved::Moved;
+use super::past::Past;
+use super::shift::{AT_REST, Shift};
+use super::step_power::{Start, StepPower};
+use super::time_step::{TimeStepLaw, calibrate};
+
+/// Solves a problem by marching: to the end of its history, or to the steady state.
+///
+/// ```
+/// use schlupf::problem::History;
+/// use schlupf::solver::march;
+/// use schlupf::{Options, Problem, Transient, unwatched};
+///
+/// let (time, creepage_x) = (vec![0.0, 1e-3], Some(vec![0.0, 0.002]));
+/// let history = History { time, creepage_x, ..History::default() };
+/// let problem = Problem::builder().build()?;
+/// let braking = Transient { history, ..Transient::to_steady_state(&problem) };
+/// let options = Options { cells_x: 10, cells_y: 10, ..Options::default() };
+/// let solution = march(&braking, &options, &unwatched)?;
+/// assert!(solution.history.iter().all(|instant| instant.force.x <= 0.0));
+/// # Ok::<(), schlupf::Error>(())
+/// ```
+///
+/// # Errors
+/// Whatever [`Transient::check`] and [`Options::check`] reject, a state that does not fit, and
+/// [`Error::Stopped`].
+pub fn march(transient: &Transient, options: &Options, watch: Watch) -> Result<Solution, Error> {
+    transient.check()?;
+    options.check()?;
+    let prescribed = transient.problem.prescribed;
+    let at = AtPatch::new(&transient.problem.without_forces(), watch)?;
+    let transient = at.transient(transient);
+    transient.check()?;
+    let mut march = March::new(&transient, options)?;
+    march.prescribe(&prescribed, at.place())?;
+    check_length(&transient, march.contact.patch.grid.spacing_x)?;
+    if let Some(shift) = transient.history.shift {
+        march.shift(shift, watch)?;
+    }
+    while !march.is_finished() {
+        let mut start = Start::of(&march.displacement, &march.contact.patch, &march.now);
+        let arrivals = march.move_on(&mut start, watch)?;
+        march.find_equilibrium(&arrivals, watch)?;
+        march.heat_up(&arrivals, &start);
+        march.note();
+        tell(watch, march.progress())?;
+    }
+    Ok(at.back(march.into_solution()))
+}
+
+/// Presses the two bodies of a problem together and shifts the wheel over the rail by `shift`
+/// (along and across rolling, in m), in one step: a history that consists of a shift alone.
+///
+/// The bodies do not roll: creepages and spin of the problem are ignored, and those of the solution
+/// are zero, as is its speed. As a shift has no duration, there is no slip velocity, no friction
+/// power and no heat; friction is that at the temperature at which the bodies meet. The sliding
+/// distance of each element, in m, is in the solution's state, from which marching can continue.
+///
+/// ```
+/// use schlupf::solver::shift;
+/// use schlupf::{Options, Problem, unwatched};
+///
+/// let problem = Problem::builder().load(80e3).build()?;
+/// let options = Options { cells_x: 10, cells_y: 10, ..Options::default() };
+/// let solution = shift(&problem, [1e-3, 0.0], &options, &unwatched)?;
+/// // A millimetre is far more than sticks: friction is all there is.
+/// assert!((solution.force.x + 0.4 * 80e3).abs() < 1e-3 * 80e3);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
+///
+/// # Errors
+/// A shift that is not finite, whatever [`Problem::check`] and [`Options::check`] reject, and
+/// [`Error::Stopped`].
+pub fn shift(
+    problem: &Problem,
+    shift: [f64; 2],
+    options: &Options,
+    watch: Watch,
+) -> Result<Solution, Error> {
+    require_finite(Quantity::ShiftX, shift[0])?;
+    require_finite(Quantity::ShiftY, shift[1])?;
+    let history = History { shift: Some(shift), ..History::default() };
+    let transient = Transient { history, ..Transient::to_steady_state(problem) };
+    march(&transient, options, watch)
+}
+
+/// Everything that changes from step to step.
+struct March<'a> {
+    problem: &'a Problem,
+    history: &'a History,
+    options: &'a Options,
+    contact: DiscreteContact,
+    law: TimeStepLaw,
+    /// Change of the traction in the last step, if it was found and more than noise, in Pa.
+    trend: Vec<f64>,
+    /// If forces are prescribed.
+    control: Option<ForceControl>,
+    /// The first step that did not end with the prescribed forces: what, and its end in s.
+    missed: Option<(Quantity, f64)>,
+    /// A p of the present traction on the whole grid, in m.
+    displacement: VectorField,
+    /// That of the bodies alone: how the material is displaced that enters.
+    displacement_of_bodies: VectorField,
+    time: f64,
+    now: Snapshot,
+    /// Mean motion over the step before.
+    motion_before: Kinematics,
+    /// The elements, in the order of the patch.
+    elements: Vec<Element>,
+    past: Past,
+    /// What the material did in the last step.
+    moved: Vec<Moved>,
+    newton: Newton,
+    outcome: Outcome,
+    /// Powers over the last step.
+    powers: Option<StepPower>,
+    /// Largest ‖p‖₂ so far, in Pa.
+    largest_traction: f64,
+    /// Relative change in traction and temperature in the last step.
+    change: f64,
+    /// The same over the last passage of the material through the whole patch.
+    passage_change: f64,
+    /// The largest change in one step of the present passage.
+    largest_step: f64,
+    /// Traction and temperature rises one passage ago.
+    passage_start: [Vec<f64>; 2],
+    worst_residual: f64,
+    /// Cells in the longest strip: fewest and most of all instants.
+    strip_lengths: [usize; 2],
+    /// Of all instants, in Pa.
+    largest_pressure: f64,
+    /// Number of successive time steps whose equilibrium was not found.
+    failures: usize,
+    work: Work,
+    instants: Vec<Instant>,
+    field_history: Vec<FieldsAt>,
+}
+
+impl<'a> March<'a> {
+    fn new(transient: &'a Transient, options: &'a Options) -> Result<Self, Error> {
+        let Transient { problem, history, initial_state } = transient;
+        let [start, _] = history.span();
+        let grid = grid_over_history(transient, options)?;
+        let normal = problem.normal.normal_contact(history.load(start))?;
+        let mut contact = DiscreteContact::new(problem, &normal, grid)?;
+        contact.require_rows()?;
+        let law = TimeStepLaw::of(problem, &normal, &mut contact)?;
+        let state = match initial_state {
+            Some(state) => fitting(state, &grid)?,
+            None => State::at_rest(&contact.patch),
+        };
+        let time = if history.is_endless() { state.time } else { start };
+        let kinematics = history.kinematics(time, &problem.kinematics);
+        let conduction = problem.conduction(&kinematics);
+        let elements = on_patch(&contact.patch, &state.elements);
+        let mut march = Self {
+            problem,
+            history,
+            options,
+            time,
+            now: Snapshot::blank(kinematics, conduction, contact.patch.len()),
+            trend: vec![0.0; 2 * elements.len()],
+            elements,
+            motion_before: kinematics,
+            past: Past::default(),
+            moved: Vec::new(),
+            newton: Newton::default(),
+            outcome: Outcome::default(),
+            powers: None,
+            largest_traction: 0.0,
+            change: f64::INFINITY,
+            passage_change: f64::INFINITY,
+            largest_step: 0.0,
+            passage_start: [Vec::new(), Vec::new()],
+            worst_residual: 0.0,
+            missed: None,
+            strip_lengths: [usize::MAX, 0],
+            largest_pressure: 0.0,
+            failures: 0,
+            work: Work { strategy: Some(Strategy::March), ..Work::default() },
+            instants: Vec::new(),
+            field_history: Vec::new(),
+            displacement: VectorField::zeros(grid.len()),
+            displacement_of_bodies: VectorField::zeros(grid.len()),
+            law,
+            control: None,
+            contact,
+        };
+        march.now.traction = march.elements.iter().flat_map(|e| e.traction).collect();
+        march.now.scaled_rise = march.elements.iter().map(|e| e.scaled_rise).collect();
+        march.largest_traction = norm(&march.now.traction);
+        march.displace();
+        march.past = march.record();
+        Ok(march)
+    }
+
+    /// Forces in place of creepages, about a reference point at a place (x and y in m).
+    fn prescribe(&mut self, forces: &PrescribedForces, place: [f64; 2]) -> Result<(), Error> {
+        let path = self.contact.patch.grid.spacing_x;
+        let (forces, normal) = ((forces, self.history), &self.contact.normal);
+        self.control = ForceControl::of(self.problem, forces, normal, (place, path))?;
+        Ok(())
+    }
+
+    fn is_finished(&self) -> bool {
+        if !self.history.is_endless() {
+            let [start, end] = self.history.span();
+            let is_over = self.time >= end - 1e-9 * (end - start);
+            return is_over || self.history.is_shift_only();
+        }
+        let is_steady = self.passage_change <= self.options.tolerance;
+        is_steady
+            || self.failures >= settings::steps_lost()
+            || self.work.steps >= self.options.max_steps
+    }
+
+    /// At the end of a passage, compares with its start. The remaining change is about as large as
+    /// that of a passage, but many times that of a step.
+    fn compare_passages(&mut self) {
+        self.largest_step = self.largest_step.max(self.change);
+        let longest = self.contact.patch.strips.iter().map(|s| s.cells.len()).max().unwrap_or(1);
+        if !self.work.steps.is_multiple_of(longest) {
+            return;
+        }
+        let [traction, scaled_rise] = &self.passage_start;
+        if traction.len() == self.now.traction.len() {
+            let scale = measure(norm(&self.now.bound(&self.contact.patch)), self.largest_traction);
+            let warmed = largest_change(scaled_rise, &self.now.scaled_rise);
+            let changed = relative_change(traction, &self.now.traction, scale);
+            // An oscillation may return to the same values after a passage.
+            self.passage_change = changed.max(warmed).max(self.largest_step);
+        }
+        self.largest_step = 0.0;
+        self.passage_start = [self.now.traction.clone(), self.now.scaled_rise.clone()];
+    }
+
+    /// Shifts the wheel at rest (in m), with the friction at the temperature of the material.
+    fn shift(&mut self, distance: [f64; 2], watch: Watch) -> Result<(), Error> {
+        let at_rest = Kinematics { speed: self.problem.kinematics.speed, ..AT_REST };
+        self.now.conduction = self.problem.conduction(&at_rest);
+        let patch = &self.contact.patch;
+        for (k, cell) in patch.cells.iter().enumerate() {
+            let scaled_rise = self.now.scaled_rise[k];
+            let friction =
+                self.problem.friction_response(&self.now.conduction, scaled_rise, 0.0, cell.y);
+            self.now.friction[k] = self.problem.at_entry(friction.coefficient, cell);
+        }
+        let bound = self.now.bound(patch);
+        let limits = self.limits();
+        let shift = Shift {
+            distance,
+            contact: &mut self.contact,
+            displacement: &self.displacement,
+            law: &mut self.law,
+            bound: &bound,
+            elements: &mut self.elements,
+        };
+        self.outcome = shift.find(&mut self.newton, &mut self.now.traction, &limits, watch)?;
+        self.largest_traction = self.largest_traction.max(norm(&self.now.traction));
+        self.displace();
+        self.past = self.record();
+        self.work.newton_iterations += self.outcome.iterations;
+        self.work.operator_products += self.outcome.products as f64;
+        (self.now.kinematics, self.now.over_step) = (AT_REST, AT_REST);
+        self.keep_instant();
+        Ok(())
+    }
+
+    /// Carries every element over into the next cell; Eqs. (9)–(12).
+    fn move_on(&mut self, start: &mut Start, watch: Watch) -> Result<Vec<Arrival>, Error> {
+        let spacing = self.contact.patch.grid.spacing_x;
+        let (history, otherwise) = (self.history, &self.problem.kinematics);
+        let duration = history.duration(self.time, spacing, otherwise);
+        self.motion_before = self.now.over_step;
+        self.now.over_step = history.mean(self.time, self.time + duration, otherwise);
+        self.time += duration;
+        self.now.kinematics = history.kinematics(self.time, otherwise);
+        self.now.conduction = self.problem.conduction(&self.now.over_step);
+        start.former = self.follow_load(watch)?;
+        let moves = start.former.is_some();
+        let (contact, displacement) = (&self.contact, &self.displacement);
+        let arrivals = carry_over(contact, displacement, &self.past, moves, &self.elements);
+        self.stay_in_place(&arrivals);
+        Ok(arrivals)
+    }
+
+    /// Switches to the patch of a load that changes with time; returns the previous one.
+    fn follow_load(&mut self, watch: Watch) -> Result<Option<Former>, Error> {
+        let Some(load) =
+            self.history.load(self.time).filter(|load| *load != self.contact.normal.load)
+        else {
+            return Ok(None);
+        };
+        self.problem.normal.prepare(Some(load), &within(watch, self.progress()))?;
+        let normal = self.problem.normal.normal_contact(Some(load))?;
+        let former = self.contact.set_normal(&normal)?;
+        self.law = TimeStepLaw::of(self.problem, &normal, &mut self.contact)?;
+        Ok(Some(former))
+    }
+
+    /// Quantities that stay in place while the material moves: the previous traction is the initial
+    /// guess. Friction, Eq. (23), follows the temperature of the arriving element, including the
+    /// heat that friction itself generates here now: both are found together.
+    fn stay_in_place(&mut self, arrivals: &[Arrival]) {
+        let patch = &self.contact.patch;
+        let at = positions(patch, &self.elements);
+        let blank = Snapshot {
+            over_step: self.now.over_step,
+            ..Snapshot::blank(self.now.kinematics, self.now.conduction, patch.len())
+        };
+        let old = std::mem::replace(&mut self.now, blank);
+        let mut trend = vec![0.0; 2 * patch.len()];
+        for strip in &patch.strips {
+            for k in strip.cells.clone() {
+                let cell = &patch.cells[k];
+                let mut point = FrictionPoint::default();
+                if let Some(e) = at[cell.index] {
+                    self.now.traction[2 * k..2 * k + 2].copy_from_slice(&old.traction_at(e));
+                    trend[2 * k..2 * k + 2].copy_from_slice(&self.trend[2 * e..2 * e + 2]);
+                    self.now.scaled_rise[k] = old.scaled_rise[e];
+                    point = FrictionPoint {
+                        friction: old.friction.get(e).copied().unwrap_or(0.0),
+                        power: old.friction_power.get(e).copied().unwrap_or(0.0),
+                        bound_power: cell.pressure * self.elements[e].slip_speed,
+                        slip_speed: self.elements[e].slip_speed,
+                    };
+                }
+                let passage = Passage::of(patch, strip, k);
+                self.now.friction[k] = {
+                    let pressure = cell.pressure_where_covered();
+                    point.coefficient(self.problem, &self.now, &passage, &arrivals[k], pressure)
+                };
+            }
+        }
+        self.trend = trend;
+    }
+
+    /// The record of the present instant.
+    fn record(&self) -> Past {
+        let mut past = Past::of(&self.contact, [&self.displacement, &self.displacement_of_bodies]);
+        calibrate(&mut past, &self.law, &self.contact.patch, &self.now.traction);
+        past
+    }
+
+    /// Friction power and temperatures, Eqs. (17)–(22).
+    fn heat_up(&mut self, arrivals: &[Arrival], start: &Start) {
+        let (contact, displacement) = (&self.contact, &self.displacement);
+        start.set_friction_power(&mut self.now, contact, displacement);
+        self.powers = Some(start.powers_until(&self.now, contact, displacement));
+        let mut records: Vec<_> = arrivals.iter().map(|arrival| arrival.heat.to_vec()).collect();
+        let patch = &self.contact.patch;
+        let old_scaled_rise = self.now.scaled_rise.clone();
+        set_temperatures(&mut self.now, patch, &self.problem.heat, &mut records);
+        for (k, (element, record)) in self.elements.iter_mut().zip(records).enumerate() {
+            element.heat = record.into();
+            element.scaled_rise = self.now.scaled_rise[k];
+            element.slip_speed = speed_of(self.now.slip[k]);
+        }
+        self.change = self.change.max(largest_change(&old_scaled_rise, &self.now.scaled_rise));
+        let patch = &self.contact.patch;
+        remember(self.problem, &self.now, patch, &mut self.elements, arrivals);
+        self.law.contact.slaved.copy(&mut self.now.friction);
+        self.law.take_slip(&self.moved, self.now.kinematics.speed, &mut self.now.slip);
+    }
+}

@@ -1,0 +1,53 @@
+//! The linear response of the bodies in a time step.
+
+use crate::solver::rolling::shared::contact::DiscreteContact;
+use crate::solver::rolling::shared::strip::Calibration;
+
+/// Known data of a time step, cell by cell.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Prescribed {
+    /// D: sliding of each cell if the displacement were zero now, x and y in turn, in m.
+    pub sliding: Vec<f64>,
+    /// λ: fraction of the step that its material has spent in contact, dimensionless.
+    pub in_contact: Vec<f64>,
+    /// Whether its material came into contact in place, not over the leading edge.
+    pub in_place: Vec<bool>,
+}
+
+/// B = A − diag(1 − λ) A_lead: material that came into contact within the step is compared with the
+/// displacement where and when it entered. A_lead p is the present displacement at its place of
+/// entry: at the leading edge, or, if it came into contact in place, the displacement caused there
+/// by the tractions of the other cells.
+pub(super) struct StepResponse<'a> {
+    pub contact: &'a mut DiscreteContact,
+    pub prescribed: &'a Prescribed,
+    /// Whether entering material is displaced by the material in contact.
+    pub is_coupled: bool,
+    /// A p where the material of each cell entered, in m.
+    at_entry: Vec<f64>,
+}
+
+impl<'a> StepResponse<'a> {
+    pub fn new(contact: &'a mut DiscreteContact, prescribed: &'a Prescribed) -> Self {
+        let is_coupled = contact.compliance.couples_cells();
+        let at_entry = vec![0.0; prescribed.sliding.len()];
+        Self { contact, prescribed, is_coupled, at_entry }
+    }
+
+    /// u = B p, with the displacements calibrated.
+    pub fn product(&mut self, calibration: &Calibration, p: &[f64], u: &mut [f64]) {
+        let made = self.contact.product(p);
+        made.at_cells(u);
+        made.at_entries(&mut self.at_entry);
+        let own = self.contact.cell_compliance();
+        let Prescribed { in_contact, in_place, .. } = self.prescribed;
+        calibration.add_at_entries(p, &mut self.at_entry);
+        for (at, u) in u.iter_mut().enumerate() {
+            let k = at / 2;
+            let is_moved = in_place[k] && self.is_coupled;
+            let entry = if is_moved { *u - own * p[at] } else { self.at_entry[at] };
+            *u -= (1.0 - in_contact[k]) * entry;
+        }
+        calibration.add_at_cells(p, u);
+    }
+}

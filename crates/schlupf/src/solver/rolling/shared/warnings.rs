@@ -1,0 +1,43 @@
+//! Warnings of the full solver for whoever uses the results.
+
+use crate::problem::{Options, Problem};
+use crate::reporting::Warning;
+use crate::solver::summary::snapshot::{Snapshot, View};
+use crate::solver::summary::{self};
+
+use super::contact::DiscreteContact;
+
+/// Largest admissible ratio of the displacement at the outer edge of the surroundings to the
+/// largest one.
+const LARGEST_EDGE_DISPLACEMENT: f64 = 0.01;
+
+/// Largest fraction of the friction power that the bristles may return without a warning.
+const LARGEST_RETURNED_POWER: f64 = 0.01;
+
+/// All warnings of the solution.
+pub(crate) fn warnings(
+    problem: &Problem,
+    options: &Options,
+    contact: &mut DiscreteContact,
+    now: &Snapshot,
+) -> Vec<Warning> {
+    let mut warnings: Vec<Warning> = problem.elasticity.caveat().into_iter().collect();
+    warnings.extend(problem.elasticity.caveat_of_parts(contact.normal.parts));
+    warnings.extend(problem.normal.caveat());
+    warnings.extend(problem.beyond_elastic(contact.normal.peak_pressure));
+    let view = View { normal: &contact.normal, patch: &contact.patch, now };
+    warnings.extend(summary::caveats::of_temperatures(problem, view));
+    let edge = contact.edge_displacement(&now.traction);
+    if edge > LARGEST_EDGE_DISPLACEMENT {
+        warnings.push(Warning::SmallMargin { edge });
+    }
+    let force = summary::force(&contact.patch, now);
+    let limit = problem.friction.cold_coefficient() * contact.normal.load;
+    let noise = options.tolerance * limit * now.kinematics.speed;
+    warnings.extend(summary::power(&contact.patch, now, &force).and_then(|power| {
+        let (returned, friction) = (power.returned, power.friction);
+        (returned > (LARGEST_RETURNED_POWER * friction.abs()).max(noise))
+            .then_some(Warning::ReturnedPower { returned, friction })
+    }));
+    warnings
+}

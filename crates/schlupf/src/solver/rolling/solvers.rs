@@ -1,0 +1,85 @@
+//! Selection of the solver of steady states by method.
+
+use crate::problem::{Direction, Method, Options, Problem, Transient};
+use crate::reporting::{Error, Watch};
+use crate::solution::{Resultant, Solution};
+use crate::solver::Solver;
+use crate::solver::simplified::FastSolver;
+
+use super::marching::march;
+use super::steady::SteadySolver;
+
+impl Method {
+    /// The solver of steady states for this method.
+    ///
+    /// ```
+    /// use schlupf::problem::FastMethod;
+    /// use schlupf::{Method, Options, Problem, unwatched};
+    ///
+    /// let problem = Problem::builder().creepage_x(0.0005).build()?;
+    /// let method = Method::Fast(FastMethod::KalkerLinear);
+    /// let mut solver = method.solver(&Options::default());
+    /// let force = solver.solve(&problem, &unwatched)?.force;
+    /// let twice = Problem::builder().creepage_x(0.001).build()?;
+    /// assert!((solver.solve(&twice, &unwatched)?.force.x / force.x - 2.0).abs() < 1e-12);
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
+    pub fn solver(self, options: &Options) -> Box<dyn Solver> {
+        match self {
+            Self::Full => Box::new(SteadySolver::new(options)),
+            Self::Fast(method) => Box::new(FastSolver::new(method, options)),
+        }
+    }
+}
+
+/// Marches to steady states of the full equations, each from rest. Derivatives are those of a
+/// [`SteadySolver`].
+pub struct MarchingSolver {
+    steady: SteadySolver,
+}
+
+impl MarchingSolver {
+    /// A solver without previous solutions.
+    pub fn new(options: &Options) -> Self {
+        Self { steady: SteadySolver::new(options) }
+    }
+}
+
+impl Solver for MarchingSolver {
+    fn method(&self) -> Method {
+        Method::Full
+    }
+
+    fn options(&self) -> &Options {
+        self.steady.options()
+    }
+
+    fn solve(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
+        march(&Transient::to_steady_state(problem), self.options(), watch)
+    }
+
+    fn has_derivatives(&self) -> bool {
+        true
+    }
+
+    fn solve_with_derivatives(
+        &mut self,
+        problem: &Problem,
+        watch: Watch,
+    ) -> Result<Option<Solution>, Error> {
+        self.steady.solve_with_derivatives(problem, watch)
+    }
+
+    fn solve_with_slopes(
+        &mut self,
+        problem: &Problem,
+        directions: &[Direction],
+        watch: Watch,
+    ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
+        self.steady.solve_with_slopes(problem, directions, watch)
+    }
+
+    fn forget(&mut self) {
+        self.steady.forget();
+    }
+}

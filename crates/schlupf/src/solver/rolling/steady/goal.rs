@@ -1,0 +1,53 @@
+//! The state that is sought, and what has become of it.
+
+use crate::problem::{Direction, Problem};
+use crate::reporting::Warning;
+use crate::solver::equilibrium::Outcome;
+
+use super::driven::Drives;
+
+/// The state that is sought.
+#[derive(Clone, Copy)]
+pub(super) struct Goal<'a> {
+    /// Creepages whose force is prescribed are a first guess.
+    pub problem: &'a Problem,
+    /// The prescribed forces; none if all creepages are given.
+    pub drives: &'a Drives,
+    /// Residual of the state at most, dimensionless.
+    pub tolerance: f64,
+}
+
+/// How far Newton's method got, and a warning about the branch of the state.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Found {
+    pub outcome: Outcome,
+    pub warning: Option<Warning>,
+}
+
+/// A goal that Newton's method has not reached, and where it ended.
+pub(super) struct Unsolved {
+    problem: Problem,
+    forces: Vec<(Direction, f64)>,
+    /// Reference point of the forces, x and y in m.
+    place: [f64; 2],
+    pub found: Found,
+}
+
+impl Unsolved {
+    pub fn new(Goal { problem, drives, .. }: Goal, found: &Found) -> Self {
+        let (forces, place) = (drives.forces(), drives.place);
+        Self { problem: problem.clone(), forces, place, found: found.clone() }
+    }
+
+    /// Whether it is a goal of the same contact.
+    pub fn is(&self, goal: &Goal) -> bool {
+        let (one, other) = (&self.problem, goal.problem);
+        one.kinematics == other.kinematics
+            && (one.contact_law, one.wheel, one.rail)
+                == (other.contact_law, other.wheel, other.rail)
+            && one.friction.is_same(&other.friction)
+            && one.heat.is_same(&other.heat)
+            && self.forces == goal.drives.forces()
+            && self.place == goal.drives.place
+    }
+}

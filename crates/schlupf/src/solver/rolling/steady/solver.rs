@@ -1,0 +1,244 @@
+//! The direct solver for steady states.
+
+use crate::interface::InterfaceConstant;
+use crate::problem::{Direction, Method, Options, PrescribedForces, Problem};
+use crate::reporting::{Error, Warning, Watch};
+use crate::solution::{Resultant, Solution, Work};
+use crate::solver::Solver;
+use crate::solver::equilibrium::{Directions, Newton};
+use crate::solver::reference_point::AtPatch;
+
+use super::driven::Drives;
+use super::goal::{Found, Goal};
+use super::level::Level;
+use super::nested::{NestedGrids, Search};
+use super::sensitivity::{by_constants, by_motions, sensitivity};
+
+/// Solves a problem for its steady state.
+///
+/// Where Newton's method finds it neither from no traction nor along other motions, the solver
+/// marches to it, and a warning says so.
+///
+/// ```
+/// use schlupf::solver;
+/// use schlupf::{Options, Problem, unwatched};
+///
+/// let problem = Problem::builder().creepage_x(0.003).build()?;
+/// let options = Options { cells_x: 12, cells_y: 12, ..Options::default() };
+/// let solution = solver::solve(&problem, &options, &unwatched)?;
+/// // What friction dissipates is what the creep forces put in.
+/// let power = solution.power.unwrap_or_default();
+/// assert!((power.friction / power.creep - 1.0).abs() < 1e-3);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
+///
+/// # Errors
+/// Whatever [`Problem::check`] and [`Options::check`] reject, and [`Error::Stopped`].
+pub fn solve(problem: &Problem, options: &Options, watch: Watch) -> Result<Solution, Error> {
+    SteadySolver::new(options).solve(problem, watch)
+}
+
+/// Finds steady states of the full equations directly.
+///
+/// Each solution starts from previous ones; what follows if that fails is a
+/// [`Strategy`](crate::solution::Strategy).
+pub struct SteadySolver {
+    options: Options,
+    grids: Option<NestedGrids>,
+    newton: Newton,
+}
+
+/// Outcome of Newton's method.
+enum State {
+    Found(Box<Solution>),
+    Lost(Found, Work),
+}
+
+impl State {
+    fn found(self) -> Option<Solution> {
+        match self {
+            Self::Found(solution) => Some(*solution),
+            Self::Lost(..) => None,
+        }
+    }
+}
+
+impl Solver for SteadySolver {
+    fn method(&self) -> Method {
+        Method::Full
+    }
+
+    fn options(&self) -> &Options {
+        &self.options
+    }
+
+    fn solve(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
+        let at = AtPatch::new(problem, watch)?;
+        match self.state(&at, &PrescribedForces::default(), self.options.sensitivity, watch)? {
+            State::Found(solution) => Ok(at.back(*solution)),
+            State::Lost(found, work) => found.march(problem, (&self.options, &work), watch),
+        }
+    }
+
+    fn has_derivatives(&self) -> bool {
+        true
+    }
+
+    fn solve_with_derivatives(
+        &mut self,
+        problem: &Problem,
+        watch: Watch,
+    ) -> Result<Option<Solution>, Error> {
+        let at = AtPatch::new(problem, watch)?;
+        let state = self.state(&at, &PrescribedForces::default(), true, watch)?;
+        Ok(state.found().map(|solution| at.back(solution)))
+    }
+
+    fn solve_with_slopes(
+        &mut self,
+        problem: &Problem,
+        directions: &[Direction],
+        watch: Watch,
+    ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
+        self.solve_with(problem, watch, |at, state| {
+            let to_centre = at.place().map(|part| -part);
+            let motions: Vec<_> = directions.iter().map(|of| of.unit().at(to_centre)).collect();
+            by_motions(&at.problem, state, &motions, watch)
+        })
+    }
+
+    fn solves_for_forces(&self) -> bool {
+        true
+    }
+
+    fn solve_for_forces(
+        &mut self,
+        problem: &Problem,
+        watch: Watch,
+    ) -> Result<Option<Solution>, Error> {
+        let given = Problem { prescribed: PrescribedForces::default(), ..problem.clone() };
+        let at = AtPatch::new(&given, watch)?;
+        let state = self.state(&at, &problem.prescribed, self.options.sensitivity, watch)?;
+        Ok(state.found().map(|solution| at.back(solution)))
+    }
+
+    fn forget(&mut self) {
+        if let Some(grids) = &mut self.grids {
+            grids.earlier.clear();
+        }
+    }
+}
+
+impl SteadySolver {
+    /// A solver without previous solutions.
+    pub fn new(options: &Options) -> Self {
+        Self { options: options.clone(), grids: None, newton: Newton::default() }
+    }
+
+    /// The steady state with the derivatives of forces and moment with respect to some constants of
+    /// contact law and friction, one for each (in N and N m per unit of the constant). A constant
+    /// that a law does not have has no effect. `None` if Newton's method or a linear system fails.
+    pub fn solve_with_derivatives_by(
+        &mut self,
+        problem: &Problem,
+        constants: &[InterfaceConstant],
+        watch: Watch,
+    ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
+        let tolerance = self.options.tolerance;
+        self.solve_with(problem, watch, |at, state| {
+            by_constants(&at.problem, state, tolerance, (constants, watch))
+        })
+    }
+
+    /// The steady state with derivatives of forces and moment, which are found with the levels of
+    /// its solution; `None` if Newton's method or a linear system fails.
+    fn solve_with(
+        &mut self,
+        problem: &Problem,
+        watch: Watch,
+        derive: impl FnOnce(
+            &AtPatch,
+            (&mut [Level], &mut Directions),
+        ) -> Result<(Option<Vec<Resultant>>, usize), Error>,
+    ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
+        let at = AtPatch::new(problem, watch)?;
+        let state = self.state(&at, &PrescribedForces::default(), false, watch)?;
+        let Some(mut solution) = state.found() else { return Ok(None) };
+        let Some(NestedGrids { levels, .. }) = &mut self.grids else { return Ok(None) };
+        let (found, products) = derive(&at, (levels, self.newton.directions()))?;
+        solution.work.sensitivity_products = products;
+        Ok(found.map(|derivatives| {
+            let derivatives = derivatives.iter().map(|by| at.resultant_back(by)).collect();
+            (at.back(solution), derivatives)
+        }))
+    }
+
+    /// The steady state of a problem at the centre of the patch, by Newton's method. Creepages
+    /// whose forces are prescribed are a first guess.
+    fn state(
+        &mut self,
+        at: &AtPatch,
+        prescribed: &PrescribedForces,
+        with_derivatives: bool,
+        watch: Watch,
+    ) -> Result<State, Error> {
+        self.options.check()?;
+        let grids = self.grids.take().filter(|grids| grids.fits(&at.problem));
+        let mut grids = match grids {
+            Some(grids) => grids,
+            None => NestedGrids::new(&at.problem, &self.options, watch)?,
+        };
+        let state = self.state_on(&mut grids, (at, prescribed), with_derivatives, watch);
+        self.grids = Some(grids);
+        state
+    }
+
+    fn state_on(
+        &mut self,
+        grids: &mut NestedGrids,
+        (at, prescribed): (&AtPatch, &PrescribedForces),
+        with_derivatives: bool,
+        watch: Watch,
+    ) -> Result<State, Error> {
+        let drives = &Drives::of(&at.problem, &grids.levels[0], (prescribed, at.place()))?;
+        let (options, work) = (&self.options, Work::default());
+        let mut search = Search { options, newton: &mut self.newton, work, watch };
+        let goal = Goal { problem: &at.problem, drives, tolerance: options.tolerance };
+        let mut found = grids.find(goal, &mut search)?;
+        let problem = grids.problem.clone();
+        if found.outcome.converged && !drives.is_empty() && options.extrapolate {
+            // Forces are extrapolated at the same motion on all grids.
+            let given = Goal { problem: &problem, drives: &drives.without(), ..goal };
+            found.outcome = grids.solve(given, &mut search)?;
+        }
+        let work = search.work;
+        if !found.outcome.converged {
+            return Ok(State::Lost(found, work));
+        }
+        let mut solution = grids.solution(&problem, &self.options, &found.outcome, work);
+        solution.warnings.extend(found.warning);
+        if with_derivatives {
+            self.differentiate(&problem, grids, &mut solution, watch)?;
+        }
+        Ok(State::Found(Box::new(solution)))
+    }
+
+    /// Adds the derivatives to a solution that has just been found.
+    fn differentiate(
+        &mut self,
+        problem: &Problem,
+        grids: &mut NestedGrids,
+        solution: &mut Solution,
+        watch: Watch,
+    ) -> Result<(), Error> {
+        let tolerance = self.options.tolerance;
+        let (found, products) =
+            sensitivity(problem, (&mut grids.levels, self.newton.directions()), tolerance, watch)?;
+        solution.sensitivity = found;
+        solution.work.sensitivity_products = products;
+        if found.is_none() {
+            solution.warnings.push(Warning::NoSensitivity {});
+        }
+        Ok(())
+    }
+}

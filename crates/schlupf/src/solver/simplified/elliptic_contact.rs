@@ -1,0 +1,113 @@
+//! The contact of the fast methods: an ellipse, its load, and Kalker's coefficients.
+
+use std::f64::consts::PI;
+
+use crate::bodies::Kinematics;
+use crate::elasticity::half_space::HalfSpace;
+use crate::interface::friction::FrictionState;
+use crate::normal::NormalSummary;
+use crate::problem::Problem;
+use crate::reporting::Error;
+use crate::solution::Resultant;
+use crate::solver::kalker_coefficients::interpolated_coefficients;
+use crate::solver::reference::kalker_linear::CreepCoefficients;
+
+/// An elliptic contact of two half-spaces. A non-elliptical patch is represented by the ellipse
+/// with its length and width.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EllipticContact {
+    /// Load and semi-axes.
+    pub normal: NormalSummary,
+    /// Shear modulus G of both bodies, 1/G = ½ (1/G₁ + 1/G₂), in Pa.
+    pub shear_modulus: f64,
+    /// C11, C22, C23, C33 of the bodies alone.
+    of_bodies: CreepCoefficients,
+    /// Compliance h/G of the layer between the surfaces (in m/Pa); zero if there is none.
+    layer_compliance: f64,
+    /// C11, C22, C23, C33, with the layer.
+    pub coefficients: CreepCoefficients,
+}
+
+impl EllipticContact {
+    /// The contact of a problem.
+    pub fn new(problem: &Problem) -> Result<Self, Error> {
+        Self::of(problem, problem.normal.normal_contact(None)?.summary)
+    }
+
+    /// The contact of a problem with the given sizes.
+    pub(crate) fn of(problem: &Problem, normal: NormalSummary) -> Result<Self, Error> {
+        let bodies = HalfSpace::new(&problem.wheel.material, &problem.rail.material)?;
+        let axis_ratio = normal.semi_axis_x / normal.semi_axis_y;
+        let of_bodies = interpolated_coefficients(axis_ratio, bodies.poisson_ratio())?;
+        let shear_modulus = bodies.shear_modulus();
+        Ok(Self::new_of(normal, shear_modulus, of_bodies, problem.layer_compliance()))
+    }
+
+    /// An ellipse with bodies of shear modulus G (in Pa) and a layer of compliance h/G, in m/Pa.
+    pub(crate) fn new_of(
+        normal: NormalSummary,
+        shear_modulus: f64,
+        of_bodies: CreepCoefficients,
+        layer_compliance: f64,
+    ) -> Self {
+        let coefficients = of_bodies;
+        let contact = Self { normal, shear_modulus, of_bodies, layer_compliance, coefficients };
+        contact.resized(normal)
+    }
+
+    /// The same bodies and layer with another load and another size of a like patch.
+    pub(super) fn resized(&self, normal: NormalSummary) -> Self {
+        let mut contact = Self { normal, ..*self };
+        if self.layer_compliance > 0.0 {
+            contact.coefficients = contact.softened();
+        }
+        contact
+    }
+
+    /// The coefficients with the layer in series: those for which the springs that stand for the
+    /// bodies, L1 = 8a/(3 G C11), L2 = 8a/(3 G C22), L3 = π a²/(4 G √(ab) C23) (Kalker 1982) and 8
+    /// b/(15 G C33) for the moment, are as much softer as the layer.
+    fn softened(&self) -> CreepCoefficients {
+        let [a, b] = [self.normal.semi_axis_x, self.normal.semi_axis_y];
+        let relative = self.layer_compliance * self.shear_modulus;
+        let soft = |c: f64, unit: f64| c / (1.0 + relative * c / unit);
+        let CreepCoefficients { c11, c22, c23, c33 } = self.of_bodies;
+        CreepCoefficients {
+            c11: soft(c11, 8.0 / 3.0 * a),
+            c22: soft(c22, 8.0 / 3.0 * a),
+            c23: soft(c23, 0.25 * PI * a * a / self.lever()),
+            c33: soft(c33, 8.0 / 15.0 * b),
+        }
+    }
+
+    /// Lever arm √(ab), in m.
+    pub fn lever(&self) -> f64 {
+        (self.normal.semi_axis_x * self.normal.semi_axis_y).sqrt()
+    }
+
+    /// Forces and moment on the wheel in full adhesion.
+    pub fn linear_force(&self, kinematics: &Kinematics) -> Resultant {
+        let semi_axes = [self.normal.semi_axis_x, self.normal.semi_axis_y];
+        self.coefficients.force(kinematics, semi_axes, self.shear_modulus)
+    }
+
+    /// Polach's gradient of the tangential stress in the area of adhesion, dimensionless, for a
+    /// friction limit μN in N: ε = G π a b √((C11 ξ)² + (C22 η)²)/(4 μN), without spin.
+    pub fn stress_gradient(&self, kinematics: &Kinematics, limit: f64) -> f64 {
+        let force = self.linear_force(&Kinematics { spin: 0.0, ..*kinematics });
+        0.25 * PI * force.x.hypot(force.y) / limit
+    }
+}
+
+/// Friction limit μN of the force, in N, with friction at the slip speed v0 √(ξ² + η²) of the
+/// contact as a whole, at y = 0, at the temperature of the entering material.
+pub(super) fn friction_limit(problem: &Problem, load: f64) -> f64 {
+    load * problem.friction.law.respond(&friction_state(problem)).coefficient
+}
+
+/// The arguments of the friction law there.
+pub fn friction_state(problem: &Problem) -> FrictionState {
+    let motion = &problem.kinematics;
+    let slip_speed = motion.speed * motion.creepage_x.hypot(motion.creepage_y);
+    problem.friction_state(&problem.conduction(motion), 0.0, slip_speed, 0.0)
+}

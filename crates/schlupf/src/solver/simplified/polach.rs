@@ -1,0 +1,242 @@
+//! Polach's method: a creep curve in closed form with reduced slopes in the areas of adhesion and
+//! of slip.
+
+use std::f64::consts::FRAC_2_PI;
+
+use crate::bodies::Kinematics;
+use crate::problem::AreaReduction;
+use crate::solution::Resultant;
+
+use super::EllipticContact;
+
+/// Forces on the wheel for a friction limit μN, in N; the moment is unknown (`None`).
+///
+/// With the lateral creepage η_c = η + φa if that is larger in magnitude than η, otherwise η, the
+/// total creepage ν_c = √(ξ² + η_c²), and ε_c = ε ν_c/ν with the [stress
+/// gradient](EllipticContact::stress_gradient) ε:
+///
+/// F = (2/π) μN (k_A ε_c/(1 + (k_A ε_c)²) + arctan(k_S ε_c)),
+/// Fx = −F ξ/ν_c, Fy = −F η/ν_c − (9/16) a μN K_M (1 + 6.3 (1 − e^(−a/b))) φ/ν_c,
+///
+/// where K_M = −|ε_s| (δ³/3 − δ²/2 + 1/6) + ⅓ (1 − δ²)^(3/2), δ = (ε_s² − 1)/(ε_s² + 1) and ε_s =
+/// (8/3) G b √(ab) C23 |η_c|/(μN (1 + 6.3 (1 − e^(−a/b)))). For small creepages these are Kalker's
+/// forces, with that due to creepage multiplied by (k_A + k_S)/2.
+///
+/// Sources: Polach, A fast wheel-rail forces calculation computer code, Vehicle System Dynamics
+/// Suppl. 33 (1999) 728–739, with k_A = k_S = 1; Polach, Creep forces in simulations of traction
+/// vehicles running on adhesion limit, Wear 258 (2005) 992–1000, for k_A, k_S and the falling
+/// friction. Limits: no moment; the spin force is added without further limitation, so both
+/// together may exceed μN by a few per cent.
+///
+/// ```
+/// use schlupf::problem::{AreaReduction, FastMethod};
+/// use schlupf::solver::simplified::{FastContact, polach};
+/// use schlupf::{Options, Problem};
+///
+/// let problem = Problem::builder().creepage_x(0.002).build()?;
+/// let method = FastMethod::Polach(AreaReduction::DRY);
+/// let contact = FastContact::new(&problem, method, &Options::default())?;
+/// let (limit, dry) = (0.4 * 80e3, AreaReduction::DRY);
+/// let force = polach::force(contact.contact(), &problem.kinematics, limit, dry);
+/// assert!(force.x < 0.0 && force.x > -limit);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
+pub fn force(
+    contact: &EllipticContact,
+    kinematics: &Kinematics,
+    limit: f64,
+    reduction: AreaReduction,
+) -> Resultant {
+    let Kinematics { creepage_x: xi, creepage_y: eta, spin, .. } = *kinematics;
+    let a = contact.normal.semi_axis_x;
+    let with_spin = eta + spin * a;
+    let eta_c = if with_spin.abs() > eta.abs() { with_spin } else { eta };
+    let (nu, nu_c) = (xi.hypot(eta), xi.hypot(eta_c));
+    if nu_c == 0.0 {
+        return Resultant { x: 0.0, y: 0.0, moment_z: None };
+    }
+    let gradient = contact.stress_gradient(kinematics, limit);
+    let force = if nu > 0.0 { limit * curve(gradient * nu_c / nu, reduction) } else { 0.0 };
+    let spin_force = limit * spin_share(contact, eta_c, limit) * spin;
+    Resultant { x: -force * xi / nu_c, y: -(force * eta + spin_force) / nu_c, moment_z: None }
+}
+
+/// The forces with their derivatives, for identification.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Differentiated {
+    /// (Fx, Fy) on the wheel, in N.
+    pub force: [f64; 2],
+    /// Derivatives with respect to the friction limit μN, dimensionless.
+    pub by_limit: [f64; 2],
+    /// Derivatives with respect to k_A, in N.
+    pub by_area_adhesion: [f64; 2],
+    /// Derivatives with respect to k_S, in N.
+    pub by_area_slip: [f64; 2],
+}
+
+/// The same as [`force`], with its derivatives with respect to the friction limit (in N) and the
+/// reductions.
+pub fn differentiated_force(
+    contact: &EllipticContact,
+    kinematics: &Kinematics,
+    limit: f64,
+    reduction: AreaReduction,
+) -> Differentiated {
+    let Kinematics { creepage_x: xi, creepage_y: eta, spin, .. } = *kinematics;
+    let whole = force(contact, kinematics, limit, reduction);
+    let a = contact.normal.semi_axis_x;
+    let with_spin = eta + spin * a;
+    let eta_c = if with_spin.abs() > eta.abs() { with_spin } else { eta };
+    let (nu, nu_c) = (xi.hypot(eta), xi.hypot(eta_c));
+    let force = [whole.x, whole.y];
+    if nu_c == 0.0 {
+        let nothing = [0.0; 2];
+        return Differentiated {
+            force,
+            by_limit: nothing,
+            by_area_adhesion: nothing,
+            by_area_slip: nothing,
+        };
+    }
+    let (mut by_limit, mut by_reductions) = (0.0, [0.0; 2]);
+    if nu > 0.0 {
+        let gradient = contact.stress_gradient(kinematics, limit) * nu_c / nu;
+        let [adhesion, slip] = [reduction.area_adhesion, reduction.area_slip].map(|k| k * gradient);
+        let bell = (1.0 - adhesion * adhesion) / (1.0 + adhesion * adhesion).powi(2);
+        let lorentz = 1.0 / (1.0 + slip * slip);
+        // The gradient is proportional to 1/μN.
+        let by_gradient = FRAC_2_PI * (adhesion * bell + slip * lorentz);
+        by_limit = curve(gradient, reduction) - by_gradient;
+        by_reductions = [bell, lorentz].map(|shape| limit * FRAC_2_PI * gradient * shape);
+    }
+    let along = |change: f64| [-change * xi / nu_c, -change * eta / nu_c];
+    let [by_limit_x, by_limit_y] = along(by_limit);
+    let by_spin = spin_share_by_limit(contact, eta_c, limit) * spin / nu_c;
+    Differentiated {
+        force,
+        by_limit: [by_limit_x, by_limit_y - by_spin],
+        by_area_adhesion: along(by_reductions[0]),
+        by_area_slip: along(by_reductions[1]),
+    }
+}
+
+/// F/μN due to creepage alone, dimensionless.
+fn curve(gradient: f64, AreaReduction { area_adhesion, area_slip }: AreaReduction) -> f64 {
+    let adhesion = area_adhesion * gradient;
+    FRAC_2_PI * (adhesion / (1.0 + adhesion * adhesion) + (area_slip * gradient).atan())
+}
+
+/// (9/16) a K_M (1 + 6.3 (1 − e^(−a/b))), in m.
+fn spin_share(contact: &EllipticContact, eta_c: f64, limit: f64) -> f64 {
+    let [lever, gradient] = spin_gradient(contact, eta_c, limit);
+    lever * spin_saturation(gradient)
+}
+
+/// Derivative of the product of μN and that share with respect to μN, in m.
+fn spin_share_by_limit(contact: &EllipticContact, eta_c: f64, limit: f64) -> f64 {
+    let [lever, gradient] = spin_gradient(contact, eta_c, limit);
+    lever * (spin_saturation(gradient) - gradient * spin_saturation_slope(gradient))
+}
+
+/// (9/16) a (1 + 6.3 (1 − e^(−a/b))), in m, and ε_s.
+fn spin_gradient(contact: &EllipticContact, eta_c: f64, limit: f64) -> [f64; 2] {
+    let (a, b) = (contact.normal.semi_axis_x, contact.normal.semi_axis_y);
+    let shape = 1.0 + 6.3 * (1.0 - (-a / b).exp());
+    let unit = contact.shear_modulus * b * contact.lever() * contact.coefficients.c23;
+    let gradient = 8.0 / 3.0 * unit * eta_c.abs() / (limit * shape);
+    [9.0 / 16.0 * a * shape, gradient]
+}
+
+/// K_M, dimensionless. With 1 − δ = 2/(1 + ε²) the first term is ε (1 − δ)² (1 + 2δ)/6, which has
+/// no cancellation.
+fn spin_saturation(gradient: f64) -> f64 {
+    let rest = 2.0 / (1.0 + gradient * gradient);
+    let delta = 1.0 - rest;
+    let root = gradient * rest;
+    root.powi(3) / 3.0 - gradient * rest * rest * (1.0 + 2.0 * delta) / 6.0
+}
+
+/// dK_M/dε_s, dimensionless.
+fn spin_saturation_slope(gradient: f64) -> f64 {
+    let rest = 2.0 / (1.0 + gradient * gradient);
+    let delta = 1.0 - rest;
+    let root = gradient * rest;
+    let rest_slope = -gradient * rest * rest;
+    let root_slope = rest + gradient * rest_slope;
+    let product = rest * rest * (1.0 + 2.0 * delta);
+    let product_slope = 2.0 * rest * rest_slope * (delta - rest + 1.0 + delta);
+    root * root * root_slope - (product + gradient * product_slope) / 6.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::normal::NormalSummary;
+    use crate::solver::reference::kalker_linear::CreepCoefficients;
+    use approx::assert_relative_eq;
+
+    /// Polach 1999, K_M as printed, where that form can be evaluated.
+    #[test]
+    fn polach_1999_spin_saturation() {
+        for gradient in [0.1, 0.5, 1.0, 3.0, 8.0_f64] {
+            let delta = (gradient.powi(2) - 1.0) / (gradient.powi(2) + 1.0);
+            let cubic = delta.powi(3) / 3.0 - delta.powi(2) / 2.0 + 1.0 / 6.0;
+            let printed = -gradient * cubic + (1.0 - delta * delta).powf(1.5) / 3.0;
+            assert_relative_eq!(spin_saturation(gradient), printed, max_relative = 1e-10);
+        }
+        assert_relative_eq!(spin_saturation(1e-4), 2.0 / 3.0 * 1e-4, max_relative = 1e-3);
+    }
+
+    #[test]
+    fn derivatives_are_those_of_central_differences() {
+        let normal = NormalSummary {
+            load: 82e3,
+            semi_axis_x: 8e-3,
+            semi_axis_y: 4e-3,
+            peak_pressure: 1.2e9,
+            approach: None,
+            origin: None,
+            parts: 1,
+        };
+        let coefficients = CreepCoefficients { c11: 4.8, c22: 4.3, c23: 2.2, c33: 0.7 };
+        let contact = EllipticContact::new_of(normal, 82e9, coefficients, 0.0);
+        let dry = AreaReduction { area_adhesion: 0.9, area_slip: 0.4 };
+        for (xi, eta, spin) in [
+            (3e-3, 0.0, 0.0),
+            (1e-3, -2e-3, 0.4),
+            (0.0, 6e-4, 0.6),
+            (2e-3, 0.0, -0.3),
+            (0.0, 0.0, 0.5),
+        ] {
+            let motion = Kinematics { speed: 20.0, creepage_x: xi, creepage_y: eta, spin };
+            let at = |limit: f64, area_adhesion: f64, area_slip: f64| {
+                let reduction = AreaReduction { area_adhesion, area_slip };
+                let found = force(&contact, &motion, limit, reduction);
+                [found.x, found.y]
+            };
+            let (limit, part) = (3e4, 1e-5);
+            let exact = differentiated_force(&contact, &motion, limit, dry);
+            assert_eq!(exact.force, at(limit, 0.9, 0.4));
+            let rows = [
+                (exact.by_limit, [1.0 + part, 1.0 - part].map(|f| at(f * limit, 0.9, 0.4)), limit),
+                (exact.by_area_adhesion, [0.9 + part, 0.9 - part].map(|k| at(limit, k, 0.4)), 1.0),
+                (exact.by_area_slip, [0.4 + part, 0.4 - part].map(|k| at(limit, 0.9, k)), 1.0),
+            ];
+            for (exact, [plus, minus], scale) in rows {
+                for c in 0..2 {
+                    let difference = (plus[c] - minus[c]) / (2.0 * part);
+                    let error = (exact[c] * scale - difference).abs();
+                    assert!(error < 1e-8 * limit, "{motion:?}: {exact:?} {difference}");
+                }
+            }
+        }
+    }
+
+    /// k_A = k_S = 1: the slope is 4/π, that of the linear theory, and the limit is μN.
+    #[test]
+    fn polach_1999_curve_between_its_limits() {
+        let plain = AreaReduction { area_adhesion: 1.0, area_slip: 1.0 };
+        assert_relative_eq!(curve(1e-6, plain), 2.0 * FRAC_2_PI * 1e-6, max_relative = 1e-9);
+        assert_relative_eq!(curve(1e6, plain), 1.0, max_relative = 1e-6);
+    }
+}
