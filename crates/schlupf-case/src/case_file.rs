@@ -155,7 +155,7 @@ impl CaseFile {
     /// let friction = Arc::new(Constant::new(0.25).map_err(|error| file.explain(&error))?);
     /// let file = file.with_laws(Laws { friction: Some(friction), ..Laws::default() })?;
     /// let case = file.pose(&schlupf::unwatched)?;
-    /// assert_eq!(case.problem.friction.cold_coefficient(), 0.25);
+    /// assert_eq!(case.problem.interface.friction.cold_coefficient(), 0.25);
     /// # Ok::<(), schlupf_case::CaseErrors>(())
     /// ```
     ///

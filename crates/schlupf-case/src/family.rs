@@ -96,7 +96,8 @@ impl Family {
             if !self.shapes_contact && case.wheel.is_none() {
                 // The same, and so a solver can tell.
                 member.problem.normal = Arc::clone(&case.problem.normal);
-                member.problem.elasticity = Arc::clone(&case.problem.elasticity);
+                member.problem.interface.elasticity =
+                    Arc::clone(&case.problem.interface.elasticity);
             }
             Ok(member)
         })

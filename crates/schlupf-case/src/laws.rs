@@ -24,13 +24,13 @@ impl Laws {
     pub(crate) fn apply(&self, problem: &mut Problem) -> Result<(), Error> {
         let Self { friction, pressure, partition } = self.clone();
         if let Some(law) = friction {
-            problem.friction.law = law;
+            problem.interface.friction.law = law;
         }
         if let Some(pressure) = pressure {
             problem.normal = pressure;
         }
         if let Some(law) = partition {
-            problem.heat.partition = Partition::Law(law);
+            problem.interface.heat.partition = Partition::Law(law);
         }
         problem.check()
     }

@@ -115,7 +115,7 @@ mod tests {
             ("molybdenum_disulphide", 0.020, 20.0, 20.0),
         ] {
             let case = case("layers", name).pose(&schlupf::unwatched).unwrap();
-            let layer = case.problem.layer.unwrap();
+            let layer = case.problem.interface.layer.unwrap();
             let limit = layer.yield_limit().unwrap();
             let stiffness = stress / elastic;
             let near = |found: f64, expected: f64| {

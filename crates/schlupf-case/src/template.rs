@@ -120,7 +120,9 @@ mod tests {
             let set = Overrides { option: "preset", assignments: &assignments };
             let same = CaseFile::from_str("", "preset", Folder::new(""), set).unwrap();
             let same = same.pose(&schlupf::unwatched).unwrap();
-            let of = |case: &Case| format!("{:?} {:?}", case.problem.friction, case.problem.layer);
+            let of = |case: &Case| {
+                format!("{:?} {:?}", case.problem.interface.friction, case.problem.interface.layer)
+            };
             assert_eq!(of(&case), of(&same));
         }
     }

@@ -35,8 +35,8 @@ fn read(text: &str, overrides: &[&str]) -> Case {
 #[test]
 fn an_empty_file_is_a_steel_wheel_on_a_steel_rail() {
     let case = read("", &[]);
-    assert_eq!(case.problem.wheel, schlupf::bodies::Body::STEEL);
-    assert_eq!(case.problem.rail, schlupf::bodies::Body::STEEL);
+    assert_eq!(case.problem.interface.wheel, schlupf::bodies::Body::STEEL);
+    assert_eq!(case.problem.interface.rail, schlupf::bodies::Body::STEEL);
     assert_eq!(case.problem.kinematics.creepage_x, 0.0);
     let expected = schlupf::Options { sensitivity: true, ..schlupf::Options::default() };
     assert_eq!(case.options, expected);
@@ -67,16 +67,20 @@ fn the_rolling_radius_is_that_of_the_wheel_by_default() {
 fn temperatures_are_in_degrees_whatever_the_unit() {
     let text = "[rail]\nbulk_temperature = \"323.15 K\"\n[heat]\npartition = \"velocity\"";
     let problem = read(text, &[]).problem;
-    assert_relative_eq!(problem.rail.bulk_temperature, 50.0, max_relative = 1e-14);
+    assert_relative_eq!(problem.interface.rail.bulk_temperature, 50.0, max_relative = 1e-14);
     // Friction counts from the rail's temperature unless told otherwise.
-    assert_relative_eq!(problem.friction.reference_temperature, 50.0, max_relative = 1e-14);
-    assert!(matches!(problem.heat.partition, Partition::Velocity));
+    assert_relative_eq!(
+        problem.interface.friction.reference_temperature,
+        50.0,
+        max_relative = 1e-14
+    );
+    assert!(matches!(problem.interface.heat.partition, Partition::Velocity));
 }
 
 /// Half to each only where that is asked for: both surfaces are equally hot.
 #[test]
 fn the_partition_follows_from_the_velocities_by_default() {
-    let partition = |text| read(text, &[]).problem.heat.partition;
+    let partition = |text| read(text, &[]).problem.interface.heat.partition;
     assert!(matches!(partition(""), Partition::Velocity));
     assert!(matches!(partition("[heat]\npartition = 0.5"), Partition::Given(0.5)));
 }
@@ -125,7 +129,7 @@ fn couplings_across_rolling_may_be_their_own() {
         coupling_along_y,
     };
     let expected = ElasticLayer::new(stiffness(4e7, 2e7), stiffness(5e7, 5e7), None).unwrap();
-    let elasticity = read(text, &[]).problem.elasticity;
+    let elasticity = read(text, &[]).problem.interface.elasticity;
     assert_eq!(format!("{elasticity:?}"), format!("{expected:?}"));
 }
 
@@ -139,7 +143,7 @@ fn kalker_1982_a_bedding_without_stiffnesses() {
         let problem = read(&format!("[elasticity]\nmodel = \"winkler\"\n{text}"), &[]).problem;
         let patch = problem.normal.normal_contact(load).unwrap().summary;
         let bed = kalker_bed(&bodies, [patch.semi_axis_x, patch.semi_axis_y]).unwrap();
-        assert_eq!(format!("{:?}", problem.elasticity), format!("{bed:?}"));
+        assert_eq!(format!("{:?}", problem.interface.elasticity), format!("{bed:?}"));
     };
     expect("", None);
     expect("calibration = \"half-space\"\n[normal]\nload = \"60 kN\"", None);
@@ -177,7 +181,7 @@ fn coulombs_law_needs_no_stiffness() {
     let text = "[contact_law]\nmodel = \"coulomb\"\nstiffness = \"5e6 1/m\"\n\
                 roughness.rms_height = \"1 um\"";
     let case = read(text, &[]);
-    assert!(case.problem.contact_law.is_coulomb());
+    assert!(case.problem.interface.contact_law.is_coulomb());
     assert_eq!(case.law_stiffness.stiffness, f64::INFINITY);
     assert_eq!(
         texts(&case.notices),
@@ -261,7 +265,7 @@ fn friction(section: &str, [temperature, slip_speed, y]: [f64; 3]) -> f64 {
     let case = read(&format!("[friction]\n{section}"), &[]);
     assert_eq!(texts(&case.notices), [""; 0], "{section}");
     let state = FrictionState { temperature, slip_speed, y };
-    case.problem.friction.law.respond(&state).coefficient
+    case.problem.interface.friction.law.respond(&state).coefficient
 }
 
 /// Values by hand: each law at its half speed, or half way down.
@@ -307,7 +311,7 @@ fn friction_over_y_comes_from_a_file_too() {
         .pose(&unwatched)
         .unwrap();
     let state = FrictionState { y: -2.5e-3, ..FrictionState::default() };
-    let response = case.problem.friction.law.respond(&state);
+    let response = case.problem.interface.friction.law.respond(&state);
     assert_relative_eq!(response.coefficient, 0.3, max_relative = 1e-12);
     assert_eq!(case.files(), [(field!("friction.variation_file"), folder.path().join("f.csv"))]);
 }

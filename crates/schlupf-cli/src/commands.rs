@@ -43,7 +43,7 @@ pub fn check(arguments: &CheckArguments) -> Result<u8, Failure> {
         .normal_contact(None)
         .map_err(|error| Failure::Case(case.explain(&error).into()))?
         .summary;
-    let beyond = case.problem.beyond_elastic(normal.peak_pressure);
+    let beyond = case.problem.interface.beyond_elastic(normal.peak_pressure);
     let beyond = schlupf_tasks::messages(&beyond);
     case.notices.iter().cloned().chain(beyond).for_each(|message| report::warn(&message));
     let of_wheel = case.wheel.iter().flat_map(|wheel| wheel.warnings());

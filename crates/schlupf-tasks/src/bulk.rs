@@ -40,7 +40,7 @@ impl Task for Bulk {
         let warnings = messages(&balance.solution.warnings);
         let report = BulkReport {
             cooling,
-            rail_temperature: case.problem.rail.bulk_temperature,
+            rail_temperature: case.problem.interface.rail.bulk_temperature,
             wheel_radius: case.wheel_radius(),
             warnings: Notice::of_first_contact(&case).into_iter().chain(warnings).collect(),
             title: case.title,

@@ -1,8 +1,8 @@
 //! The contact alone: patch and pressure, without creepages and tractions.
 
+use schlupf::interface::beyond_elastic;
 use schlupf::normal::patch::Patch;
 use schlupf::normal::{Grid, NormalContact, NormalSummary};
-use schlupf::problem::beyond_elastic;
 use schlupf::reporting::{Column, Message, Record, columns};
 use schlupf::{Error, Options, Status, Watch};
 use schlupf_case::CaseErrors;

@@ -362,7 +362,8 @@ impl Posed {
         let is_like = self.case.wheel.is_none() && how(&self.case) == how(&before.case);
         if is_alike && is_like && self.case.options == before.case.options {
             self.case.problem.normal = Arc::clone(&before.case.problem.normal);
-            self.case.problem.elasticity = Arc::clone(&before.case.problem.elasticity);
+            self.case.problem.interface.elasticity =
+                Arc::clone(&before.case.problem.interface.elasticity);
             self.solver = before.solver;
             self.solver.forget();
         }
@@ -431,7 +432,7 @@ impl Posed {
                 let pressure = fast.contact.contact().normal.peak_pressure;
                 let of_load = |warning: &Warning| matches!(warning, Warning::BeyondElastic { .. });
                 fast.warnings.retain(|warning| !of_load(warning));
-                fast.warnings.extend(case.problem.beyond_elastic(pressure));
+                fast.warnings.extend(case.problem.interface.beyond_elastic(pressure));
             }
             let force = fast.contact.force(&motion)?;
             fast.warnings.iter().chain(&fast.contact.beyond_friction(&force)).for_each(warn);

@@ -57,7 +57,8 @@ impl Task for Temperature {
         let report = Temperatures {
             status: solution.status,
             request: positions,
-            bulk: [&problem.wheel, &problem.rail].map(|body| body.bulk_temperature),
+            bulk: [&problem.interface.wheel, &problem.interface.rail]
+                .map(|body| body.bulk_temperature),
             profile,
             rows,
             warnings: Notice::of_first_contact(&case).into_iter().chain(warnings).collect(),
@@ -91,8 +92,12 @@ impl Request {
             return Err(self.ahead(x, entry, y));
         }
         let speed = solution.kinematics.speed;
-        let diffusivity =
-            problem.wheel.material.diffusivity().max(problem.rail.material.diffusivity());
+        let diffusivity = problem
+            .interface
+            .wheel
+            .material
+            .diffusivity()
+            .max(problem.interface.rail.material.diffusivity());
         let reach = |way: f64| (diffusivity * way / speed).sqrt();
         let depth = self.depth.unwrap_or([0.0, DEEPEST * reach(entry - x.min(exit))]);
         let wake = self.wake.unwrap_or(WAKE * (entry - exit)).max(exit - x);

@@ -72,8 +72,8 @@ fn passage(case: Case, laws: Laws, watch: Watch) -> Result<WearReport, TaskError
         let (share, temperature) = (melting.share, melting.max_temperature);
         Notice::Molten { share, temperature, limit: laws.melting_temperature }.into()
     });
-    let friction = case.problem.friction.cold_coefficient();
-    let is_dry = friction >= DRY && case.problem.layer.is_none();
+    let friction = case.problem.interface.friction.cold_coefficient();
+    let is_dry = friction >= DRY && case.problem.interface.layer.is_none();
     let is_of_dry_steel = laws.archard.map == WearMap::default();
     let other = (!is_dry && is_of_dry_steel && passage.wear.is_some())
         .then(|| Notice::WearOfDrySteel { friction }.into());

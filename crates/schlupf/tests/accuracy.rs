@@ -30,10 +30,12 @@ fn force(axis_ratio: f64, stiffness: f64, [xi, eta, spin]: [f64; 3], across: usi
     let (a, b) = (mean * axis_ratio.sqrt(), mean / axis_ratio.sqrt());
     let rolling = Problem {
         normal: Arc::new(Ellipse::from_peak_pressure(a, b, 1e9).unwrap()),
-        elasticity: half_space(),
-        contact_law: Incremental::new(stiffness).unwrap().into(),
         ..problem(rolling(xi, eta, spin / mean))
-    };
+    }
+    .with(|interface| {
+        interface.elasticity = half_space();
+        interface.contact_law = Incremental::new(stiffness).unwrap().into();
+    });
     let solution = schlupf::solver::solve(&rolling, &cells(across), &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     solution.normalised

@@ -76,14 +76,16 @@ fn rolling_at(creepage_x: f64) -> Kinematics {
 /// Both elasticities of which products take long, with and without heat, and both contact laws.
 fn problems() -> Vec<Problem> {
     let layer = problem(rolling_at(0.002));
-    let half_space = Problem { elasticity: half_space(), ..layer.clone() };
+    let half_space = layer.clone().with(|interface| interface.elasticity = half_space());
     let mut hot = half_space.clone();
-    hot.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
-    hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    hot.interface.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    hot.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     // The paper's models.
-    let mut paper = Problem { elasticity: Arc::clone(&layer.elasticity), ..hot.clone() };
-    paper.heat.model = Some(Arc::new(ConstantSource));
-    paper.contact_law = TotalDisplacement::new(5e6).unwrap().into();
+    let mut paper = hot
+        .clone()
+        .with(|interface| interface.elasticity = Arc::clone(&layer.interface.elasticity));
+    paper.interface.heat.model = Some(Arc::new(ConstantSource));
+    paper.interface.contact_law = TotalDisplacement::new(5e6).unwrap().into();
     vec![layer, half_space, hot, paper]
 }
 
@@ -139,7 +141,11 @@ fn more_steady_iterations_allocate_no_more() {
             };
             let ((coarse, few), (fine, many)) = (at(1e-4), at(1e-9));
             assert!(many > 1.5 * few, "{many} {few}");
-            assert_eq!(coarse, fine, "{:?}, {few:.0} and {many:.0} products", base.elasticity);
+            assert_eq!(
+                coarse, fine,
+                "{:?}, {few:.0} and {many:.0} products",
+                base.interface.elasticity
+            );
         }
     }
 }
@@ -173,7 +179,7 @@ fn more_iterations_of_a_time_step_allocate_no_more() {
             |tolerance| in_a_time_step(&base, &Options { tolerance, max_steps: 40, ..cells(16) });
         let ((coarse, few), (fine, many)) = (at(1e-4), at(1e-9));
         assert!(many > few + few / 4, "{many} {few}");
-        assert_eq!(coarse, fine, "{:?}, {few} and {many} Newton steps", base.elasticity);
+        assert_eq!(coarse, fine, "{:?}, {few} and {many} Newton steps", base.interface.elasticity);
     }
 }
 

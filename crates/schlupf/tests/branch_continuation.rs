@@ -67,7 +67,7 @@ impl Equations {
         let patch = Patch::new(&normal, Grid::across(&normal.extent(), across, across));
         let grid = patch.grid;
         let interpolation = Interpolation::uncoupled(&patch);
-        let mut compliance = case.elasticity.compliance(&grid).unwrap();
+        let mut compliance = case.interface.elasticity.compliance(&grid).unwrap();
         let cells = patch.len();
         let mut in_passing = vec![vec![0.0; cells]; cells];
         let mut fields = [0; 3].map(|_| VectorField::zeros(grid.len()));
@@ -273,10 +273,10 @@ fn solve(mut rows: Vec<Vec<f64>>, right: Vec<f64>) -> Option<[Vec<f64>; 2]> {
 fn falling(creepage: f64, stiffness: f64, half_speed: f64) -> Problem {
     let mut falling = problem(rolling(creepage, 0.0, 0.0));
     falling.kinematics.speed = SPEED;
-    falling.elasticity = Arc::new(Winkler::new(BEDDING, BEDDING).unwrap());
-    falling.contact_law = Incremental::new(stiffness).unwrap().into();
+    falling.interface.elasticity = Arc::new(Winkler::new(BEDDING, BEDDING).unwrap());
+    falling.interface.contact_law = Incremental::new(stiffness).unwrap().into();
     let law = Linear(SlipTerms::new(COLD, KINETIC, half_speed, None).unwrap());
-    falling.friction.law = Arc::new(law);
+    falling.interface.friction.law = Arc::new(law);
     falling
 }
 

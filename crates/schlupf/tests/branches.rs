@@ -18,9 +18,9 @@ use schlupf::{Options, Problem, Solution, Warning};
 fn falling(creepage: f64, half_speed: f64) -> Problem {
     let mut falling = problem(rolling(creepage, 0.0, 0.0));
     falling.kinematics.speed = 15.0;
-    falling.contact_law = Incremental::new(1e9).unwrap().into();
+    falling.interface.contact_law = Incremental::new(1e9).unwrap().into();
     let law = Linear(SlipTerms::new(0.4, 0.05, half_speed, None).unwrap());
-    falling.friction.law = Arc::new(law);
+    falling.interface.friction.law = Arc::new(law);
     falling
 }
 
@@ -61,7 +61,7 @@ fn a_factor_over_y_hides_no_branch() {
     let law = Linear(SlipTerms::new(0.004, 0.0005, 0.004, None).unwrap());
     let y = vec![-1e-5, 0.0, 1e-5];
     let across = Across::new(Arc::new(law), y, vec![100.0, 1.0, 100.0]).unwrap();
-    written.friction.law = Arc::new(across);
+    written.interface.friction.law = Arc::new(across);
     let low = on_branch(&written, Branch::LowSlip);
     assert_eq!(low.work.strategy, Some(Strategy::Continuation), "{:?}", low.work);
 }

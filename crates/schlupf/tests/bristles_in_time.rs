@@ -23,12 +23,16 @@ use schlupf::{Error, Options, Problem, Solution, Status, Transient, unwatched};
 fn bristly(elasticity: Arc<dyn Elasticity>, stiffness: f64, motion: [f64; 3]) -> Problem {
     let [xi, eta, spin] = motion;
     let contact_law = Incremental::new(stiffness).unwrap().into();
-    Problem { elasticity, contact_law, ..problem(rolling(xi, eta, spin)) }
+    problem(rolling(xi, eta, spin)).with(|interface| {
+        interface.elasticity = elasticity;
+        interface.contact_law = contact_law;
+    })
 }
 
 fn hot(mut problem: Problem) -> Problem {
-    problem.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
-    problem.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    problem.interface.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    problem.interface.heat =
+        Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     problem
 }
 
@@ -69,7 +73,10 @@ fn a_bedding_of_unlike_stiffnesses_is_marched_cell_by_cell() {
                 let elasticity = Arc::clone(&bedding);
                 let [xi, eta, spin] = motion;
                 let rolling = problem(rolling(xi, eta, spin));
-                let both = Problem { elasticity, contact_law: law, ..rolling };
+                let both = rolling.with(|interface| {
+                    interface.elasticity = elasticity;
+                    interface.contact_law = law;
+                });
                 let (steady, marched) = (at_once(&both, &cells(20)), solve(&both, &cells(20)));
                 assert!(gap(&steady, &marched) < 1e-5, "{stiffness:?} {motion:?} {law:?}");
                 let work = marched.work;
@@ -91,7 +98,10 @@ fn a_bedding_follows_a_motion_that_turns() {
     };
     let bedding = Arc::new(Winkler::new(1e12, 3e12).unwrap());
     let still = problem(rolling(0.0, 0.0, 0.0));
-    let turned = Problem { elasticity: bedding, contact_law: ContactLaw::Coulomb, ..still };
+    let turned = still.with(|interface| {
+        interface.elasticity = bedding;
+        interface.contact_law = ContactLaw::Coulomb;
+    });
     let work = solve_over(&turned, turning, &cells(40)).work;
     assert!(work.newton_iterations <= work.steps, "{work:?}");
 }
@@ -182,7 +192,7 @@ fn time_steps_take_no_more_work_than_under_coulombs_law() {
 fn a_layer_on_a_grid_that_the_patch_leaves() {
     let laws: [ContactLaw; 2] = [ContactLaw::Coulomb, Incremental::new(2e8).unwrap().into()];
     for law in laws {
-        let falling = Problem { elasticity: layer(), ..transients::reference(law) };
+        let falling = transients::reference(law).with(|interface| interface.elasticity = layer());
         let history = History {
             time: vec![0.0, 12e-3, 40e-3],
             load: Some(vec![LOAD, 0.5 * LOAD, 0.5 * LOAD]),

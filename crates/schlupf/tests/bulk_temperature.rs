@@ -19,9 +19,10 @@ const COOLING: Cooling = Cooling { film_coefficient: 40.0, area: 1.5, air_temper
 
 fn braking(creepage: f64) -> Problem {
     let mut braking = problem(rolling(creepage, 0.0, 0.0));
-    braking.elasticity = half_space();
-    braking.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
-    braking.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    braking.interface.elasticity = half_space();
+    braking.interface.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    braking.interface.heat =
+        Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     braking
 }
 
@@ -41,7 +42,7 @@ fn the_balance_closes() {
         assert_relative_eq!(warmed.frictional_heat, given, max_relative = 2e-6);
         assert!(warmed.temperature > 10.0 && warmed.iterations < 20, "{}", warmed.iterations);
         let mut there = braking(creepage);
-        there.wheel.bulk_temperature = warmed.temperature;
+        there.interface.wheel.bulk_temperature = warmed.temperature;
         let again = schlupf::solver::solve(&there, &cells(20), &unwatched).unwrap();
         assert_relative_eq!(
             again.power.unwrap().friction,
@@ -57,7 +58,7 @@ fn the_balance_closes() {
 #[test]
 fn ertz_knothe_2002_cooled_by_the_rail_alone() {
     let mut slow = braking(0.002);
-    slow.heat.partition = Partition::Given(0.5);
+    slow.interface.heat.partition = Partition::Given(0.5);
     let cooling = Cooling { film_coefficient: 1e-9, ..COOLING };
     let warmed = warmed(&slow, &cooling);
     // B(½, 5/4) = Γ(½) Γ(5/4)/Γ(7/4)
@@ -73,7 +74,7 @@ fn ertz_knothe_2002_cooled_by_the_rail_alone() {
 #[test]
 fn a_balance_by_hand() {
     let mut slow = braking(0.01);
-    slow.heat.partition = Partition::Given(0.5);
+    slow.interface.heat.partition = Partition::Given(0.5);
     let warmed = warmed(&slow, &COOLING);
     let beta = 1.772_453_850_905_516 * 0.906_402_477_055_477 / 0.919_062_526_848_883;
     let width = (2.0 * 6e-3_f64).sqrt() * 5e-3 * beta;
@@ -91,9 +92,10 @@ fn a_balance_by_hand() {
 fn rising_friction_is_balanced_too() {
     let mut rising = braking(0.01);
     let cold = Arc::new(TemperaturePiecewiseLinear::new(0.3, 0.3, 100.0).unwrap());
-    rising.friction.law = cold;
+    rising.interface.friction.law = cold;
     let cold = warmed(&rising, &COOLING);
-    rising.friction.law = Arc::new(TemperaturePiecewiseLinear::new(0.3, 0.9, 100.0).unwrap());
+    rising.interface.friction.law =
+        Arc::new(TemperaturePiecewiseLinear::new(0.3, 0.9, 100.0).unwrap());
     let hot = warmed(&rising, &COOLING);
     assert!(hot.temperature > cold.temperature + 10.0, "{} {}", hot.temperature, cold.temperature);
     assert_relative_eq!(hot.frictional_heat, hot.convection + hot.conduction, max_relative = 2e-6);
@@ -112,7 +114,7 @@ fn more_air_less_heat() {
 #[test]
 fn what_cannot_warm_is_refused() {
     let mut cold = braking(0.01);
-    cold.heat.model = None;
+    cold.interface.heat.model = None;
     let error = bulk_temperature(&cold, &mut SteadySolver::new(&cells(8)), &COOLING, &unwatched)
         .unwrap_err();
     assert!(error.quantity() == Quantity::HeatModel);
@@ -127,7 +129,7 @@ fn what_cannot_warm_is_refused() {
 #[test]
 fn without_friction_air_and_rail_balance() {
     let mut idle = braking(0.0);
-    idle.rail.bulk_temperature = 20.0;
+    idle.interface.rail.bulk_temperature = 20.0;
     let warm_air = Cooling { air_temperature: 50.0, ..COOLING };
     let warmed = warmed(&idle, &warm_air);
     assert!((20.0..50.0).contains(&warmed.temperature), "{}", warmed.temperature);

@@ -159,7 +159,7 @@ fn the_calibrated_layer_knows_the_patch() {
     let base = problem(rolling(0.002, 0.001, 0.0));
     let layer = CalibratedLayer::new(&Material::STEEL, &Material::STEEL, None).unwrap();
     let solve = |elasticity: Arc<dyn Elasticity>| {
-        let problem = schlupf::Problem { elasticity, ..base.clone() };
+        let problem = base.clone().with(|interface| interface.elasticity = elasticity);
         solver::solve(&problem, &cells(24), &unwatched).unwrap().normalised
     };
     let (here, exact) = (solve(Arc::new(layer)), solve(half_space()));
@@ -185,10 +185,12 @@ fn kalker_1982_the_bed_has_the_forces_of_the_linear_theory() {
         assert_relative_eq!(y, 3.0 * c22 * g / (8.0 * a), max_relative = 1e-2);
         let stick = schlupf::Problem {
             normal: Arc::new(Ellipse::from_peak_pressure(a, b, 1e9).unwrap()),
-            elasticity: Arc::new(bed),
-            contact_law: Incremental::new(1e9).unwrap().into(),
             ..problem(rolling(1e-6, 2e-6, 0.0))
-        };
+        }
+        .with(|interface| {
+            interface.elasticity = Arc::new(bed);
+            interface.contact_law = Incremental::new(1e9).unwrap().into();
+        });
         let force = solver::solve(&stick, &cells(40), &unwatched).unwrap().force;
         assert_relative_eq!(force.x, -c11 * g * a * b * 1e-6, max_relative = 2e-2);
         assert_relative_eq!(force.y, -c22 * g * a * b * 2e-6, max_relative = 2e-2);

@@ -93,9 +93,10 @@ fn solve(
 ) -> Solution {
     let mut coulomb = problem(rolling(creepage, 0.0, 0.0));
     coulomb.normal = normal;
-    coulomb.elasticity = elasticity;
-    coulomb.contact_law = Incremental::new(stiffness).unwrap().into();
-    coulomb.friction.law = Arc::new(Constant::new(CYLINDERS.friction_coefficient).unwrap());
+    coulomb.interface.elasticity = elasticity;
+    coulomb.interface.contact_law = Incremental::new(stiffness).unwrap().into();
+    coulomb.interface.friction.law =
+        Arc::new(Constant::new(CYLINDERS.friction_coefficient).unwrap());
     let options = Options { cells_x, cells_y, slip_threshold: 0.99, ..Options::default() };
     let solution = schlupf::solver::solve(&coulomb, &options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);

@@ -63,9 +63,9 @@ fn motions() -> Vec<[f64; 3]> {
 fn coulomb([a, b]: [f64; 2], [xi, eta, spin]: [f64; 3]) -> Problem {
     let mut problem = problem(rolling(xi, eta, spin));
     problem.normal = Arc::new(Ellipse::from_load(a, b, 52_359.878).unwrap());
-    problem.elasticity = half_space();
-    problem.contact_law = ContactLaw::Coulomb;
-    problem.friction.law = Arc::new(Constant::new(0.3).unwrap());
+    problem.interface.elasticity = half_space();
+    problem.interface.contact_law = ContactLaw::Coulomb;
+    problem.interface.friction.law = Arc::new(Constant::new(0.3).unwrap());
     problem
 }
 
@@ -235,7 +235,7 @@ fn stiff_bristles_take_no_more_work() {
 
 fn bristly(ratio: f64, motion: [f64; 3], stiffness: f64) -> Problem {
     let contact_law = Incremental::new(stiffness).unwrap().into();
-    Problem { contact_law, ..coulomb(semi_axes(ratio), motion) }
+    coulomb(semi_axes(ratio), motion).with(|interface| interface.contact_law = contact_law)
 }
 
 /// As k_c grows by tenths from soft bristles to stiff ones, no force bends by more than 0.1 % of μN

@@ -35,12 +35,16 @@ fn run(history: History, across: usize) -> Solution {
 }
 
 fn coulomb(elasticity: Arc<dyn Elasticity>, [xi, eta, spin]: [f64; 3]) -> Problem {
-    Problem { elasticity, contact_law: ContactLaw::Coulomb, ..problem(rolling(xi, eta, spin)) }
+    problem(rolling(xi, eta, spin)).with(|interface| {
+        interface.elasticity = elasticity;
+        interface.contact_law = ContactLaw::Coulomb;
+    })
 }
 
 fn hot(mut problem: Problem) -> Problem {
-    problem.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
-    problem.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    problem.interface.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    problem.interface.heat =
+        Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     problem
 }
 
@@ -98,7 +102,7 @@ fn spheres() -> (Problem, CattaneoMindlin) {
     let elasticity = Arc::new(HalfSpace::new(&material, &material).unwrap());
     let mut spheres = coulomb(elasticity, [0.0; 3]);
     spheres.normal = Arc::new(Ellipse::from_load(RADIUS, RADIUS, 50e3).unwrap());
-    spheres.friction.law = Arc::new(Constant::new(0.3).unwrap());
+    spheres.interface.friction.law = Arc::new(Constant::new(0.3).unwrap());
     let exact = CattaneoMindlin {
         radius: RADIUS,
         load: 50e3,
@@ -188,7 +192,7 @@ fn winkler_bedding_under_a_load_that_changes_fast() {
     let exact = [0.38131, 0.50067, 0.24630, 0.40144, 0.62465, 0.53773, 0.24630, 0.40144];
     let largest = |across: usize| {
         let mut bedded = reference();
-        bedded.elasticity = Arc::new(Winkler::new(2e13, 2e13).unwrap());
+        bedded.interface.elasticity = Arc::new(Winkler::new(2e13, 2e13).unwrap());
         let solution = solve_over(&bedded, swinging(0.7, 12e-3, 24e-3), &cells(across));
         let at = (1..=8).map(|k| 3e-3 * f64::from(k)).zip(exact);
         at.map(|(s, force)| (force_at(&solution, s) - force).abs()).fold(0.0, f64::max)
@@ -225,9 +229,11 @@ fn powers_of_every_step_balance() {
     for elasticity in [half_space(), layer()] {
         for load in [None, Some(vec![LOAD, 1.6 * LOAD, 0.5 * LOAD, LOAD])] {
             let mut rolls = reference();
-            rolls.elasticity = elasticity.clone();
-            rolls.friction.law = Arc::new(TemperatureLinear::new(0.3, 700.0, 0.0).unwrap());
-            rolls.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+            rolls.interface.elasticity = elasticity.clone();
+            rolls.interface.friction.law =
+                Arc::new(TemperatureLinear::new(0.3, 700.0, 0.0).unwrap());
+            rolls.interface.heat =
+                Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
             let history = History {
                 shift: Some([2e-6, -1e-6]),
                 time: vec![0.0, 1e-4, 2e-4, 6e-4],

@@ -31,11 +31,10 @@ use schlupf::{Error, Options, Problem, Solution, Status, Transient, unwatched};
 const MOTION: [f64; 3] = [0.0015, 0.001, 0.4];
 
 fn coulomb([xi, eta, spin]: [f64; 3]) -> Problem {
-    Problem {
-        elasticity: half_space(),
-        contact_law: ContactLaw::Coulomb,
-        ..problem(rolling(xi, eta, spin))
-    }
+    problem(rolling(xi, eta, spin)).with(|interface| {
+        interface.elasticity = half_space();
+        interface.contact_law = ContactLaw::Coulomb;
+    })
 }
 
 fn solve(problem: &Problem, options: &Options) -> Solution {
@@ -90,13 +89,16 @@ fn friction_laws_and_heat() {
         for size in [0.3, 1.0, 3.0, 10.0] {
             for memory in [None, Some(FrictionMemory::new(1e-4, 1e-6).unwrap())] {
                 let mut warm = coulomb(MOTION.map(|part| size * part));
-                warm.friction = Friction { memory, ..Friction::new(Arc::clone(&law), 20.0) };
-                warm.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+                warm.interface.friction =
+                    Friction { memory, ..Friction::new(Arc::clone(&law), 20.0) };
+                warm.interface.heat =
+                    Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
                 let solution = solve(&warm, &cells(24));
                 check_invariants(&solution);
                 assert!(solution.work.operator_products < 40.0, "{law:?} {:?}", solution.work);
                 let stiff: ContactLaw = Incremental::new(1e9).unwrap().into();
-                let stiff = solve(&Problem { contact_law: stiff, ..warm }, &cells(24));
+                let stiff =
+                    solve(&warm.with(|interface| interface.contact_law = stiff), &cells(24));
                 let gap = gap(&solution, &stiff);
                 assert!(gap < 0.015, "{law:?} {size}: {gap}");
             }
@@ -110,7 +112,7 @@ fn other_elasticities() {
     for elasticity in [layer(), Arc::new(Winkler::new(2e13, 2e13).unwrap())] {
         for size in [0.3, 1.0, 3.0] {
             let mut soft = coulomb(MOTION.map(|part| size * part));
-            soft.elasticity = Arc::clone(&elasticity);
+            soft.interface.elasticity = Arc::clone(&elasticity);
             let [coarse, fine] = [24, 96].map(|across| solve(&soft, &cells(across)));
             check_invariants(&coarse);
             let gap = gap(&coarse, &fine);
@@ -125,7 +127,7 @@ fn other_elasticities() {
 fn winkler_sticks_in_proportion_to_the_distance() {
     let bedding = 2e13;
     let mut springs = coulomb([0.001, 0.0, 0.0]);
-    springs.elasticity = Arc::new(Winkler::new(bedding, bedding).unwrap());
+    springs.interface.elasticity = Arc::new(Winkler::new(bedding, bedding).unwrap());
     let solution = solve(&springs, &cells(40));
     let (a, b) = (6e-3_f64, 5e-3_f64);
     let fields = &solution.fields;
@@ -189,8 +191,9 @@ fn derivatives_are_those_of_central_differences() {
         let at = |motion: [f64; 3], coefficient: f64, load: f64| {
             let mut rubbing = coulomb(motion);
             rubbing.normal = Arc::new(Ellipse::from_load(6e-3, 5e-3, load).unwrap());
-            rubbing.friction.law = law(coefficient);
-            rubbing.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+            rubbing.interface.friction.law = law(coefficient);
+            rubbing.interface.heat =
+                Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
             let options = Options { tolerance: 1e-11, sensitivity: true, ..cells(14) };
             solve(&rubbing, &options)
         };
@@ -293,7 +296,7 @@ fn cells_that_are_too_wide_are_refused() {
             assert_eq!(refused.unwrap_err(), refusal);
 
             let mut stiff = problem;
-            stiff.contact_law = Incremental::new(1e8).unwrap().into();
+            stiff.interface.contact_law = Incremental::new(1e8).unwrap().into();
             let refused = schlupf::solver::solve(&stiff, &on(count), &unwatched);
             assert_eq!(refused.unwrap_err(), refusal);
         }
@@ -304,7 +307,7 @@ fn cells_that_are_too_wide_are_refused() {
 #[test]
 fn rigid_bodies_are_refused() {
     let mut rigid = coulomb(MOTION);
-    rigid.elasticity = Arc::new(Rigid);
+    rigid.interface.elasticity = Arc::new(Rigid);
     let refused = schlupf::solver::solve(&rigid, &cells(8), &unwatched);
     assert_eq!(refused.unwrap_err(), Error::CoulombOfRigidBodies {});
 }

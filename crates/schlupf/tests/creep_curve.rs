@@ -32,16 +32,16 @@ const BEDDING: f64 = 1e13;
 /// Full friction without bristles on a Winkler bedding.
 fn winkler() -> Problem {
     let mut winkler = problem(rolling(0.0, 0.0, 0.0));
-    winkler.elasticity = Arc::new(Winkler::new(BEDDING, BEDDING).unwrap());
-    winkler.contact_law = Incremental::new(1e10).unwrap().into();
+    winkler.interface.elasticity = Arc::new(Winkler::new(BEDDING, BEDDING).unwrap());
+    winkler.interface.contact_law = Incremental::new(1e10).unwrap().into();
     winkler
 }
 
 /// Friction that falls with the temperature.
 fn hot() -> Problem {
     let mut hot = problem(rolling(0.0, 0.0, 0.0));
-    hot.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
-    hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
+    hot.interface.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    hot.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
     hot
 }
 
@@ -113,8 +113,9 @@ fn winkler_strips_have_their_closed_form() {
 fn kalker_1967_initial_slopes() {
     let mut smooth = problem(rolling(0.0, 0.0, 0.0));
     smooth.normal = Arc::new(Ellipse::from_peak_pressure(5e-3, 5e-3, 1e9).unwrap());
-    smooth.elasticity = Arc::new(HalfSpace::new(&Material::STEEL, &Material::STEEL).unwrap());
-    smooth.contact_law = Incremental::new(1e10).unwrap().into();
+    smooth.interface.elasticity =
+        Arc::new(HalfSpace::new(&Material::STEEL, &Material::STEEL).unwrap());
+    smooth.interface.contact_law = Incremental::new(1e10).unwrap().into();
     let exact = creep_coefficients(1.0, Material::STEEL.poisson_ratio).unwrap();
     let on = |cells_across: usize, end: Creepages| {
         let path = Path::new(Creepages::default(), end).unwrap();
@@ -237,7 +238,7 @@ fn a_fixed_direction_is_followed() {
 #[test]
 fn creepages_over_a_force_are_those_that_cause_it() {
     let mut problem = problem(rolling(0.001, -0.0005, 0.3));
-    problem.elasticity = common::half_space();
+    problem.interface.elasticity = common::half_space();
     let (options, own) = (cells(12), Creepages::of(&problem.kinematics));
     let end = Creepages { x: 0.002, ..own };
     let path = Path::new(Creepages { x: 0.0005, ..own }, end).unwrap();
@@ -273,7 +274,7 @@ fn creepages_over_a_force_are_those_that_cause_it() {
 #[test]
 fn points_know_their_error_by_the_cells() {
     let mut problem = problem(rolling(0.0, 0.0, 0.0));
-    problem.elasticity = common::half_space();
+    problem.interface.elasticity = common::half_space();
     let options = Options { extrapolate: true, ..cells(20) };
     let curve = curve(&problem, &options, &over_x(&problem, [0.0, 0.002]), 3);
     let point = &curve.points[2];

@@ -90,16 +90,14 @@ fn on_rows(rows: &Arc<RowMotion>, load: f64) -> Arc<dyn PressureSource> {
 /// A flange root with given creepages of its plane, whose spin is that of the motion.
 fn curved(creepage_x: f64, creepage_y: f64) -> Problem {
     let motion = rolling(creepage_x, creepage_y, -OVER_V * LEAN.sin());
-    Problem {
-        normal: on_rows(&table(root), LOAD),
-        elasticity: half_space(),
-        contact_law: incremental(SOFT),
-        ..problem(motion)
-    }
+    Problem { normal: on_rows(&table(root), LOAD), ..problem(motion) }.with(|interface| {
+        interface.elasticity = half_space();
+        interface.contact_law = incremental(SOFT);
+    })
 }
 
 fn with_law(base: &Problem, contact_law: ContactLaw) -> Problem {
-    Problem { contact_law, ..base.clone() }
+    base.clone().with(|interface| interface.contact_law = contact_law)
 }
 
 fn incremental(stiffness: f64) -> ContactLaw {
@@ -107,8 +105,8 @@ fn incremental(stiffness: f64) -> ContactLaw {
 }
 
 fn hot(mut base: Problem) -> Problem {
-    base.friction.law = Arc::new(TemperatureLinear::new(FRICTION, 700.0, 0.05).unwrap());
-    base.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
+    base.interface.friction.law = Arc::new(TemperatureLinear::new(FRICTION, 700.0, 0.05).unwrap());
+    base.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
     base
 }
 
@@ -144,7 +142,7 @@ fn kinds() -> [(&'static str, Problem); 5] {
         ("soft bristles", base()),
         ("stiff bristles", with_law(&base(), incremental(1e8))),
         ("Coulomb", with_law(&base(), stiff)),
-        ("Winkler", Problem { elasticity: uncoupled, ..base() }),
+        ("Winkler", base().with(|interface| interface.elasticity = uncoupled)),
         ("hot", hot(base())),
     ]
 }
@@ -326,7 +324,7 @@ fn derivatives_are_those_of_the_solutions() {
         let rougher = |by: f64| {
             let mut problem = base.clone();
             let mu = FRICTION * (1.0 + by);
-            problem.friction.law = if base.heat.model.is_some() {
+            problem.interface.friction.law = if base.interface.heat.model.is_some() {
                 Arc::new(TemperatureLinear::new(mu, 700.0, 0.05).unwrap())
             } else {
                 Arc::new(Constant::new(mu).unwrap())

@@ -262,11 +262,12 @@ fn a_sliding_passage_has_closed_forms() {
     let (a, b, friction, creepage) = (6e-3, 4e-3, 0.3, 0.01);
     let problem = Problem::builder().creepage_x(creepage).build().unwrap();
     let contact = Ellipse::from_peak_pressure(a, b, 0.9e9).unwrap();
-    let mut problem = Problem { normal: Arc::new(contact), heat: Heat::none(), ..problem };
-    problem.contact_law = ContactLaw::Coulomb;
-    problem.friction.law = Arc::new(Constant::new(friction).unwrap());
+    let mut problem = Problem { normal: Arc::new(contact), ..problem }
+        .with(|interface| interface.heat = Heat::none());
+    problem.interface.contact_law = ContactLaw::Coulomb;
+    problem.interface.friction.law = Arc::new(Constant::new(friction).unwrap());
     let steel = Material::STEEL;
-    problem.elasticity = Arc::new(HalfSpace::new(&steel, &steel).unwrap());
+    problem.interface.elasticity = Arc::new(HalfSpace::new(&steel, &steel).unwrap());
     let options = Options { cells_x: 24, cells_y: 24, ..Options::default() };
     let solution = solver::solve(&problem, &options, &unwatched).unwrap();
     let passage = of_passage(&problem, &solution, &laws()).unwrap();
@@ -302,7 +303,7 @@ fn a_sliding_passage_has_closed_forms() {
 #[test]
 fn what_bounds_the_traction_of_fastsim_is_not_the_pressure() {
     let problem = Problem::builder().creepage_x(0.012).build().unwrap();
-    let problem = Problem { heat: Heat::none(), ..problem };
+    let problem = problem.with(|interface| interface.heat = Heat::none());
     let options = Options { cells_x: 20, cells_y: 20, ..Options::default() };
     let wear = [TractionBound::Parabolic, TractionBound::Elliptic].map(|bound| {
         let brush = Brush { bound, ..Brush::KALKER };

@@ -107,7 +107,7 @@ fn solve_with<R>(
             .contact_law(ContactLaw::Coulomb)
             .elasticity(HalfSpace::new(&material, &material)?);
         let problem = builder.build()?;
-        Ok(Problem { normal, friction: friction.clone(), ..problem })
+        Ok(Problem { normal, ..problem }.with(|interface| interface.friction = friction.clone()))
     };
     let options = Options { cells_x: cells, cells_y: cells, ..Options::default() };
     let solver = |options: &Options| Method::Full.solver(options);

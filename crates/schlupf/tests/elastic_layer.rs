@@ -78,10 +78,13 @@ fn springs_are_those_of_the_cells() {
     let springs = ElasticLayer::from_springs(springs, springs, None).unwrap();
     let [x, y] = springs.per_area(&Grid::across(&normal.extent(), 24, 24));
     let layers = [springs, ElasticLayer::new(x, y, None).unwrap()];
-    for law in [ContactLaw::Coulomb, rolls.contact_law] {
+    for law in [ContactLaw::Coulomb, rolls.interface.contact_law] {
         let [springs, per_area] = layers.map(|layer| {
             let elasticity = Arc::new(layer);
-            let rolls = Problem { elasticity, contact_law: law, ..rolls.clone() };
+            let rolls = rolls.clone().with(|interface| {
+                interface.elasticity = elasticity;
+                interface.contact_law = law;
+            });
             solver::solve(&rolls, &cells(24), &unwatched).unwrap()
         });
         assert_eq!(springs.status, Status::Converged, "{:?}", springs.warnings);
@@ -101,7 +104,10 @@ fn a_layer_may_end_near_the_patch() {
             LayerStiffness { bedding: 3.5e12, coupling_along_x: 1.13e8, coupling_along_y: 1.13e8 };
         let elasticity = Arc::new(ElasticLayer::new(stiffness, stiffness, Some(5e-3)).unwrap());
         let rolls = problem(rolling(5e-4, 0.0, 0.0));
-        let rolls = Problem { elasticity, contact_law: law, ..rolls };
+        let rolls = rolls.with(|interface| {
+            interface.elasticity = elasticity;
+            interface.contact_law = law;
+        });
         let solution = solver::solve(&rolls, &cells(n), &unwatched).unwrap();
         assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
         solution.normalised.x
@@ -149,7 +155,7 @@ fn neuhaus_sextro_2014_total_displacement_against_increments() {
     for ((xi, eta), (across, allowed)) in motions.into_iter().flat_map(|m| grids.map(|g| (m, g))) {
         let incremental = problem(rolling(xi, eta, 0.0));
         let mut total = incremental.clone();
-        total.contact_law = TotalDisplacement::new(5e6).unwrap().into();
+        total.interface.contact_law = TotalDisplacement::new(5e6).unwrap().into();
         let at_once =
             |problem: &Problem| solver::solve(problem, &cells(across), &unwatched).unwrap();
         let (one, two) = (at_once(&incremental), at_once(&total));
@@ -169,7 +175,7 @@ fn neuhaus_sextro_2014_total_displacement_against_increments() {
 fn total_displacement_fails_under_spin() {
     let incremental = problem(rolling(0.0, 0.0, 2.0));
     let mut total = incremental.clone();
-    total.contact_law = TotalDisplacement::new(5e6).unwrap().into();
+    total.interface.contact_law = TotalDisplacement::new(5e6).unwrap().into();
     let (one, two) = (solve(&incremental, &cells(16)), solve(&total, &cells(16)));
     assert!((one.normalised.y - two.normalised.y).abs() > 0.05);
 }

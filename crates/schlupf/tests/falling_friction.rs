@@ -37,8 +37,8 @@ fn all_at_once(coefficient: f64) -> Law {
 
 fn warm(law: Law, creepage: f64) -> Problem {
     let mut warm = problem(rolling(creepage, 0.3 * creepage, 0.2));
-    warm.friction.law = law;
-    warm.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
+    warm.interface.friction.law = law;
+    warm.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
     warm
 }
 
@@ -48,9 +48,10 @@ fn warm(law: Law, creepage: f64) -> Problem {
 fn sliding_rigid_bodies_have_the_friction_of_their_slip_speed() {
     let second = Some(SecondTerm { coefficient: 0.08, half_speed: 0.6 });
     let mut sliding = problem(rolling(0.02, 0.0, 0.0));
-    sliding.elasticity = Arc::new(Rigid);
-    sliding.contact_law = Incremental::new(1e9).unwrap().into();
-    sliding.friction.law = Arc::new(Exponential(SlipTerms::new(0.4, 0.2, 0.3, second).unwrap()));
+    sliding.interface.elasticity = Arc::new(Rigid);
+    sliding.interface.contact_law = Incremental::new(1e9).unwrap().into();
+    sliding.interface.friction.law =
+        Arc::new(Exponential(SlipTerms::new(0.4, 0.2, 0.3, second).unwrap()));
     let solution = at_once(&sliding, &cells(16));
     assert_relative_eq!(solution.traction_coefficient, 0.2 + 0.03 + 0.04, max_relative = 1e-9);
 }
@@ -61,10 +62,10 @@ fn sliding_rigid_bodies_have_the_friction_of_their_slip_speed() {
 fn hertz_1882_moment_of_friction_that_varies_across() {
     let b = 5e-3;
     let mut sliding = problem(rolling(0.1, 0.0, 0.0));
-    sliding.elasticity = Arc::new(Rigid);
+    sliding.interface.elasticity = Arc::new(Rigid);
     let constant: Law = Arc::new(Constant::new(0.4).unwrap());
     let across = Across::new(constant, vec![-b, b], vec![0.5, 1.5]).unwrap();
-    sliding.friction.law = Arc::new(across);
+    sliding.interface.friction.law = Arc::new(across);
     let solution = at_once(&sliding, &cells(40));
     let limit = 0.4 * solution.normal.load;
     assert_relative_eq!(solution.force.x, -limit, max_relative = 1e-3);
@@ -103,10 +104,9 @@ fn derivatives_are_those_of_central_differences() {
         Arc::new(Hertz::new(wheel, rail, modulus, load).unwrap())
     };
     let (load, mu0) = (80e3, 0.4);
-    let with = |load: f64, mu0: f64| Problem {
-        elasticity: half_space(),
-        normal: hertz(load),
-        ..warm(all_at_once(mu0), 0.006)
+    let with = |load: f64, mu0: f64| {
+        Problem { normal: hertz(load), ..warm(all_at_once(mu0), 0.006) }
+            .with(|interface| interface.elasticity = half_space())
     };
     let options = Options { tolerance: 1e-11, sensitivity: true, ..cells(14) };
     let at = |load: f64, mu0: f64| at_once(&with(load, mu0), &options);

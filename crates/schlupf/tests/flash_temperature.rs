@@ -26,10 +26,11 @@ fn full_slide(stiffness: f64, cells_x: usize, cells_y: usize) -> Solution {
     slide.normal = Arc::new(Ellipse::from_load(5.88e-3, 10.54e-3, 100e3).unwrap());
     let young_modulus = 2.0 * 82e9 * (1.0 + 0.28);
     let steel = Material { young_modulus, poisson_ratio: 0.28, ..Material::STEEL };
-    slide.elasticity = Arc::new(HalfSpace::new(&steel, &steel).unwrap());
-    slide.contact_law = Incremental::new(stiffness).unwrap().into();
-    slide.friction.law = Arc::new(Constant::new(0.3).unwrap());
-    slide.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
+    slide.interface.elasticity = Arc::new(HalfSpace::new(&steel, &steel).unwrap());
+    slide.interface.contact_law = Incremental::new(stiffness).unwrap().into();
+    slide.interface.friction.law = Arc::new(Constant::new(0.3).unwrap());
+    slide.interface.heat =
+        Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
     let options = Options { cells_x, cells_y, ..Options::default() };
     let solution = schlupf::solver::solve(&slide, &options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);

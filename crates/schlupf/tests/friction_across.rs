@@ -20,7 +20,7 @@ fn lubricated(base: Problem, mu0: f64) -> Problem {
     let constant = Arc::new(Constant::new(mu0).unwrap());
     let across = Across::new(constant, vec![-4e-3, -1e-3], vec![0.5, 1.0]).unwrap();
     let mut lubricated = base;
-    lubricated.friction.law = Arc::new(across);
+    lubricated.interface.friction.law = Arc::new(across);
     lubricated
 }
 
@@ -61,8 +61,8 @@ fn kalker_1982_strips_of_different_friction() {
             .map(|y| [strip(y), y * strip(y)])
             .fold([0.0; 2], |sum, part| [sum[0] + width * part[0], sum[1] + width * part[1]]);
         let mut bed = lubricated(problem(rolling(creepage, 0.0, 0.0)), mu0);
-        bed.elasticity = Arc::new(Winkler::new(c, c).unwrap());
-        bed.contact_law = Incremental::new(1e8).unwrap().into();
+        bed.interface.elasticity = Arc::new(Winkler::new(c, c).unwrap());
+        bed.interface.contact_law = Incremental::new(1e8).unwrap().into();
         let found = solve(&bed, 60);
         let limit = mu0 * found.normal.load;
         println!("{creepage}: {:?} {force} {moment} {:?}", found.force, found.work);
@@ -93,8 +93,8 @@ fn half_space_with_friction_that_varies_across() {
         let [xi, eta, spin] = motion;
         let mut case = lubricated(problem(rolling(xi, eta, spin)), 0.3);
         case.normal = Arc::new(Ellipse::from_peak_pressure(5e-3, 5e-3, 1e9).unwrap());
-        case.elasticity = half_space();
-        case.contact_law = Incremental::new(1e9).unwrap().into();
+        case.interface.elasticity = half_space();
+        case.interface.contact_law = Incremental::new(1e9).unwrap().into();
         let found = solve(&case, 60);
         println!("{motion:?}: {:?} {expected:?} {:?}", found.normalised, found.work);
         assert_relative_eq!(found.normalised.x, expected[0], epsilon = 8e-3);

@@ -22,27 +22,30 @@ use std::sync::Arc;
 
 fn remembering(problem: Problem, distance: f64, least_speed: f64) -> Problem {
     let mut remembering = problem;
-    remembering.friction.memory = Some(FrictionMemory::new(distance, least_speed).unwrap());
+    remembering.interface.friction.memory =
+        Some(FrictionMemory::new(distance, least_speed).unwrap());
     remembering
 }
 
 /// Rigid bodies that slide at v0 ξ = 0.6 m/s everywhere: 2^(−2) of the fall is left.
 fn sliding() -> Problem {
     let mut sliding = problem(rolling(0.02, 0.0, 0.0));
-    sliding.elasticity = Arc::new(Rigid);
-    sliding.contact_law = Incremental::new(1e9).unwrap().into();
-    sliding.friction.law = Arc::new(Exponential(SlipTerms::new(0.4, 0.2, 0.3, None).unwrap()));
+    sliding.interface.elasticity = Arc::new(Rigid);
+    sliding.interface.contact_law = Incremental::new(1e9).unwrap().into();
+    sliding.interface.friction.law =
+        Arc::new(Exponential(SlipTerms::new(0.4, 0.2, 0.3, None).unwrap()));
     sliding
 }
 
 /// What falls with the temperature and the slip speed, at a creepage with spin.
 fn hot(creepage: f64) -> Problem {
     let mut hot = problem(rolling(creepage, 0.3 * creepage, 0.2));
-    hot.elasticity = half_space();
+    hot.interface.elasticity = half_space();
     let by_heat = TemperatureLinear::new(0.4, 700.0, 0.05).unwrap();
     let polach = Polach::new(0.4, 0.4, 0.6).unwrap();
-    hot.friction.law = Arc::new(Product::new(Arc::new(by_heat), Arc::new(polach)).unwrap());
-    hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
+    hot.interface.friction.law =
+        Arc::new(Product::new(Arc::new(by_heat), Arc::new(polach)).unwrap());
+    hot.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
     hot
 }
 

@@ -68,9 +68,10 @@ impl Reference {
 fn solve([a, b]: [f64; 2], [xi, eta, spin]: [f64; 3], across: usize) -> Solution {
     let mut coulomb = problem(rolling(xi, eta, spin));
     coulomb.normal = Arc::new(Ellipse::from_load(a, b, 52_359.878).unwrap());
-    coulomb.elasticity = Arc::new(HalfSpace::new(&Material::STEEL, &Material::STEEL).unwrap());
-    coulomb.contact_law = Incremental::new(1e8).unwrap().into();
-    coulomb.friction.law = Arc::new(Constant::new(0.3).unwrap());
+    coulomb.interface.elasticity =
+        Arc::new(HalfSpace::new(&Material::STEEL, &Material::STEEL).unwrap());
+    coulomb.interface.contact_law = Incremental::new(1e8).unwrap().into();
+    coulomb.interface.friction.law = Arc::new(Constant::new(0.3).unwrap());
     let solution = schlupf::solver::solve(&coulomb, &cells(across), &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     assert_eq!(solution.work.steps, 0, "marched: {:?}", solution.warnings);

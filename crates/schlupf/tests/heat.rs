@@ -27,9 +27,9 @@ fn half_to_each(model: Arc<dyn HeatModel>) -> Heat {
 fn full_slide(model: Arc<dyn HeatModel>) -> Problem {
     let mut slide = problem(rolling(1.0 / 30.0, 0.0, 0.0));
     slide.normal = Arc::new(Ellipse::from_peak_pressure(5.88e-3, 10.54e-3, 770.4e6).unwrap());
-    slide.elasticity = Arc::new(Rigid);
-    slide.friction.law = Arc::new(Constant::new(0.3).unwrap());
-    slide.heat = half_to_each(model);
+    slide.interface.elasticity = Arc::new(Rigid);
+    slide.interface.friction.law = Arc::new(Constant::new(0.3).unwrap());
+    slide.interface.heat = half_to_each(model);
     slide
 }
 
@@ -94,8 +94,8 @@ fn neuhaus_sextro_2014_constant_source_at_the_trailing_edge() {
 
 fn hot_layer(creepage_x: f64, model: Arc<dyn HeatModel>) -> Solution {
     let mut hot = problem(rolling(creepage_x, 0.0, 0.0));
-    hot.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
-    hot.heat = half_to_each(model);
+    hot.interface.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    hot.interface.heat = half_to_each(model);
     solve(&hot, &cells(40))
 }
 
@@ -123,9 +123,9 @@ fn neuhaus_sextro_2014_layer_with_heat() {
 #[test]
 fn bulk_temperatures_mix_on_entry() {
     let mut slide = full_slide(Arc::new(Duhamel));
-    slide.wheel = Body { bulk_temperature: 150.0, ..Body::STEEL };
-    slide.rail = Body { bulk_temperature: 0.0, ..Body::STEEL };
-    slide.friction.reference_temperature = 0.0;
+    slide.interface.wheel = Body { bulk_temperature: 150.0, ..Body::STEEL };
+    slide.interface.rail = Body { bulk_temperature: 0.0, ..Body::STEEL };
+    slide.interface.friction.reference_temperature = 0.0;
     let options = Options { cells_x: 40, cells_y: 41, ..Options::default() };
     let sliding = solve(&slide, &options).temperature.unwrap();
     println!("{} {}", sliding.max_rise_rail, sliding.max_rise_wheel);
@@ -141,7 +141,7 @@ fn bulk_temperatures_mix_on_entry() {
 #[test]
 fn velocity_partition_heats_both_surfaces_alike() {
     let mut slide = full_slide(Arc::new(Duhamel));
-    slide.heat.partition = Partition::Velocity;
+    slide.interface.heat.partition = Partition::Velocity;
     let hottest = solve(&slide, &cells(20)).temperature.unwrap();
     assert_relative_eq!(hottest.max_rise_wheel, hottest.max_rise_rail, max_relative = 1e-12);
 }
@@ -150,8 +150,8 @@ fn velocity_partition_heats_both_surfaces_alike() {
 #[test]
 fn a_floor_holds_at_high_slip() {
     let mut hot = problem(rolling(0.2, 0.0, 0.0));
-    hot.friction.law = Arc::new(TemperatureLinear::new(0.4, 300.0, 0.15).unwrap());
-    hot.heat = half_to_each(Arc::new(Duhamel));
+    hot.interface.friction.law = Arc::new(TemperatureLinear::new(0.4, 300.0, 0.15).unwrap());
+    hot.interface.heat = half_to_each(Arc::new(Duhamel));
     let solution = solve(&hot, &cells(20));
     let least = solution.fields.friction_coefficient.iter().copied().fold(1.0, f64::min);
     assert_eq!(least, 0.15);

@@ -25,13 +25,14 @@ use schlupf::{Options, Problem, Solution, Solver, Status, unwatched};
 fn uniform_slip(law: Arc<dyn FrictionLaw>, reference: f64) -> Problem {
     let mut slide = problem(rolling(1.0 / 30.0, 0.0, 0.0));
     slide.normal = Arc::new(Ellipse::from_load(5.88e-3, 10.54e-3, 100e3).unwrap());
-    slide.elasticity = Arc::new(Rigid);
-    slide.contact_law = Incremental::new(1e9).unwrap().into();
-    slide.friction.law = law;
-    slide.friction.reference_temperature = reference;
-    slide.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
-    slide.wheel.bulk_temperature = 0.0;
-    slide.rail.bulk_temperature = 0.0;
+    slide.interface.elasticity = Arc::new(Rigid);
+    slide.interface.contact_law = Incremental::new(1e9).unwrap().into();
+    slide.interface.friction.law = law;
+    slide.interface.friction.reference_temperature = reference;
+    slide.interface.heat =
+        Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
+    slide.interface.wheel.bulk_temperature = 0.0;
+    slide.interface.rail.bulk_temperature = 0.0;
     slide
 }
 
@@ -90,13 +91,13 @@ fn locomotive(law: Arc<dyn FrictionLaw>) -> Problem {
     let mut wheel = problem(rolling(0.0, 0.0, 0.0));
     wheel.kinematics.speed = 10.0;
     wheel.normal = Arc::new(Ellipse::from_load(6.304e-3, 12.61e-3, 106.7e3).unwrap());
-    wheel.elasticity = half_space();
-    wheel.contact_law = Incremental::new(1e8).unwrap().into();
-    wheel.friction.law = law;
-    wheel.friction.reference_temperature = 0.0;
-    wheel.wheel.bulk_temperature = 0.0;
-    wheel.rail.bulk_temperature = 0.0;
-    wheel.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    wheel.interface.elasticity = half_space();
+    wheel.interface.contact_law = Incremental::new(1e8).unwrap().into();
+    wheel.interface.friction.law = law;
+    wheel.interface.friction.reference_temperature = 0.0;
+    wheel.interface.wheel.bulk_temperature = 0.0;
+    wheel.interface.rail.bulk_temperature = 0.0;
+    wheel.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     wheel
 }
 

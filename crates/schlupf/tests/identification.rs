@@ -37,10 +37,11 @@ fn locomotive(law: Arc<dyn FrictionLaw>, stiffness: f64) -> Problem {
     let mut problem = problem(rolling(0.0, 0.0, 0.0));
     problem.kinematics.speed = 20.0;
     problem.normal = Arc::new(Ellipse::from_load(6.304e-3, 12.61e-3, 106.7e3).unwrap());
-    problem.elasticity = half_space();
-    problem.contact_law = Incremental::new(stiffness).unwrap().into();
-    problem.friction = Friction::new(law, 20.0);
-    problem.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    problem.interface.elasticity = half_space();
+    problem.interface.contact_law = Incremental::new(stiffness).unwrap().into();
+    problem.interface.friction = Friction::new(law, 20.0);
+    problem.interface.heat =
+        Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     problem
 }
 
@@ -196,10 +197,10 @@ fn ciavarella_1998_roughness_in_place_of_stiffness() {
 fn polach_2005_constants_come_back() {
     let law = |m0, ratio, decay| Arc::new(Polach::new(m0, ratio, decay).unwrap());
     let mut truth = locomotive(law(0.55, 0.4, 0.6), 1e6);
-    truth.heat.model = None;
+    truth.interface.heat.model = None;
     let data = computed(&truth, &CREEPAGES);
     let mut start = locomotive(law(0.4, 0.2, 0.3), 4e6);
-    start.heat.model = None;
+    start.interface.heat.model = None;
     let found = fitted(&start, &[COLD, RATIO, DECAY, STIFFNESS], &data).unwrap();
     assert_eq!(found.status, Status::Converged, "{:?}", found.warnings);
     for (estimate, truth) in found.estimates.iter().zip([0.55, 0.4, 0.6, 1e6]) {
@@ -524,7 +525,9 @@ fn impossible_requests_are_refused_with_names() {
     };
     let message = refused(&start, &[DECAY]);
     assert!(message.contains("friction law in use, which has friction_coefficient"), "{message}");
-    let cold = Problem { heat: Heat { model: None, ..start.heat.clone() }, ..start.clone() };
+    let cold = start
+        .clone()
+        .with(|interface| interface.heat = Heat { model: None, ..start.interface.heat.clone() });
     let message = refused(&cold, &[VANISHES]);
     assert!(message.contains("but heat_model = \"none\""), "{message}");
     let message = refused(&start, &[STIFFNESS, Parameter::Roughness]);
@@ -537,7 +540,7 @@ fn systematic_residuals_are_told() {
     let creepages: Vec<f64> = (1..=14).map(|k| 0.01 * f64::from(k)).collect();
     let data = computed(&heated(TRUTH), &creepages);
     let mut cold = heated(START);
-    cold.heat.model = None;
+    cold.interface.heat.model = None;
     let found = fitted(&cold, &[COLD], &data).unwrap();
     let told = found.warnings.iter().any(|text| text.to_string().contains("not random"));
     assert!(told, "{:?}", found.warnings);
@@ -573,9 +576,9 @@ fn vollebregt_2022_constants_of_contact() {
     {
         let mut start = heated([0.4, 1000.0, 1e8]);
         start.kinematics.speed = 10.0;
-        start.friction.reference_temperature = 0.0;
-        start.wheel.bulk_temperature = 0.0;
-        start.rail.bulk_temperature = 0.0;
+        start.interface.friction.reference_temperature = 0.0;
+        start.interface.wheel.bulk_temperature = 0.0;
+        start.interface.rail.bulk_temperature = 0.0;
         let data = contact_curve(name);
         assert_eq!(data.len(), 30);
         let options = Options { cells_x: 24, cells_y: 24, ..Options::default() };

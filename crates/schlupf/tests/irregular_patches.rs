@@ -99,9 +99,9 @@ fn contacts_of_wheels_on_rails_are_found_directly() {
 }
 
 fn coulomb(given: Problem) -> Problem {
-    let mut problem = Problem { elasticity: half_space(), ..given };
-    problem.contact_law = ContactLaw::Coulomb;
-    problem.friction.law = Arc::new(Constant::new(0.3).unwrap());
+    let mut problem = given.with(|interface| interface.elasticity = half_space());
+    problem.interface.contact_law = ContactLaw::Coulomb;
+    problem.interface.friction.law = Arc::new(Constant::new(0.3).unwrap());
     problem
 }
 

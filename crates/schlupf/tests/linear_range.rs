@@ -30,8 +30,8 @@ fn moving([xi, eta, spin]: [f64; 3], size: f64) -> Kinematics {
 
 fn hot(problem: Problem) -> Problem {
     let mut hot = problem;
-    hot.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
-    hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    hot.interface.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    hot.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     hot
 }
 
@@ -68,8 +68,8 @@ fn forces_are_proportional_down_to_the_smallest_creepage() {
                 for is_hot in [false, true] {
                     let make = |size: f64| {
                         let mut cold = problem(moving(direction, size));
-                        cold.elasticity = Arc::clone(elasticity);
-                        cold.contact_law = *law;
+                        cold.interface.elasticity = Arc::clone(elasticity);
+                        cold.interface.contact_law = *law;
                         if is_hot { hot(cold) } else { cold }
                     };
                     check_proportional(make);
@@ -110,7 +110,7 @@ fn the_difference_to_the_slope_grows_with_the_creepage() {
     for elasticity in [layer(), half_space()] {
         let force = |size: f64| {
             let mut small = problem(moving([0.6, -0.7, 0.0], size));
-            small.elasticity = Arc::clone(&elasticity);
+            small.interface.elasticity = Arc::clone(&elasticity);
             per_size(&at_once(&small, &cells(12)).force, size)
         };
         let slope = force(1e-13);
@@ -129,9 +129,9 @@ fn marching_at_the_smallest_creepage() {
         for direction in [DIRECTIONS[0], DIRECTIONS[2]] {
             let force = |size: f64| {
                 let mut small = problem(moving(direction, size));
-                small.elasticity = Arc::clone(&elasticity);
+                small.interface.elasticity = Arc::clone(&elasticity);
                 // Soft against so large cells: both find the state with the same equations.
-                small.contact_law = Incremental::new(2e6).unwrap().into();
+                small.interface.contact_law = Incremental::new(2e6).unwrap().into();
                 let (marched, steady) = (solve(&small, &cells(8)), at_once(&small, &cells(8)));
                 [marched, steady].map(|solution| per_size(&solution.force, size))
             };
@@ -146,7 +146,7 @@ fn marching_at_the_smallest_creepage() {
 #[test]
 fn a_shift_of_next_to_nothing() {
     let mut pressed = problem(rolling(0.0, 0.0, 0.0));
-    pressed.elasticity = half_space();
+    pressed.interface.elasticity = half_space();
     let force = |size: f64| {
         let solution = shift(&pressed, [0.8 * size, 0.6 * size], &cells(12), &unwatched).unwrap();
         assert_eq!(solution.status, Status::Converged);
@@ -166,8 +166,8 @@ fn rigid_bodies_are_found_at_once() {
         for size in [1e-12, 1e-6, 1e-3, 0.3] {
             for direction in DIRECTIONS {
                 let mut cold = problem(moving(direction, size));
-                cold.elasticity = Arc::new(Rigid);
-                cold.contact_law = Incremental::new(stiffness).unwrap().into();
+                cold.interface.elasticity = Arc::new(Rigid);
+                cold.interface.contact_law = Incremental::new(stiffness).unwrap().into();
                 for rigid in [cold.clone(), hot(cold)] {
                     let work = at_once(&rigid, &cells(12)).work;
                     assert!(work.newton_iterations <= 5, "{stiffness:e} {size:e} {work:?}");

@@ -24,8 +24,8 @@ use std::sync::Arc;
 fn kalker_1982_winkler_strips_with_coulomb_friction() {
     for creepage in [0.0005, 0.001, 0.003] {
         let mut stiff = problem(rolling(creepage, 0.0, 0.0));
-        stiff.elasticity = Arc::new(Winkler::new(2e13, 2e13).unwrap());
-        stiff.contact_law = Incremental::new(1e9).unwrap().into();
+        stiff.interface.elasticity = Arc::new(Winkler::new(2e13, 2e13).unwrap());
+        stiff.interface.contact_law = Incremental::new(1e9).unwrap().into();
         let force = solve(&stiff, &cells(40)).normalised.x;
         let ratio = 2e13 * creepage * 6e-3 / (0.4 * 1e9);
         let exact = winkler_strip::force_over_limit(ratio);
@@ -41,8 +41,8 @@ fn winkler_is_the_layer_without_coupling() {
     let uncoupled =
         |bedding| LayerStiffness { bedding, coupling_along_x: 0.0, coupling_along_y: 0.0 };
     let layer = ElasticLayer::new(uncoupled(2e13), uncoupled(1.5e13), None).unwrap();
-    one.elasticity = Arc::new(layer);
-    two.elasticity = Arc::new(Winkler::new(2e13, 1.5e13).unwrap());
+    one.interface.elasticity = Arc::new(layer);
+    two.interface.elasticity = Arc::new(Winkler::new(2e13, 1.5e13).unwrap());
     let (one, two) = (solve(&one, &cells(20)).force, solve(&two, &cells(20)).force);
     assert_relative_eq!(one.x, two.x, max_relative = 1e-5);
     assert_relative_eq!(one.y, two.y, max_relative = 1e-5);
@@ -90,8 +90,8 @@ fn rolling_from_rest_is_steady_after_a_passage() {
 #[test]
 fn a_state_can_be_taken_up_again() {
     let mut hot = problem(rolling(0.01, 0.002, 0.0));
-    hot.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
-    hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
+    hot.interface.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    hot.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
     let unbroken = solve(&hot, &cells(16));
     let short = Options { max_steps: 11, ..cells(16) };
     let half = march(&Transient::to_steady_state(&hot), &short, &unwatched).unwrap();
@@ -193,7 +193,7 @@ fn an_unfinished_march_is_not_called_converged() {
 fn a_narrow_margin_warns() {
     let mut narrow = problem(rolling(0.002, 0.0, 0.0));
     let s = LayerStiffness { bedding: 1e13, coupling_along_x: 3.24e7, coupling_along_y: 3.24e7 };
-    narrow.elasticity = Arc::new(ElasticLayer::new(s, s, Some(1e-3)).unwrap());
+    narrow.interface.elasticity = Arc::new(ElasticLayer::new(s, s, Some(1e-3)).unwrap());
     let warnings = solve(&narrow, &cells(16)).warnings;
     assert!(warnings[0].to_string().starts_with("margin"), "{warnings:?}");
     assert!(solve(&problem(rolling(0.002, 0.0, 0.0)), &cells(16)).warnings.is_empty());
@@ -204,7 +204,7 @@ fn a_narrow_margin_warns() {
 fn stiff_contact_laws_converge() {
     for stiffness in [1e4, 1e6, 1e8, 1e10] {
         let mut stiff = problem(rolling(0.002, 0.001, 0.8));
-        stiff.contact_law = Incremental::new(stiffness).unwrap().into();
+        stiff.interface.contact_law = Incremental::new(stiffness).unwrap().into();
         let solution = solve(&stiff, &cells(16));
         let per_step = solution.work.newton_iterations as f64 / solution.work.steps as f64;
         assert!(per_step < 12.0, "k_c {stiffness}: {:?}", solution.work);
@@ -217,8 +217,9 @@ fn stiff_contact_laws_converge() {
 fn very_high_slip_marches_to_the_steady_state() {
     let mut sliding = problem(rolling(0.5, 0.0, 0.0));
     sliding.kinematics.speed = 50.0;
-    sliding.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
-    sliding.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
+    sliding.interface.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    sliding.interface.heat =
+        Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
     for across in [24, 25] {
         let steady = schlupf::solver::solve(&sliding, &cells(across), &unwatched).unwrap();
         let marched = solve(&sliding, &cells(across));

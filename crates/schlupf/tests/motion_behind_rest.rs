@@ -20,7 +20,7 @@ fn options(branch: Branch) -> Options {
 fn problem(creepage_x: f64, spin: f64) -> Problem {
     let motion = Kinematics { creepage_x, spin, ..Kinematics::free_rolling(30.0) };
     let law = Arc::new(Polach::new(0.4, 0.2, 0.3).unwrap());
-    Problem { friction: Friction::new(law, 20.0), ..common::problem(motion) }
+    common::problem(motion).with(|interface| interface.friction = Friction::new(law, 20.0))
 }
 
 fn limit(problem: &Problem) -> f64 {

@@ -59,11 +59,13 @@ fn cases() -> Vec<Case> {
 fn contact() -> Problem {
     Problem {
         normal: Arc::new(Ellipse::from_peak_pressure(6e-3, 6e-3, 1e9).unwrap()),
-        elasticity: common::half_space(),
-        contact_law: ContactLaw::Coulomb,
-        friction: Friction::new(Arc::new(Constant::new(FRICTION).unwrap()), 20.0),
         ..common::problem(Kinematics::free_rolling(30.0))
     }
+    .with(|interface| {
+        interface.elasticity = common::half_space();
+        interface.contact_law = ContactLaw::Coulomb;
+        interface.friction = Friction::new(Arc::new(Constant::new(FRICTION).unwrap()), 20.0);
+    })
 }
 
 fn limit(problem: &Problem) -> f64 {
@@ -136,12 +138,17 @@ fn the_motion_has_the_forces_when_it_is_given() {
     let coulomb = contact();
     let bristles = common::problem(Kinematics::free_rolling(30.0));
     let falling = Arc::new(Polach::new(0.4, 0.5, 0.6).unwrap());
-    let falling = Problem { friction: Friction::new(falling, 20.0), ..bristles.clone() };
-    let total =
-        Problem { contact_law: TotalDisplacement::new(5e6).unwrap().into(), ..bristles.clone() };
+    let falling =
+        bristles.clone().with(|interface| interface.friction = Friction::new(falling, 20.0));
+    let total = bristles
+        .clone()
+        .with(|interface| interface.contact_law = TotalDisplacement::new(5e6).unwrap().into());
     let hot = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
     let heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
-    let hot = Problem { friction: Friction::new(hot, 20.0), heat, ..bristles.clone() };
+    let hot = bristles.clone().with(|interface| {
+        interface.friction = Friction::new(hot, 20.0);
+        interface.heat = heat;
+    });
     for (name, problem) in [
         ("coulomb", coulomb),
         ("bristles", bristles),
@@ -189,7 +196,7 @@ fn bristles_of_any_stiffness() {
     let mut problem = contact();
     let limit = limit(&problem);
     for stiffness in [1e7, 2e7, 2.5e7, 3e7, 4e7, 6e7, 1e8, 1e9] {
-        problem.contact_law = Incremental::new(stiffness).unwrap().into();
+        problem.interface.contact_law = Incremental::new(stiffness).unwrap().into();
         for (x, y, spin) in [(-0.5, None, 0.0), (-0.3, Some(0.4), 0.3), (-0.9, Some(0.0), 0.3)] {
             problem.kinematics = Kinematics { spin, ..Kinematics::free_rolling(30.0) };
             problem.prescribed = forces(x * limit, y.map(|y| y * limit));
@@ -250,10 +257,8 @@ fn small_forces_are_linear() {
 #[test]
 fn polach_falling_friction_has_two_creepages() {
     let law = Arc::new(Polach::new(0.55, 0.4, 0.6).unwrap());
-    let problem = Problem {
-        friction: Friction::new(law, 20.0),
-        ..common::problem(Kinematics::free_rolling(10.0))
-    };
+    let problem = common::problem(Kinematics::free_rolling(10.0))
+        .with(|interface| interface.friction = Friction::new(law, 20.0));
     let method = Method::Fast(FastMethod::Polach(AreaReduction::DRY));
     let load = problem.normal.normal_contact(None).unwrap().summary.load;
     let force = |creepage_x: f64| {
@@ -298,10 +303,8 @@ fn polach_falling_friction_has_two_creepages() {
 #[test]
 fn both_states_of_falling_friction_have_the_force() {
     let law = Arc::new(Polach::new(0.4, 0.4, 0.3).unwrap());
-    let problem = Problem {
-        friction: Friction::new(law, 20.0),
-        ..common::problem(Kinematics::free_rolling(20.0))
-    };
+    let problem = common::problem(Kinematics::free_rolling(20.0))
+        .with(|interface| interface.friction = Friction::new(law, 20.0));
     let load = problem.normal.normal_contact(None).unwrap().summary.load;
     let problem = Problem { prescribed: forces(-0.3 * load, None), ..problem };
     let low = found_by(Method::Full, &problem);
@@ -349,7 +352,7 @@ fn forces_beyond_friction_are_refused_with_the_largest() {
 #[test]
 fn both_states_next_to_the_peak() {
     let polach = Arc::new(Polach::new(0.36, 0.38, 0.7).unwrap());
-    let falling = Problem { friction: Friction::new(polach, 20.0), ..contact() };
+    let falling = contact().with(|interface| interface.friction = Friction::new(polach, 20.0));
     let brush = Brush { bound: TractionBound::Elliptic, ..Brush::KALKER };
     let fastsim = Method::Fast(FastMethod::Fastsim(brush));
     for (name, problem, method) in [
@@ -411,7 +414,7 @@ fn forces_over_time_beyond_falling_friction_are_named() {
 #[test]
 fn a_branch_that_is_not_there_is_told() {
     let law = Arc::new(Polach::new(0.4, 0.9, 0.1).unwrap());
-    let problem = Problem { friction: Friction::new(law, 20.0), ..contact() };
+    let problem = contact().with(|interface| interface.friction = Friction::new(law, 20.0));
     let load = problem.normal.normal_contact(None).unwrap().summary.load;
     let problem = Problem { prescribed: forces(-0.2 * load, None), ..problem };
     let options = Options { branch: Branch::HighSlip, ..options(12) };
@@ -440,7 +443,10 @@ fn heated() -> Problem {
     let hot = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
     let heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
     let kinematics = Kinematics { spin: 0.3, ..Kinematics::free_rolling(30.0) };
-    Problem { friction: Friction::new(hot, 20.0), heat, ..common::problem(kinematics) }
+    common::problem(kinematics).with(|interface| {
+        interface.friction = Friction::new(hot, 20.0);
+        interface.heat = heat;
+    })
 }
 
 /// Friction that falls with heat, spin, and no lateral force: the largest braking force is the peak
@@ -541,7 +547,7 @@ fn forces_over_time_end_in_the_steady_creepage() {
         ..contact()
     };
     let stiff = Incremental::new(1e8).unwrap().into();
-    let stiff = Problem { contact_law: stiff, ..coulomb.clone() };
+    let stiff = coulomb.clone().with(|interface| interface.contact_law = stiff);
     for (name, problem) in [("bristles", bristles), ("coulomb", coulomb), ("stiff", stiff)] {
         let load = problem.normal.normal_contact(None).unwrap().summary.load;
         let wanted = [-0.12 * load, 0.06 * load];

@@ -26,11 +26,13 @@ const BOTH: [Parameter; 2] =
 fn drifting([coefficient, stiffness]: [f64; 2], creepage_x: f64) -> Problem {
     let kinematics = Kinematics { spin: 0.6, creepage_x, ..Kinematics::free_rolling(20.0) };
     Problem {
-        contact_law: Incremental::new(stiffness).unwrap().into(),
-        friction: Friction::new(Arc::new(Constant::new(coefficient).unwrap()), 20.0),
         prescribed: PrescribedForces { y: Some(0.0), ..PrescribedForces::default() },
         ..common::problem(kinematics)
     }
+    .with(|interface| {
+        interface.contact_law = Incremental::new(stiffness).unwrap().into();
+        interface.friction = Friction::new(Arc::new(Constant::new(coefficient).unwrap()), 20.0);
+    })
 }
 
 fn options() -> Options {

@@ -86,8 +86,8 @@ fn hertz_1882_from_the_distance() {
 
 fn steady(normal: Arc<dyn PressureSource>, creepages: [f64; 3]) -> Solution {
     let [xi, eta, phi] = creepages;
-    let problem =
-        schlupf::Problem { normal, elasticity: half_space(), ..problem(rolling(xi, eta, phi)) };
+    let problem = schlupf::Problem { normal, ..problem(rolling(xi, eta, phi)) }
+        .with(|interface| interface.elasticity = half_space());
     schlupf::solver::solve(&problem, &cells(40), &unwatched).unwrap()
 }
 
@@ -186,11 +186,8 @@ fn boussinesq_1885_two_patches_share_the_load() {
 /// Without coupling and spin two patches have the forces of both together.
 fn assert_forces_add_up(both: Arc<dyn PressureSource>, radii: [[f64; 2]; 2], loads: [f64; 2]) {
     let force = |normal: Arc<dyn PressureSource>, cells_y: usize| {
-        let problem = schlupf::Problem {
-            normal,
-            elasticity: Arc::new(Winkler::new(2e13, 2e13).unwrap()),
-            ..problem(rolling(0.001, 0.0005, 0.0))
-        };
+        let problem = schlupf::Problem { normal, ..problem(rolling(0.001, 0.0005, 0.0)) }
+            .with(|interface| interface.elasticity = Arc::new(Winkler::new(2e13, 2e13).unwrap()));
         let options = Options { cells_x: 40, cells_y, ..Options::default() };
         let force = schlupf::solver::solve(&problem, &options, &unwatched).unwrap().force;
         [force.x, force.y]
@@ -276,11 +273,9 @@ fn the_origin_stays_when_the_load_changes() {
 fn there_is_no_derivative_by_the_load() {
     let profile = pressed(across(0.46, |y| 0.5 * y * y / 0.3), 60e3);
     assert_eq!(profile.load_exponent(), None);
-    let problem = schlupf::Problem {
-        normal: Arc::new(profile),
-        elasticity: half_space(),
-        ..problem(rolling(0.001, 0.0, 0.0))
-    };
+    let problem =
+        schlupf::Problem { normal: Arc::new(profile), ..problem(rolling(0.001, 0.0, 0.0)) }
+            .with(|interface| interface.elasticity = half_space());
     let options = Options { sensitivity: true, ..cells(16) };
     let solution = schlupf::solver::solve(&problem, &options, &unwatched).unwrap();
     let sensitivity = solution.sensitivity.unwrap();

@@ -37,15 +37,15 @@ fn moving(random: &mut Random) -> Problem {
     let spin = random.between(-1.0, 1.0) * size / mean;
     Problem {
         normal: Arc::new(Ellipse::from_peak_pressure(a, b, 1e9).unwrap()),
-        elasticity: half_space(),
         ..problem(rolling(size * direction.cos(), size * direction.sin(), spin))
     }
+    .with(|interface| interface.elasticity = half_space())
 }
 
 /// Coulomb's law and every stiffness on the half-space.
 fn plain(random: &mut Random) -> Problem {
     let stiffness = random.one_of(&[5e6, 3e7, 1e8, 1e9, 1e10, f64::INFINITY]);
-    Problem { contact_law: law(stiffness), ..moving(random) }
+    moving(random).with(|interface| interface.contact_law = law(stiffness))
 }
 
 fn law(stiffness: f64) -> ContactLaw {
@@ -64,7 +64,7 @@ fn mixed(random: &mut Random) -> Problem {
     let calibrated: Arc<dyn Elasticity> =
         Arc::new(CalibratedLayer::new(&steel, &steel, None).unwrap());
     let elasticity = random.one_of(&[0, 0, 0, 1, 1, 2, 3]);
-    problem.elasticity = match elasticity {
+    problem.interface.elasticity = match elasticity {
         0 => half_space(),
         1 => calibrated,
         2 => layer(),
@@ -72,7 +72,7 @@ fn mixed(random: &mut Random) -> Problem {
     };
     if random.next() < 0.1 {
         let stiffness = random.magnitude(1e6, 1e8);
-        problem.contact_law = TotalDisplacement::new(stiffness).unwrap().into();
+        problem.interface.contact_law = TotalDisplacement::new(stiffness).unwrap().into();
     }
     let ratio = random.between(0.3, 1.0);
     let friction: Arc<dyn FrictionLaw> =
@@ -81,13 +81,13 @@ fn mixed(random: &mut Random) -> Problem {
             1 => Arc::new(Polach::new(0.4, ratio, random.magnitude(0.1, 2.0)).unwrap()),
             _ => Arc::new(TemperatureLinear::new(0.4, 700.0, 0.1).unwrap()),
         };
-    problem.friction = Friction::new(friction, 20.0);
+    problem.interface.friction = Friction::new(friction, 20.0);
     if random.next() < 0.3 {
-        problem.heat.model = Some(Arc::new(Duhamel));
+        problem.interface.heat.model = Some(Arc::new(Duhamel));
     }
     if random.next() < 0.2 {
         let thickness = random.magnitude(1e-6, 1e-4);
-        problem.layer = Some(ThirdBodyLayer::new(thickness, 8e9).unwrap());
+        problem.interface.layer = Some(ThirdBodyLayer::new(thickness, 8e9).unwrap());
     }
     problem
 }

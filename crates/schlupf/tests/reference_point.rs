@@ -74,7 +74,8 @@ fn at_file([xi, eta, spin]: [f64; 3]) -> Kinematics {
 fn both(motion: [f64; 3]) -> [Problem; 2] {
     let [xi, eta, spin] = motion;
     let base = problem(rolling(xi, eta, spin));
-    let patch = Problem { normal: table([0.0; 2]), elasticity: half_space(), ..base.clone() };
+    let patch = Problem { normal: table([0.0; 2]), ..base.clone() }
+        .with(|interface| interface.elasticity = half_space());
     let file = Problem {
         normal: table(ORIGIN),
         kinematics: at_file(motion),
@@ -164,7 +165,8 @@ fn a_displaced_table_is_the_same_contact() {
     for motion in [MOTION, [0.0, 0.0, 0.6], [0.002, 0.001, 0.0]] {
         let mut pair = both(motion);
         for problem in &mut pair {
-            problem.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+            problem.interface.heat =
+                Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
         }
         for method in methods {
             let [patch, file] = pair
@@ -266,7 +268,8 @@ fn derivatives_by_constants_are_about_the_origin_of_the_file() {
 fn bulk_temperature_is_that_of_the_same_contact() {
     let cooling = Cooling { film_coefficient: 30.0, area: 2.0, air_temperature: 15.0 };
     let [patch, file] = both(MOTION).map(|mut problem| {
-        problem.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+        problem.interface.heat =
+            Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
         bulk_temperature(&problem, &mut SteadySolver::new(&EXACT), &cooling, &unwatched).unwrap()
     });
     assert_relative_eq!(file.temperature, patch.temperature, max_relative = 1e-6);
@@ -317,7 +320,8 @@ fn a_displaced_profile_is_the_same_contact() {
         Arc::new(Profile::new(distance, 115e9, 80e3, 64).unwrap())
     };
     let [xi, eta, spin] = MOTION;
-    let base = Problem { elasticity: half_space(), ..problem(rolling(xi, eta, spin)) };
+    let base =
+        problem(rolling(xi, eta, spin)).with(|interface| interface.elasticity = half_space());
     let patch = solve(&Problem { normal: pressed(0.0), ..base.clone() }, &cells(20));
     let file = Problem {
         normal: pressed(ORIGIN[1]),

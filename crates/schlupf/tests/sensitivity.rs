@@ -126,18 +126,21 @@ fn moved(problem: &Problem, set: impl Fn(&mut schlupf::bodies::Kinematics)) -> P
 }
 
 fn incremental(problem: &Problem, stiffness: f64) -> Problem {
-    Problem { contact_law: Incremental::new(stiffness).unwrap().into(), ..problem.clone() }
+    problem
+        .clone()
+        .with(|interface| interface.contact_law = Incremental::new(stiffness).unwrap().into())
 }
 
 fn constant(problem: &Problem, coefficient: f64) -> Problem {
     let mut problem = problem.clone();
-    problem.friction.law = Arc::new(Constant::new(coefficient).unwrap());
+    problem.interface.friction.law = Arc::new(Constant::new(coefficient).unwrap());
     problem
 }
 
 fn falling(problem: &Problem, coefficient: f64) -> Problem {
     let mut problem = problem.clone();
-    problem.friction.law = Arc::new(TemperatureLinear::new(coefficient, 700.0, 0.05).unwrap());
+    problem.interface.friction.law =
+        Arc::new(TemperatureLinear::new(coefficient, 700.0, 0.05).unwrap());
     problem
 }
 
@@ -149,17 +152,18 @@ fn base() -> Problem {
 fn on_the_layer_and_the_half_space() {
     let layer = base();
     check("layer", &layer, &constant, &incremental);
-    let half = Problem { elasticity: half_space(), ..base() };
+    let half = base().with(|interface| interface.elasticity = half_space());
     check("half-space", &half, &constant, &incremental);
     let springs = Springs { bedding: 8e6, coupling: 3e7 };
     let discrete = ElasticLayer::from_springs(springs, springs, Some(15e-3)).unwrap();
     check(
         "springs",
-        &Problem { elasticity: Arc::new(discrete), ..base() },
+        &base().with(|interface| interface.elasticity = Arc::new(discrete)),
         &constant,
         &incremental,
     );
-    let uncoupled = Problem { elasticity: Arc::new(Winkler::new(2e13, 1e13).unwrap()), ..base() };
+    let uncoupled =
+        base().with(|interface| interface.elasticity = Arc::new(Winkler::new(2e13, 1e13).unwrap()));
     check("Winkler", &uncoupled, &constant, &incremental);
 }
 
@@ -173,12 +177,11 @@ fn on_calibrated_springs() {
         let normal = hertz(load);
         let summary = normal.normal_contact(None).unwrap().summary;
         let bed = kalker_bed(&bodies, [summary.semi_axis_x, summary.semi_axis_y]).unwrap();
-        Problem { normal, elasticity: Arc::new(bed), ..p.clone() }
+        Problem { normal, ..p.clone() }.with(|interface| interface.elasticity = Arc::new(bed))
     };
-    let with_layer = |p: &Problem, load: f64| Problem {
-        normal: hertz(load),
-        elasticity: Arc::new(layer),
-        ..p.clone()
+    let with_layer = |p: &Problem, load: f64| {
+        Problem { normal: hertz(load), ..p.clone() }
+            .with(|interface| interface.elasticity = Arc::new(layer))
     };
     let models: [(&str, Setter); 2] = [("Winkler", &with_bed), ("layer", &with_layer)];
     for (name, with) in models {
@@ -194,7 +197,7 @@ fn on_calibrated_springs() {
 
 #[test]
 fn with_stiff_bristles() {
-    let half = Problem { elasticity: half_space(), ..base() };
+    let half = base().with(|interface| interface.elasticity = half_space());
     check_at("half-space", &incremental(&half, 1e8), &constant, (&incremental, 1e8));
     check_at("layer", &incremental(&base(), 1e8), &constant, (&incremental, 1e8));
     check_at("soft", &incremental(&half, 1e7), &constant, (&incremental, 1e7));
@@ -205,12 +208,13 @@ fn with_stiff_bristles() {
 fn with_a_floor_in_part_of_the_patch() {
     let floored = |problem: &Problem, coefficient: f64| {
         let mut problem = problem.clone();
-        problem.friction.law = Arc::new(TemperatureLinear::new(coefficient, 700.0, 0.35).unwrap());
+        problem.interface.friction.law =
+            Arc::new(TemperatureLinear::new(coefficient, 700.0, 0.35).unwrap());
         problem
     };
-    let mut hot = floored(&Problem { elasticity: half_space(), ..base() }, 0.4);
+    let mut hot = floored(&base().with(|interface| interface.elasticity = half_space()), 0.4);
     hot.kinematics.creepage_x = -0.012;
-    hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    hot.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     let coefficients = at(&hot).fields.friction_coefficient;
     let at_floor = coefficients.iter().filter(|mu| **mu == 0.35).count();
     assert!(at_floor > 5 && at_floor < coefficients.len() - 5, "{at_floor}");
@@ -219,12 +223,13 @@ fn with_a_floor_in_part_of_the_patch() {
 
 #[test]
 fn with_heat_that_lowers_friction() {
-    let mut hot = falling(&Problem { elasticity: half_space(), ..base() }, 0.4);
+    let mut hot = falling(&base().with(|interface| interface.elasticity = half_space()), 0.4);
     hot.kinematics.creepage_x = 0.012;
-    hot.wheel.bulk_temperature = 120.0;
-    hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    hot.interface.wheel.bulk_temperature = 120.0;
+    hot.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     check("Duhamel", &hot, &falling, &incremental);
-    hot.heat = Heat { model: Some(Arc::new(ConstantSource)), partition: Partition::Given(0.5) };
+    hot.interface.heat =
+        Heat { model: Some(Arc::new(ConstantSource)), partition: Partition::Given(0.5) };
     check("constant source", &hot, &falling, &incremental);
 }
 
@@ -238,22 +243,23 @@ fn with_friction_that_remembers() {
         let product = Arc::new(Product::new(by_heat, polach).unwrap());
         let across = Across::new(product, vec![-8e-3, 8e-3], vec![1.25, 0.75]).unwrap();
         let mut problem = problem.clone();
-        problem.friction.law = Arc::new(across);
-        problem.friction.memory = Some(FrictionMemory::new(3e-5, 1e-3).unwrap());
+        problem.interface.friction.law = Arc::new(across);
+        problem.interface.friction.memory = Some(FrictionMemory::new(3e-5, 1e-3).unwrap());
         problem
     };
-    let mut hot = lagging(&Problem { elasticity: half_space(), ..base() }, 0.4);
+    let mut hot = lagging(&base().with(|interface| interface.elasticity = half_space()), 0.4);
     hot.kinematics.creepage_x = 0.012;
-    hot.wheel.bulk_temperature = 120.0;
-    hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    hot.interface.wheel.bulk_temperature = 120.0;
+    hot.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     check("memory", &hot, &lagging, &incremental);
 }
 
 #[test]
 fn with_the_law_in_total_displacement() {
-    let total = |problem: &Problem, stiffness: f64| Problem {
-        contact_law: TotalDisplacement::new(stiffness).unwrap().into(),
-        ..problem.clone()
+    let total = |problem: &Problem, stiffness: f64| {
+        problem.clone().with(|interface| {
+            interface.contact_law = TotalDisplacement::new(stiffness).unwrap().into()
+        })
     };
     let base = total(&base(), 5e6);
     check("total displacement", &base, &constant, &total);
@@ -263,9 +269,12 @@ fn with_the_law_in_total_displacement() {
 #[test]
 fn by_the_constants_of_friction() {
     let heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
-    let mut hot = Problem { elasticity: half_space(), heat, ..base() };
+    let mut hot = base().with(|interface| {
+        interface.elasticity = half_space();
+        interface.heat = heat;
+    });
     hot.kinematics.creepage_x = 0.012;
-    hot.wheel.bulk_temperature = 120.0;
+    hot.interface.wheel.bulk_temperature = 120.0;
     let by_heat: Arc<dyn FrictionLaw> = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.05).unwrap());
     let polach: Arc<dyn FrictionLaw> = Arc::new(Polach::new(0.4, 0.4, 0.6).unwrap());
     let product = Arc::new(Product::new(Arc::clone(&by_heat), Arc::clone(&polach)).unwrap());
@@ -280,14 +289,14 @@ fn by_the_constants_of_friction() {
     ];
     for (name, law) in laws {
         let memory = (name == "product").then(|| FrictionMemory::new(3e-5, 1e-3).unwrap());
-        hot.friction = Friction { memory, ..Friction::new(law, 20.0) };
+        hot.interface.friction = Friction { memory, ..Friction::new(law, 20.0) };
         check_constants(name, &hot);
     }
 }
 
 /// Compares the derivatives by all constants of friction and k_c with central differences.
 fn check_constants(name: &str, base: &Problem) {
-    let constants = base.friction.law.adjustable().unwrap().constants();
+    let constants = base.interface.friction.law.adjustable().unwrap().constants();
     let mut wanted: Vec<InterfaceConstant> =
         constants.iter().map(|(constant, _)| InterfaceConstant::Friction(*constant)).collect();
     wanted.push(InterfaceConstant::ContactStiffness);
@@ -302,8 +311,9 @@ fn check_constants(name: &str, base: &Problem) {
         }
         let with = |problem: &Problem, value: f64| {
             let mut problem = problem.clone();
-            let law = base.friction.law.adjustable().unwrap();
-            problem.friction.law = law.with_constants(&Changes(&[(constant, value)])).unwrap();
+            let law = base.interface.friction.law.adjustable().unwrap();
+            problem.interface.friction.law =
+                law.with_constants(&Changes(&[(constant, value)])).unwrap();
             problem
         };
         let approximate = difference(base, &with, [value, value], TOLERANCE);
@@ -330,7 +340,8 @@ fn of_a_sliding_patch_of_given_size() {
 /// derivatives exist there.
 #[test]
 fn kalker_1967_at_rest() {
-    let rest = Problem { elasticity: half_space(), ..problem(rolling(0.0, 0.0, 0.0)) };
+    let rest =
+        problem(rolling(0.0, 0.0, 0.0)).with(|interface| interface.elasticity = half_space());
     let slope = at(&rest).sensitivity.unwrap();
     let small = 1e-8;
     let moved = at(&Problem { kinematics: rolling(small, 0.0, 0.0), ..rest.clone() }).force;

@@ -41,9 +41,9 @@ fn spheres(poisson_ratio: f64) -> Problem {
     let material = Material { poisson_ratio, ..Material::STEEL };
     let mut spheres = problem(rolling(0.0, 0.0, 0.0));
     spheres.normal = Arc::new(Ellipse::from_load(RADIUS, RADIUS, 50e3).unwrap());
-    spheres.elasticity = Arc::new(HalfSpace::new(&material, &material).unwrap());
-    spheres.contact_law = Incremental::new(1e9).unwrap().into();
-    spheres.friction.law = Arc::new(Constant::new(0.3).unwrap());
+    spheres.interface.elasticity = Arc::new(HalfSpace::new(&material, &material).unwrap());
+    spheres.interface.contact_law = Incremental::new(1e9).unwrap().into();
+    spheres.interface.friction.law = Arc::new(Constant::new(0.3).unwrap());
     spheres
 }
 
@@ -147,7 +147,7 @@ fn coulomb_beyond_full_sliding() {
 #[test]
 fn neuhaus_sextro_2014_rigid_bodies() {
     let mut rigid = problem(rolling(0.0, 0.0, 0.0));
-    rigid.elasticity = Arc::new(Rigid);
+    rigid.interface.elasticity = Arc::new(Rigid);
     for by in [1e-9, 1e-7, 1e-6] {
         let force = shifted(&rigid, [0.0, by], &cells(12)).normalised;
         assert_relative_eq!(force.y, (-5e6 * by).exp_m1(), epsilon = 1e-6);
@@ -160,8 +160,8 @@ fn neuhaus_sextro_2014_rigid_bodies() {
 #[test]
 fn winkler_bedding_with_coulomb_friction() {
     let mut bedded = problem(rolling(0.0, 0.0, 0.0));
-    bedded.elasticity = Arc::new(Winkler::new(2e13, 2e13).unwrap());
-    bedded.contact_law = Incremental::new(1e9).unwrap().into();
+    bedded.interface.elasticity = Arc::new(Winkler::new(2e13, 2e13).unwrap());
+    bedded.interface.contact_law = Incremental::new(1e9).unwrap().into();
     for s in [0.1, 0.5, 0.9] {
         let force = shifted(&bedded, [-s * 0.4 * 1e9 / 2e13, 0.0], &cells(40)).normalised.x;
         assert_relative_eq!(force, 1.5 * s - 0.5 * s * s * s, epsilon = 5e-3);
@@ -186,9 +186,9 @@ fn rolling_goes_on_from_a_shift() {
 #[test]
 fn friction_of_bodies_that_meet_warm() {
     let mut warm = spheres(0.0);
-    warm.friction.law = Arc::new(TemperatureLinear::new(0.3, 700.0, 0.0).unwrap());
-    warm.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
-    warm.wheel.bulk_temperature = 160.0;
+    warm.interface.friction.law = Arc::new(TemperatureLinear::new(0.3, 700.0, 0.0).unwrap());
+    warm.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    warm.interface.wheel.bulk_temperature = 160.0;
     let full = exact(0.0).full_sliding_shift();
     for kinematics in [rolling(0.0, 0.0, 0.0), rolling(0.5, 0.1, 1.0)] {
         warm.kinematics = kinematics;

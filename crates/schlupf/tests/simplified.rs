@@ -72,9 +72,9 @@ fn normalised(problem: &Problem, method: FastMethod, across: usize) -> Resultant
 fn slender(motion: Kinematics) -> Problem {
     let mut slender = problem(motion);
     slender.normal = Arc::new(Ellipse::from_load(8e-3, 4e-3, 82e3).unwrap());
-    slender.friction.law = Arc::new(Constant::new(0.3).unwrap());
+    slender.interface.friction.law = Arc::new(Constant::new(0.3).unwrap());
     let steel = Material { young_modulus: 2.0 * 1.28 * 82e9, ..Material::STEEL };
-    (slender.wheel.material, slender.rail.material) = (steel, steel);
+    (slender.interface.wheel.material, slender.interface.rail.material) = (steel, steel);
     slender
 }
 
@@ -95,8 +95,8 @@ fn kalker_1982_lateral_creepage_against_spin() {
     let mut case = slender(motions()[0]);
     assert_relative_eq!(normalised(&case, parabolic(), 160).y, -0.646, epsilon = 0.005);
     assert_relative_eq!(normalised(&case, elliptic(), 160).y, -0.596, epsilon = 0.003);
-    case.elasticity = half_space();
-    case.contact_law = Incremental::new(1e10).unwrap().into();
+    case.interface.elasticity = half_space();
+    case.interface.contact_law = Incremental::new(1e10).unwrap().into();
     let full = solve(&case, &cells(80)).normalised;
     println!("half-space: {full:?}");
     assert_relative_eq!(full.y, -0.624, epsilon = 0.003);
@@ -325,7 +325,7 @@ fn one_flexibility_is_a_winkler_bedding() {
     let method = FastMethod::Fastsim(brush(Flexibilities::One, TractionBound::Elliptic));
     for motion in motions() {
         let mut case = slender(motion);
-        case.friction.law = Arc::new(Constant::new(0.3).unwrap());
+        case.interface.friction.law = Arc::new(Constant::new(0.3).unwrap());
         let contact = *FastContact::new(&case, method, &cells(40)).unwrap().contact();
         // L = (|ξ| L1 + |η| L2 + c|φ| L3)/√(ξ² + η² + c²φ²).
         let (a, c, g) = (8e-3, 32e-6_f64.sqrt(), contact.shear_modulus);
@@ -337,12 +337,12 @@ fn one_flexibility_is_a_winkler_bedding() {
         ];
         let total = parts.iter().map(|(creepage, _)| creepage * creepage).sum::<f64>().sqrt();
         let mean = parts.iter().map(|(creepage, part)| creepage.abs() * part).sum::<f64>() / total;
-        case.elasticity = Arc::new(Winkler::new(1.0 / mean, 1.0 / mean).unwrap());
-        case.contact_law = Incremental::new(1e10).unwrap().into();
+        case.interface.elasticity = Arc::new(Winkler::new(1.0 / mean, 1.0 / mean).unwrap());
+        case.interface.contact_law = Incremental::new(1e10).unwrap().into();
         let laws: [Arc<dyn FrictionLaw>; 2] =
             [Arc::new(Constant::new(0.3).unwrap()), Arc::new(Polach::new(0.3, 0.4, 0.4).unwrap())];
         for (law, tolerance) in laws.into_iter().zip([1e-3, 4e-3]) {
-            case.friction.law = law;
+            case.interface.friction.law = law;
             let full = solve(&case, &cells(40)).normalised;
             let fast = fast(&case, method, 40).normalised;
             println!("{full:?} {fast:?}");
@@ -363,7 +363,7 @@ fn one_flexibility_is_a_winkler_bedding() {
 fn polach_2005_locomotive_maximum() {
     let mut wheel = problem(rolling(0.0, 0.0, 0.0));
     wheel.normal = Arc::new(Ellipse::from_load(6.304e-3, 12.61e-3, 106.7e3).unwrap());
-    wheel.friction.law = Arc::new(Polach::new(0.55, 0.40, 0.60).unwrap());
+    wheel.interface.friction.law = Arc::new(Polach::new(0.55, 0.40, 0.60).unwrap());
     let mut contact =
         FastContact::new(&wheel, FastMethod::Polach(AreaReduction::DRY), &cells(24)).unwrap();
     let points = (1..=400).map(|k| {
@@ -412,10 +412,12 @@ fn fastsim_with_heat_under_uniform_slip() {
     for (law, reference, [rise, force]) in cases {
         let mut slide = problem(rolling(1.0 / 30.0, 0.0, 0.0));
         slide.normal = Arc::new(Ellipse::from_load(5.88e-3, 10.54e-3, 100e3).unwrap());
-        slide.friction.law = law;
-        slide.friction.reference_temperature = reference;
-        slide.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
-        (slide.wheel.bulk_temperature, slide.rail.bulk_temperature) = (0.0, 0.0);
+        slide.interface.friction.law = law;
+        slide.interface.friction.reference_temperature = reference;
+        slide.interface.heat =
+            Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
+        (slide.interface.wheel.bulk_temperature, slide.interface.rail.bulk_temperature) =
+            (0.0, 0.0);
         for across in [24, 59, 118] {
             let options = Options { cells_y: 61, ..cells(across) };
             let solution = FastSolver::new(elliptic(), &options).solve(&slide, &unwatched).unwrap();
@@ -440,10 +442,10 @@ fn fastsim_with_heat_under_uniform_slip() {
 #[test]
 fn fastsim_with_heat_against_the_half_space() {
     let mut case = problem(rolling(0.0, 0.0, 0.0));
-    case.elasticity = half_space();
-    case.contact_law = Incremental::new(1e8).unwrap().into();
-    case.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
-    case.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    case.interface.elasticity = half_space();
+    case.interface.contact_law = Incremental::new(1e8).unwrap().into();
+    case.interface.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    case.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     let one = FastMethod::Fastsim(brush(Flexibilities::One, TractionBound::Elliptic));
     for motion in [rolling(0.03, 0.0, 0.0), rolling(0.05, 0.02, 0.0), rolling(-0.1, 0.0, 0.0)] {
         case.kinematics = motion;
@@ -468,8 +470,8 @@ fn fastsim_with_heat_against_the_half_space() {
 fn a_contact_follows_its_load() {
     for method in saturating() {
         let mut case = slender(motions()[2]);
-        case.heat.model = Some(Arc::new(Duhamel));
-        case.friction.law = Arc::new(TemperatureLinear::new(0.3, 700.0, 0.0).unwrap());
+        case.interface.heat.model = Some(Arc::new(Duhamel));
+        case.interface.friction.law = Arc::new(TemperatureLinear::new(0.3, 700.0, 0.0).unwrap());
         let mut contact = FastContact::new(&case, method, &cells(16)).unwrap();
         contact.force(&motions()[1]).unwrap();
         contact.set_load(60e3).unwrap();
@@ -514,8 +516,8 @@ fn a_table_bounds_the_traction() {
 #[test]
 fn methods_of_forces_claim_no_fields() {
     let mut case = slender(motions()[2]);
-    case.heat.model = Some(Arc::new(Duhamel));
-    case.friction.law = Arc::new(TemperatureLinear::new(0.3, 700.0, 0.0).unwrap());
+    case.interface.heat.model = Some(Arc::new(Duhamel));
+    case.interface.friction.law = Arc::new(TemperatureLinear::new(0.3, 700.0, 0.0).unwrap());
     for method in
         [FastMethod::KalkerLinear, FastMethod::ShenHedrickElkins, FastMethod::Polach(PLAIN)]
     {
@@ -568,7 +570,7 @@ fn a_wheel_that_does_not_roll_is_refused() {
 #[test]
 fn heat_that_is_not_kept_is_not_made_up() {
     let mut case = slender(motions()[2]);
-    case.heat.model = Some(Arc::new(Duhamel));
+    case.interface.heat.model = Some(Arc::new(Duhamel));
     let solution = fast(&case, parabolic(), 8);
     let error = TemperatureField::new(&case, &solution).unwrap_err().to_string();
     assert!(error.starts_with("method: temperatures below the surface"), "{error}");

@@ -50,8 +50,8 @@ fn slide(b: f64, speed: f64, slip: f64, partition: Partition) -> Problem {
     let mut slide = problem(rolling(slip / speed, 0.0, 0.0));
     slide.kinematics.speed = speed;
     slide.normal = Arc::new(Ellipse::from_peak_pressure(A, b, 1e9).unwrap());
-    slide.elasticity = Arc::new(Rigid);
-    slide.heat = Heat { model: Some(Arc::new(Duhamel)), partition };
+    slide.interface.elasticity = Arc::new(Rigid);
+    slide.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition };
     slide
 }
 
@@ -167,7 +167,7 @@ fn jaeger_1942_partition_of_a_wheel_that_spins_near_standstill() {
 #[test]
 fn bodies_at_rest_share_by_their_conductivities() {
     let mut rest = slide(A, speed(1e-7), 1e-10, Partition::Velocity);
-    rest.wheel.material = ALUMINIUM;
+    rest.interface.wheel.material = ALUMINIUM;
     // So slow that even this is little.
     let flux = 400e6 * 1e-10;
     let solution = solve(&rest, &cells(41));
@@ -202,7 +202,7 @@ fn the_coarsest_grids_keep_the_heat() {
 fn holm_1967_constriction_between_bodies_at_rest() {
     for (along, allowed) in [(20, 1.5e-2), (40, 1e-2), (80, 6e-3)] {
         let mut rest = slide(A, speed(1e-7), 0.0, Partition::Given(0.5));
-        rest.wheel.bulk_temperature = 120.0;
+        rest.interface.wheel.bulk_temperature = 120.0;
         let solution = solve(&rest, &cells(along));
         println!("{along}: {} W", solution.power.unwrap().exchanged.unwrap());
         assert_relative_eq!(
@@ -223,7 +223,7 @@ fn holm_1967_constriction_between_bodies_at_rest() {
 fn exchanged_heat_is_continuous_where_conduction_along_the_surface_ends() {
     let at = |peclet: f64| {
         let mut slow = slide(A, speed(peclet), 0.0, Partition::Velocity);
-        slow.wheel.bulk_temperature = 120.0;
+        slow.interface.wheel.bulk_temperature = 120.0;
         solve(&slow, &cells(60)).power.unwrap().exchanged.unwrap()
     };
     let change = at(500.01) / at(499.99) - 1.0;
@@ -237,7 +237,7 @@ fn exchanged_heat_is_continuous_where_conduction_along_the_surface_ends() {
 /// 630.7 K if friction did not fall.
 fn spinning() -> Problem {
     let mut spinning = slide(A, 1e-3, -0.1, Partition::Velocity);
-    spinning.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    spinning.interface.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
     spinning
 }
 
@@ -259,7 +259,7 @@ fn friction_sees_the_temperature_of_a_wheel_that_spins_near_standstill() {
         }
     }
     let mut constant = spinning();
-    constant.friction.law = Arc::new(Constant::new(0.4).unwrap());
+    constant.interface.friction.law = Arc::new(Constant::new(0.4).unwrap());
     let hottest = solve(&constant, &cells(40)).temperature.unwrap().max_rise;
     assert_relative_eq!(hottest, 630.7, max_relative = 3e-3);
 }
@@ -277,10 +277,10 @@ fn hertz(load: f64) -> Arc<Hertz> {
 fn derivatives_know_the_conduction_along_the_surface() {
     let mut base = problem(rolling(-0.05, 0.01, 0.0));
     base.kinematics.speed = 0.3;
-    base.friction.law = Arc::new(TemperatureLinear::new(0.4, 60.0, 0.0).unwrap());
-    base.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
-    base.elasticity = common::half_space();
-    base.wheel.bulk_temperature = 25.0;
+    base.interface.friction.law = Arc::new(TemperatureLinear::new(0.4, 60.0, 0.0).unwrap());
+    base.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    base.interface.elasticity = common::half_space();
+    base.interface.wheel.bulk_temperature = 25.0;
     base.normal = hertz(30e3);
     let options = Options { tolerance: 1e-10, ..cells(16) };
     let found =
@@ -327,7 +327,7 @@ fn derivatives_know_the_conduction_along_the_surface() {
 fn jaeger_1942_partition_of_different_bodies() {
     let hottest = |wheel: Material, partition| {
         let mut slide = slide(A, 30.0, 0.3, partition);
-        slide.wheel = Body { material: wheel, ..Body::STEEL };
+        slide.interface.wheel = Body { material: wheel, ..Body::STEEL };
         solve(&slide, &cells(20)).temperature.unwrap()
     };
     for wheel in [ALUMINIUM, RUBBER] {

@@ -32,8 +32,8 @@ fn the_steady_state_is_the_end_of_marching() {
     for elasticity in &elasticities {
         for law in &laws {
             let mut both = problem(rolling(0.001, 0.0015, 0.3));
-            both.elasticity = Arc::clone(elasticity);
-            both.contact_law = *law;
+            both.interface.elasticity = Arc::clone(elasticity);
+            both.interface.contact_law = *law;
             let options = Options { tolerance: 1e-8, ..cells(16) };
             let (steady, marched) = (at_once(&both, &options), solve(&both, &options));
             let (one, two) = (steady.normalised, marched.normalised);
@@ -50,8 +50,8 @@ fn the_steady_state_is_the_end_of_marching() {
 #[test]
 fn the_hot_steady_state_is_the_end_of_marching() {
     let mut hot = problem(rolling(0.02, 0.003, 0.3));
-    hot.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
-    hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    hot.interface.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    hot.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     let options = Options { tolerance: 1e-8, ..cells(16) };
     let (steady, marched) = (at_once(&hot, &options), solve(&hot, &options));
     assert_relative_eq!(steady.force.x, marched.force.x, max_relative = 1e-6);
@@ -84,7 +84,7 @@ fn cold_work_does_not_grow_with_the_grid() {
         for cells_across in [20, 40, 80, 160] {
             for (xi, eta, spin) in MOTIONS {
                 let mut cold = problem(rolling(xi, eta, spin));
-                cold.elasticity = Arc::clone(&elasticity);
+                cold.interface.elasticity = Arc::clone(&elasticity);
                 let work = at_once(&cold, &cells(cells_across)).work;
                 assert!(work.operator_products < allowed, "{elasticity:?} {work:?}");
                 // Those on the coarser grids count too.
@@ -99,9 +99,10 @@ fn cold_work_does_not_grow_with_the_grid() {
 fn heat_costs_no_products() {
     for (xi, eta, spin) in MOTIONS {
         let mut hot = problem(rolling(xi, eta, spin));
-        hot.elasticity = half_space();
-        hot.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
-        hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+        hot.interface.elasticity = half_space();
+        hot.interface.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+        hot.interface.heat =
+            Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
         let work = at_once(&hot, &cells(24)).work;
         assert!(work.operator_products < 30.0, "{work:?}");
     }
@@ -130,10 +131,10 @@ fn warm_work_along_a_creep_curve() {
     let directions = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 200.0], [0.8, 0.4, 50.0]];
     for (elasticity, allowed) in [(common::layer(), [25.0, 34.0]), (half_space(), [18.0, 27.0])] {
         let mut base = problem(rolling(0.0, 0.0, 0.0));
-        base.elasticity = elasticity;
+        base.interface.elasticity = elasticity;
         for cells_across in [20, 40, 80] {
             let counts = directions.map(|d| along_a_curve(&base, &cells(cells_across), d));
-            println!("{:?} {cells_across}: {counts:.1?}", base.elasticity);
+            println!("{:?} {cells_across}: {counts:.1?}", base.interface.elasticity);
             for [mean, largest] in counts {
                 assert!(mean < allowed[0] && largest < allowed[1], "{mean} {largest}");
             }
@@ -166,11 +167,10 @@ fn the_second_solution_is_as_warm_as_the_third() {
     for (elasticity, laws) in [(common::layer(), &laws[..2]), (half_space(), &laws[..])] {
         for (law, across) in laws.iter().flat_map(|law| [(law, 20), (law, 40)]) {
             for (xi, eta, spin) in MOTIONS {
-                let base = Problem {
-                    elasticity: Arc::clone(&elasticity),
-                    contact_law: *law,
-                    ..problem(rolling(xi, eta, spin))
-                };
+                let base = problem(rolling(xi, eta, spin)).with(|interface| {
+                    interface.elasticity = Arc::clone(&elasticity);
+                    interface.contact_law = *law;
+                });
                 let [first, second, third, fourth] = of_four_solutions(&base, &cells(across), 0.0);
                 assert!(second < 0.25 * first, "{law:?} {across}: {second} of {first}");
                 assert!(third < 2.5 && fourth < 2.5, "{law:?} {across}: {third} {fourth}");
@@ -202,8 +202,8 @@ fn a_warm_start_leaves_no_trace() {
 #[test]
 fn marching_goes_on_from_a_steady_state() {
     let mut hot = problem(rolling(0.01, 0.002, 0.3));
-    hot.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
-    hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
+    hot.interface.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    hot.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
     let options = Options { tolerance: 1e-8, ..cells(16) };
     let steady = at_once(&hot, &options);
     let transient = from_state(&hot, steady.state.clone());
@@ -220,8 +220,8 @@ fn kalker_1967_full_stick_is_well_posed() {
     for elasticity in [common::layer(), half_space()] {
         let slope = |stiffness: f64, cells_across: usize| {
             let mut sticking = problem(rolling(3e-6, 0.0, 0.0));
-            sticking.elasticity = Arc::clone(&elasticity);
-            sticking.contact_law = Incremental::new(stiffness).unwrap().into();
+            sticking.interface.elasticity = Arc::clone(&elasticity);
+            sticking.interface.contact_law = Incremental::new(stiffness).unwrap().into();
             let solution = at_once(&sticking, &cells(cells_across));
             assert!(solution.power.unwrap().friction > 0.0);
             -solution.normalised.x / 3e-6
@@ -245,14 +245,14 @@ fn kalker_1967_full_stick_is_well_posed() {
 fn the_power_balance_always_closes() {
     let base = problem(rolling(0.004, 0.002, 0.5));
     let mut hot = base.clone();
-    hot.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
-    hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    hot.interface.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    hot.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     let mut total = base.clone();
-    total.contact_law = TotalDisplacement::new(5e6).unwrap().into();
+    total.interface.contact_law = TotalDisplacement::new(5e6).unwrap().into();
     let mut uncoupled = base.clone();
-    uncoupled.elasticity = Arc::new(Winkler::new(2e13, 2e13).unwrap());
+    uncoupled.interface.elasticity = Arc::new(Winkler::new(2e13, 2e13).unwrap());
     let mut half = base.clone();
-    half.elasticity = half_space();
+    half.interface.elasticity = half_space();
     let mut table = base.clone();
     let axis: Vec<f64> = (-10..=10).map(|k| 0.6e-3 * f64::from(k)).collect();
     let value = |x: f64, y: f64| 1e9 * (1.0 - (x / 5e-3).powi(4) - (y / 5.5e-3).powi(2)).max(0.0);
@@ -272,8 +272,9 @@ fn high_slip_converges() {
     for (speed, creepage) in [(16.7, 0.5), (55.0, 0.3), (60.0, 0.9)] {
         let mut hot = problem(rolling(creepage, 0.0, 0.0));
         hot.kinematics.speed = speed;
-        hot.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
-        hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
+        hot.interface.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+        hot.interface.heat =
+            Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
         let solution = at_once(&hot, &cells(20));
         assert!(solution.temperature.unwrap().max_rise < 700.0);
         assert!(solution.work.outer_iterations < 60, "{:?}", solution.work);
@@ -288,8 +289,8 @@ fn beddings_of_unequal_stiffness_are_solved_cell_by_cell() {
     for law in [ContactLaw::Coulomb, bristles, TotalDisplacement::new(1e8).unwrap().into()] {
         for (along, across) in [(1e15, 1e12), (4e13, 1e13)] {
             let mut bedded = problem(rolling(1e-4, 1e-4, 0.3));
-            bedded.elasticity = Arc::new(Winkler::new(along, across).unwrap());
-            bedded.contact_law = law;
+            bedded.interface.elasticity = Arc::new(Winkler::new(along, across).unwrap());
+            bedded.interface.contact_law = law;
             let options = Options { extrapolate: true, tolerance: 1e-10, ..cells(40) };
             let solution = at_once(&bedded, &options);
             assert_eq!(solution.work.newton_iterations, 0, "{:?}", solution.work);

@@ -22,8 +22,10 @@ use schlupf::{Options, Problem, Solver, unwatched};
 use std::sync::Arc;
 
 fn heated(mut problem: Problem, coefficient: f64) -> Problem {
-    problem.friction.law = Arc::new(TemperatureLinear::new(coefficient, 700.0, 0.0).unwrap());
-    problem.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
+    problem.interface.friction.law =
+        Arc::new(TemperatureLinear::new(coefficient, 700.0, 0.0).unwrap());
+    problem.interface.heat =
+        Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
     problem
 }
 
@@ -31,8 +33,8 @@ fn heated(mut problem: Problem, coefficient: f64) -> Problem {
 fn steel(kinematics: Kinematics, [a, b, p0]: [f64; 3], law: ContactLaw) -> Problem {
     let mut steel = problem(kinematics);
     steel.normal = Arc::new(Ellipse::from_peak_pressure(a, b, p0).unwrap());
-    steel.elasticity = half_space();
-    steel.contact_law = law;
+    steel.interface.elasticity = half_space();
+    steel.interface.contact_law = law;
     steel
 }
 
@@ -54,8 +56,8 @@ fn any_creepage_is_found_at_once() {
         for creepage in [-1.0, -10.0, -100.0, -1e3, -1e4] {
             for stiffness in [5e6, 1e9] {
                 let mut spinning = heated(problem(rolling(creepage, 0.0, 0.0)), 0.3);
-                spinning.elasticity = Arc::<dyn Elasticity>::clone(&elasticity);
-                spinning.contact_law = incremental(stiffness);
+                spinning.interface.elasticity = Arc::<dyn Elasticity>::clone(&elasticity);
+                spinning.interface.contact_law = incremental(stiffness);
                 let Work { newton_iterations, operator_products, .. } =
                     at_once(&spinning, &cells(24)).work;
                 assert!(newton_iterations <= 6, "{creepage}: {newton_iterations}");
@@ -72,11 +74,12 @@ fn stiff_bristles_with_friction_memory() {
     let at = |speed, x, y| Kinematics { speed, creepage_x: x, creepage_y: y, spin: 0.0 };
     let falling = |mut problem: Problem, coefficient: f64, half_speed: f64| {
         let terms = SlipTerms::new(coefficient, 0.5 * coefficient, half_speed, None).unwrap();
-        problem.friction.law = Arc::new(Exponential(terms));
+        problem.interface.friction.law = Arc::new(Exponential(terms));
         problem
     };
     let remembering = |mut problem: Problem, distance: f64, least_speed: f64| {
-        problem.friction.memory = Some(FrictionMemory::new(distance, least_speed).unwrap());
+        problem.interface.friction.memory =
+            Some(FrictionMemory::new(distance, least_speed).unwrap());
         problem
     };
     let axes = [[4.9e-3, 5.96e-3, 3.13e8], [2.45e-3, 1e-2, 1.27e9], [4.89e-3, 1.18e-2, 1.53e9]];
@@ -103,7 +106,7 @@ fn stiff_bristles_with_friction_memory() {
 fn stiff_bristles() {
     let at = |speed, x, y| Kinematics { speed, creepage_x: x, creepage_y: y, spin: 0.0 };
     let constant = |mut problem: Problem, coefficient: f64| {
-        problem.friction.law = Arc::new(Constant::new(coefficient).unwrap());
+        problem.interface.friction.law = Arc::new(Constant::new(coefficient).unwrap());
         problem
     };
     let narrow = steel(at(90.6, -3.375e-3, 1.1e-5), [3.92e-3, 3.3e-3, 7.29e8], total(6.9e11));

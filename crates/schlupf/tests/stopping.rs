@@ -51,7 +51,7 @@ fn stops<R>(what: &str, work: impl Fn(Watch) -> Result<R, Error>) {
 
 fn hot() -> Problem {
     let mut hot = problem(rolling(0.01, 0.0, 0.0));
-    hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+    hot.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     hot
 }
 

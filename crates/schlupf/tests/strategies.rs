@@ -23,11 +23,10 @@ use schlupf::solver::SteadySolver;
 use schlupf::{Method, Options, Problem, Solution, Solver, Status, Warning, unwatched};
 
 fn coulomb() -> Problem {
-    Problem {
-        contact_law: ContactLaw::Coulomb,
-        elasticity: half_space(),
-        ..problem(rolling(1e-3, 0.0, 0.0))
-    }
+    problem(rolling(1e-3, 0.0, 0.0)).with(|interface| {
+        interface.contact_law = ContactLaw::Coulomb;
+        interface.elasticity = half_space();
+    })
 }
 
 /// The same contact with another creepage.
@@ -55,11 +54,10 @@ fn earlier_solutions_are_used_where_they_help() {
     assert_eq!(strategy(&mut solver, &at(&base, 1.1e-3)), Some(Strategy::Warm));
     assert_eq!(strategy(&mut solver, &at(&base, 5e-2)), Some(Strategy::Warm));
     assert_eq!(strategy(&mut solver, &at(&base, 1e-6)), Some(Strategy::Cold));
-    let bed = Problem {
-        elasticity: Arc::new(Winkler::new(1e13, 1e13).unwrap()),
-        contact_law: Incremental::new(5e6).unwrap().into(),
-        ..base
-    };
+    let bed = base.with(|interface| {
+        interface.elasticity = Arc::new(Winkler::new(1e13, 1e13).unwrap());
+        interface.contact_law = Incremental::new(5e6).unwrap().into();
+    });
     for creepage in [1e-3, 1.1e-3] {
         assert_eq!(strategy(&mut solver, &at(&bed, creepage)), Some(Strategy::Cold));
     }
@@ -73,8 +71,8 @@ fn branches_are_a_continuation() {
     let law = Linear(SlipTerms::new(0.4, 0.05, 0.004, None).unwrap());
     let mut several = problem(rolling(9.875e-4, 0.0, 0.0));
     several.kinematics.speed = 15.0;
-    several.contact_law = Incremental::new(1e9).unwrap().into();
-    several.friction.law = Arc::new(law);
+    several.interface.contact_law = Incremental::new(1e9).unwrap().into();
+    several.interface.friction.law = Arc::new(law);
     let found = solve(&mut SteadySolver::new(&cells(8)), &several);
     assert_eq!(found.work.strategy, Some(Strategy::Continuation));
     assert!(found.warnings.iter().any(|of| matches!(of, Warning::SeveralStates { .. })));
@@ -88,9 +86,10 @@ fn memory_leaves_one_state_on_fine_grids() {
     problem.kinematics.speed = 10.0;
     problem.kinematics.creepage_x = 6e-3;
     problem.normal = Arc::new(Ellipse::from_load(8.5e-3, 5.5e-3, 106.7e3).unwrap());
-    problem.layer = Some(ThirdBodyLayer::new(1.25e-3, 8.2e9).unwrap());
-    problem.friction.law = Arc::new(Exponential(SlipTerms::new(0.33, 0.14, 1.25, None).unwrap()));
-    problem.friction.memory = Some(FrictionMemory::new(3e-6, 1e-3).unwrap());
+    problem.interface.layer = Some(ThirdBodyLayer::new(1.25e-3, 8.2e9).unwrap());
+    problem.interface.friction.law =
+        Arc::new(Exponential(SlipTerms::new(0.33, 0.14, 1.25, None).unwrap()));
+    problem.interface.friction.memory = Some(FrictionMemory::new(3e-6, 1e-3).unwrap());
     for count in [24, 48, 140] {
         let Work { strategy, operator_products, .. } =
             solve(&mut SteadySolver::new(&cells(count)), &problem).work;
@@ -114,7 +113,7 @@ fn prescribed_forces_say_what_led_to_them() {
     let next = Problem { prescribed: PrescribedForces { x, ..Default::default() }, ..base.clone() };
     assert_eq!(strategy(&mut solver, &next), Some(Strategy::Warm));
     let mut falling = base;
-    falling.friction.law = Arc::new(Polach::new(0.4, 0.4, 0.5).unwrap());
+    falling.interface.friction.law = Arc::new(Polach::new(0.4, 0.4, 0.5).unwrap());
     assert_eq!(strategy(&mut solver, &falling), Some(Strategy::Continuation));
 }
 

@@ -20,13 +20,13 @@ use schlupf::{Error, Problem, Solution, Status, unwatched};
 /// Poisson's ratio, under Coulomb's law with μ = 0.3.
 fn ellipse([a, b]: [f64; 2], poisson_ratio: f64, creepage_x: f64) -> Problem {
     let mut problem = problem(rolling(creepage_x, 0.0, 0.0));
-    for body in [&mut problem.wheel, &mut problem.rail] {
+    for body in [&mut problem.interface.wheel, &mut problem.interface.rail] {
         body.material.poisson_ratio = poisson_ratio;
     }
     problem.normal = Arc::new(Ellipse::from_peak_pressure(a, b, P0).unwrap());
-    problem.elasticity = half_space();
-    problem.contact_law = ContactLaw::Coulomb;
-    problem.friction.law = Arc::new(Constant::new(0.3).unwrap());
+    problem.interface.elasticity = half_space();
+    problem.interface.contact_law = ContactLaw::Coulomb;
+    problem.interface.friction.law = Arc::new(Constant::new(0.3).unwrap());
     problem
 }
 

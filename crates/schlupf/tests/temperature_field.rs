@@ -17,9 +17,9 @@ use std::sync::Arc;
 /// Sliding on the half-space with friction that falls with the temperature.
 fn hot(partition: Partition) -> Problem {
     let mut hot = problem(rolling(0.02, 0.002, 0.0));
-    hot.elasticity = half_space();
-    hot.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
-    hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition };
+    hot.interface.elasticity = half_space();
+    hot.interface.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+    hot.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition };
     hot
 }
 
@@ -45,8 +45,8 @@ fn stored(field: &TemperatureField, side: Side, body: &Body, [x, y]: [f64; 2]) -
 #[test]
 fn the_surface_is_that_of_the_cells() {
     let mut warm = hot(Partition::Velocity);
-    warm.wheel.bulk_temperature = 140.0;
-    warm.rail.material = Material { conductivity: 30.0, ..Material::STEEL };
+    warm.interface.wheel.bulk_temperature = 140.0;
+    warm.interface.rail.material = Material { conductivity: 30.0, ..Material::STEEL };
     let (solution, field) = solve(&warm);
     let fields = &solution.fields;
     let largest = fields.temperature_rise_rail.iter().copied().fold(0.0, f64::max);
@@ -90,9 +90,9 @@ fn carried_away(problem: &Problem, solution: &Solution, field: &TemperatureField
     const LAYER: f64 = 4e-6;
     const LAYERS: u32 = 300;
     let grid = solution.state.grid;
-    let conduction = problem.conduction(&solution.kinematics);
+    let conduction = problem.interface.conduction(&solution.kinematics);
     let speeds = [30.0 / conduction.contact_time_ratio(), 30.0];
-    let bodies = [(Side::Wheel, problem.wheel), (Side::Rail, problem.rail)];
+    let bodies = [(Side::Wheel, problem.interface.wheel), (Side::Rail, problem.interface.rail)];
     [0, 1].map(|k| {
         let (side, body) = bodies[k];
         let capacity = body.material.density * body.material.specific_heat;
@@ -118,8 +118,8 @@ fn wheel_and_rail_carry_away_the_friction_power() {
         (Partition::Given(0.5), 120.0),
     ] {
         let mut sliding = hot(partition.clone());
-        sliding.rail.material = Material { conductivity: 40.0, ..Material::STEEL };
-        sliding.wheel.bulk_temperature = bulk;
+        sliding.interface.rail.material = Material { conductivity: 40.0, ..Material::STEEL };
+        sliding.interface.wheel.bulk_temperature = bulk;
         let (solution, field) = solve(&sliding);
         let [wheel, rail] = carried_away(&sliding, &solution, &field);
         let power = solution.power.unwrap();
@@ -132,12 +132,12 @@ fn wheel_and_rail_carry_away_the_friction_power() {
             assert!(exchanged.abs() < 2e-3 * power.friction, "{exchanged}");
         } else {
             // 2 β_w (T_w − T_m) ∫ √(v_w L/π) dy, ∫ √L dy = √(2a) b B(½, 5/4) on the ellipse.
-            let conduction = sliding.conduction(&solution.kinematics);
+            let conduction = sliding.interface.conduction(&solution.kinematics);
             let beta = 1.772_453_850_905_516 * 0.906_402_477_055_477 / 0.919_062_526_848_883;
             let width = (2.0 * 6e-3_f64).sqrt() * 5e-3 * beta;
             let root = (30.0 / conduction.contact_time_ratio() / std::f64::consts::PI).sqrt();
             let step = bulk - conduction.entry_temperature;
-            let exact = 2.0 * sliding.wheel.material.effusivity() * step * root * width;
+            let exact = 2.0 * sliding.interface.wheel.material.effusivity() * step * root * width;
             assert_relative_eq!(exchanged, exact, max_relative = 5e-3);
         }
     }
@@ -150,14 +150,14 @@ fn wheel_and_rail_carry_away_the_friction_power() {
 fn a_hot_wheel_on_a_cold_rail() {
     let mut chill = hot(Partition::Given(0.5));
     chill.kinematics = rolling(0.0, 0.0, 0.0);
-    chill.wheel.bulk_temperature = 150.0;
-    chill.rail.bulk_temperature = 0.0;
-    chill.friction.reference_temperature = 0.0;
+    chill.interface.wheel.bulk_temperature = 150.0;
+    chill.interface.rail.bulk_temperature = 0.0;
+    chill.interface.friction.reference_temperature = 0.0;
     let (_, field) = solve(&chill);
     let y = 0.1e-3;
     assert_relative_eq!(field.at(Side::Wheel, 0.0, y, 0.0), 75.0, max_relative = 1e-12);
     assert_relative_eq!(field.at(Side::Rail, -5e-3, y, 0.0), 75.0, max_relative = 1e-12);
-    let [wheel, rail] = [(Side::Wheel, chill.wheel), (Side::Rail, chill.rail)]
+    let [wheel, rail] = [(Side::Wheel, chill.interface.wheel), (Side::Rail, chill.interface.rail)]
         .map(|(side, body)| stored(&field, side, &body, [-8e-3, y]));
     assert_relative_eq!(wheel, -rail, max_relative = 1e-9);
     // ∫ ΔT β/√(πt) dt = 2 ΔT β √(t_c/π) in the contact of 12 mm at 30 m/s.
@@ -184,7 +184,7 @@ fn the_line_of_a_point_has_its_edges() {
     assert_relative_eq!(middle[0][1], -6e-3, max_relative = 2e-3);
     assert!(field.passages(6e-3).is_empty());
     let mut cold = problem;
-    cold.heat.model = None;
+    cold.interface.heat.model = None;
     let marched = common::solve(&cold, &cells(12));
     let field = TemperatureField::new(&cold, &marched).unwrap();
     assert_eq!(field.at(Side::Rail, -5e-3, 0.1e-3, 0.0), 20.0);

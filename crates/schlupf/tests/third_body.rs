@@ -36,9 +36,9 @@ const LOAD: f64 = 106.7e3;
 fn locomotive(law: Arc<dyn FrictionLaw>, creepage_x: f64) -> Problem {
     let mut wheel = problem(Kinematics { speed: 10.0, ..rolling(creepage_x, 0.0, 0.0) });
     wheel.normal = Arc::new(Ellipse::from_load(6.304e-3, 12.61e-3, LOAD).unwrap());
-    wheel.elasticity = half_space();
-    wheel.contact_law = ContactLaw::Coulomb;
-    wheel.friction.law = law;
+    wheel.interface.elasticity = half_space();
+    wheel.interface.contact_law = ContactLaw::Coulomb;
+    wheel.interface.friction.law = law;
     wheel
 }
 
@@ -46,7 +46,7 @@ fn locomotive(law: Arc<dyn FrictionLaw>, creepage_x: f64) -> Problem {
 fn falling(creepage_x: f64) -> Problem {
     let law = Arc::new(Exponential(SlipTerms::new(0.33, 0.14, 1.25, None).unwrap()));
     let mut wheel = locomotive(law, creepage_x);
-    wheel.friction.memory = Some(FrictionMemory::new(3e-6, 1e-3).unwrap());
+    wheel.interface.friction.memory = Some(FrictionMemory::new(3e-6, 1e-3).unwrap());
     wheel
 }
 
@@ -111,7 +111,7 @@ fn vollebregt_2022_eurosprinter_clean() {
 fn vollebregt_2022_eurosprinter_with_a_layer() {
     let layer = ThirdBodyLayer::new(1.25e-3, 8.2e9).unwrap();
     let force = |creepage: f64, across: usize| {
-        let wheel = Problem { layer: Some(layer), ..falling(creepage) };
+        let wheel = falling(creepage).with(|interface| interface.layer = Some(layer));
         found_by(Method::Full, &wheel, &cells(across)).force.x
     };
     let limit = 0.33 * LOAD;
@@ -162,13 +162,13 @@ fn a_soft_layer_is_a_bed_of_springs() {
         (rigid, &coulomb),
     ] {
         let mut contact = problem(rolling(creepage, 0.0, 0.0));
-        contact.elasticity = elasticity;
-        contact.contact_law = *law;
-        contact.layer = Some(soft);
+        contact.interface.elasticity = elasticity;
+        contact.interface.contact_law = *law;
+        contact.interface.layer = Some(soft);
         let found = [20, 40].map(|across| found_by(Method::Full, &contact, &cells(across)).force.x);
         let marched = solve(&contact, &cells(20)).force.x;
         let off = found.map(|force| (force / exact - 1.0).abs());
-        println!("{:?} {law:?}: {off:?}", contact.elasticity);
+        println!("{:?} {law:?}: {off:?}", contact.interface.elasticity);
         assert!(off[0] < 0.01 && off[1] < 0.006 && off[1] < off[0], "{off:?}");
         assert_relative_eq!(marched, found[0], max_relative = 1e-4);
     }
@@ -183,9 +183,9 @@ fn the_fast_methods_know_the_layer() {
         for motion in [[1e-5, 0.0, 0.0], [0.0, 1e-5, 0.0], [0.0, 0.0, 1e-3]] {
             let [xi, eta, spin] = motion;
             let mut contact = problem(rolling(xi, eta, spin));
-            contact.elasticity = half_space();
-            contact.contact_law = ContactLaw::Coulomb;
-            contact.layer = Some(ThirdBodyLayer::new(thickness, modulus).unwrap());
+            contact.interface.elasticity = half_space();
+            contact.interface.contact_law = ContactLaw::Coulomb;
+            contact.interface.layer = Some(ThirdBodyLayer::new(thickness, modulus).unwrap());
             let full = found_by(Method::Full, &contact, &cells(40)).force;
             for method in [FastMethod::KalkerLinear, FastMethod::Fastsim(Brush::KALKER)] {
                 let fast = found_by(Method::Fast(method), &contact, &cells(40)).force;
@@ -202,9 +202,9 @@ fn the_fast_methods_know_the_layer() {
 fn the_powers_balance_with_a_layer() {
     for law in [ContactLaw::Coulomb as ContactLaw, Incremental::new(5e6).unwrap().into()] {
         let mut contact = problem(rolling(4e-3, 2e-3, 0.3));
-        contact.elasticity = half_space();
-        contact.contact_law = law;
-        contact.layer = Some(ThirdBodyLayer::new(1.25e-3, 8.2e9).unwrap());
+        contact.interface.elasticity = half_space();
+        contact.interface.contact_law = law;
+        contact.interface.layer = Some(ThirdBodyLayer::new(1.25e-3, 8.2e9).unwrap());
         for solution in [found_by(Method::Full, &contact, &cells(24)), solve(&contact, &cells(24))]
         {
             let power = solution.power.unwrap();
@@ -220,9 +220,9 @@ fn derivatives_with_a_layer_are_those_of_differences() {
     let laws: [ContactLaw; 2] = [ContactLaw::Coulomb, Incremental::new(5e6).unwrap().into()];
     for law in laws {
         let mut contact = problem(rolling(4e-3, 2e-3, 0.3));
-        contact.elasticity = half_space();
-        contact.contact_law = law;
-        contact.layer = Some(ThirdBodyLayer::new(1.25e-3, 8.2e9).unwrap());
+        contact.interface.elasticity = half_space();
+        contact.interface.contact_law = law;
+        contact.interface.layer = Some(ThirdBodyLayer::new(1.25e-3, 8.2e9).unwrap());
         let options = Options { sensitivity: true, tolerance: 1e-11, ..cells(16) };
         let at = |kinematics: Kinematics| {
             found_by(Method::Full, &Problem { kinematics, ..contact.clone() }, &options)
@@ -260,7 +260,7 @@ fn the_derivative_by_the_load_with_a_layer() {
                 let motion = Problem::builder().load(load).creepage_x(creepage).creepage_y(1e-3);
                 let bodies = HalfSpace::new(&Material::STEEL, &Material::STEEL).unwrap();
                 let built = motion.spin(0.3).layer(layer).elasticity(bodies).heat(Heat::none());
-                let problem = Problem { contact_law: *law, ..built.build().unwrap() };
+                let problem = built.build().unwrap().with(|interface| interface.contact_law = *law);
                 found_by(Method::Full, &problem, &options)
             };
             let found = at(80e3).sensitivity.unwrap().load.unwrap();
@@ -283,20 +283,20 @@ fn the_derivative_by_the_layer() {
     ];
     for law in laws {
         let mut contact = problem(rolling(4e-3, 2e-3, 0.3));
-        contact.elasticity = half_space();
-        contact.contact_law = law;
+        contact.interface.elasticity = half_space();
+        contact.interface.contact_law = law;
         let options = Options { tolerance: 1e-11, ..cells(16) };
         let at = |modulus: f64| {
             let layer = Some(ThirdBodyLayer::new(1.25e-3, modulus).unwrap());
             let mut solver = SteadySolver::new(&options);
             let wanted = [InterfaceConstant::LayerShearModulus];
-            let problem = Problem { layer, ..contact.clone() };
+            let problem = contact.clone().with(|interface| interface.layer = layer);
             solver.solve_with_derivatives_by(&problem, &wanted, &unwatched).unwrap().unwrap()
         };
         let found = at(8.2e9).1[0];
         let [more, less] = [8.2e9 + 1e5, 8.2e9 - 1e5].map(|modulus| at(modulus).0.force);
         let difference = [(more.x - less.x) / 2e5, (more.y - less.y) / 2e5];
-        println!("{:?}: {found:?} {difference:?}", contact.contact_law);
+        println!("{:?}: {found:?} {difference:?}", contact.interface.contact_law);
         assert_relative_eq!(found.x, difference[0], max_relative = 1e-4);
         assert_relative_eq!(found.y, difference[1], max_relative = 1e-4);
     }
@@ -312,16 +312,18 @@ fn the_derivatives_by_the_limit_of_the_layer() {
     let rubs = |constants: [f64; 3], law: &ContactLaw, is_hot: bool| {
         let [stress, hardening, mu] = constants;
         let mut contact = problem(rolling(0.03, 0.01, 0.3));
-        contact.elasticity = half_space();
-        contact.contact_law = *law;
-        contact.friction.law = Arc::new(Constant::new(mu).unwrap());
+        contact.interface.elasticity = half_space();
+        contact.interface.contact_law = *law;
+        contact.interface.friction.law = Arc::new(Constant::new(mu).unwrap());
         if is_hot {
-            contact.friction.law = Arc::new(TemperatureLinear::new(mu, 700.0, 0.0).unwrap());
-            contact.heat =
+            contact.interface.friction.law =
+                Arc::new(TemperatureLinear::new(mu, 700.0, 0.0).unwrap());
+            contact.interface.heat =
                 Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
         }
         let elastic = ThirdBodyLayer::new(1.25e-3, 8.2e9).unwrap();
-        contact.layer = Some(elastic.with_yield(YieldLimit { stress, hardening }).unwrap());
+        contact.interface.layer =
+            Some(elastic.with_yield(YieldLimit { stress, hardening }).unwrap());
         let options = Options { tolerance: 1e-11, ..cells(16) };
         let cold = InterfaceConstant::Friction(FrictionConstant::ColdCoefficient);
         let wanted = [InterfaceConstant::LayerYieldStress, InterfaceConstant::LayerHardening, cold];
@@ -360,7 +362,7 @@ fn a_layer_is_fitted() {
     let true_layer = ThirdBodyLayer::new(1.25e-3, 8.2e9).unwrap();
     let with = |layer: Option<ThirdBodyLayer>, mu: f64| {
         let law = Arc::new(Constant::new(mu).unwrap());
-        Problem { layer, ..locomotive(law, 1e-3) }
+        locomotive(law, 1e-3).with(|interface| interface.layer = layer)
     };
     let measured = [0.001, 0.002, 0.004, 0.007, 0.012, 0.02, 0.03].map(|creepage_x| {
         let mut wheel = with(Some(true_layer), 0.33);

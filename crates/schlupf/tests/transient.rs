@@ -85,7 +85,7 @@ fn winkler_bedding_under_a_load_that_changes_fast() {
     let exact = [0.38131, 0.50067, 0.24630, 0.40144, 0.62465, 0.53773, 0.24630, 0.40144];
     let largest = |across: usize| {
         let mut bedded = reference();
-        bedded.elasticity = Arc::new(Winkler::new(2e13, 2e13).unwrap());
+        bedded.interface.elasticity = Arc::new(Winkler::new(2e13, 2e13).unwrap());
         let solution = solve_over(&bedded, swinging(0.7, 12e-3, 24e-3), &cells(across));
         let off = (1..=8)
             .zip(exact)
@@ -161,9 +161,11 @@ fn powers_of_every_step_balance() {
     for elasticity in [half_space(), layer()] {
         for load in [None, Some(vec![LOAD, 1.6 * LOAD, 0.5 * LOAD, LOAD])] {
             let mut rolls = reference();
-            rolls.elasticity = elasticity.clone();
-            rolls.friction.law = Arc::new(TemperatureLinear::new(0.3, 700.0, 0.0).unwrap());
-            rolls.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+            rolls.interface.elasticity = elasticity.clone();
+            rolls.interface.friction.law =
+                Arc::new(TemperatureLinear::new(0.3, 700.0, 0.0).unwrap());
+            rolls.interface.heat =
+                Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
             let history = History {
                 shift: Some([2e-6, -1e-6]),
                 time: vec![0.0, 1e-4, 2e-4, 6e-4],
@@ -248,8 +250,8 @@ fn a_history_starts_with_a_shift() {
     assert!((force(0) - 0.6530).abs() < 3e-3, "{}", force(0));
     assert!((force(1) - force(0)).abs() < 0.05, "{} {}", force(0), force(1));
     for stiffness in [5e6, 1e8, 1e9] {
-        let problem =
-            Problem { contact_law: Incremental::new(stiffness).unwrap().into(), ..reference() };
+        let problem = reference()
+            .with(|interface| interface.contact_law = Incremental::new(stiffness).unwrap().into());
         let history = History { shift: Some([0.015e-3, 0.0]), ..constant(60e-3) };
         let end = solve_over(&problem, history, &cells(40)).normalised.x;
         let steady = schlupf::solver::solve(&problem, &cells(40), &unwatched).unwrap();
@@ -289,13 +291,11 @@ fn edges_faster_than_the_wheel() {
 #[test]
 fn the_calibrated_layer_is_ahead_of_the_half_space() {
     let mut rolls = problem(Kinematics { speed: 1.0, ..rolling(0.002, 0.0, 0.0) });
-    rolls.elasticity = half_space();
-    let layer = Problem {
-        elasticity: Arc::new(
-            CalibratedLayer::new(&Material::STEEL, &Material::STEEL, None).unwrap(),
-        ),
-        ..rolls.clone()
-    };
+    rolls.interface.elasticity = half_space();
+    let layer = rolls.clone().with(|interface| {
+        interface.elasticity =
+            Arc::new(CalibratedLayer::new(&Material::STEEL, &Material::STEEL, None).unwrap())
+    });
     let forces = |problem: &Problem| {
         let solution = solve_over(problem, constant(60e-3), &cells(20));
         let limit = 0.4 * solution.normal.load;

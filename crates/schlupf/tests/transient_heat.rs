@@ -37,10 +37,11 @@ fn switched(
 ) -> Transient {
     let mut switched = problem(rolling(0.0, 0.0, 0.0));
     switched.normal = normal;
-    switched.elasticity = Arc::new(Rigid);
-    switched.contact_law = Incremental::new(1e9).unwrap().into();
-    switched.friction.law = Arc::new(Constant::new(FRICTION).unwrap());
-    switched.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
+    switched.interface.elasticity = Arc::new(Rigid);
+    switched.interface.contact_law = Incremental::new(1e9).unwrap().into();
+    switched.interface.friction.law = Arc::new(Constant::new(FRICTION).unwrap());
+    switched.interface.heat =
+        Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
     let history = History {
         time: vec![0.0, instant, instant * (1.0 + 1e-9), end],
         creepage_x: Some(vec![from, from, to, to]),

@@ -89,7 +89,7 @@ fn solve_with<R>(
             .heat(schlupf::interface::heat::Heat::none())
             .elasticity(elasticity);
         let problem = builder.build()?;
-        Ok(Problem { normal, contact_law: *law, ..problem })
+        Ok(Problem { normal, ..problem }.with(|interface| interface.contact_law = *law))
     };
     let solver = |options: &Options| Method::Full.solver(options);
     let contact_modulus = contact_modulus(&STEEL, &STEEL);

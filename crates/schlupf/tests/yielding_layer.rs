@@ -40,9 +40,9 @@ fn layer([stress, hardening]: [f64; 2]) -> ThirdBodyLayer {
 
 fn contact(limit: [f64; 2], elasticity: Arc<dyn Elasticity>, creepage_x: f64) -> Problem {
     let mut contact = problem(rolling(creepage_x, 0.0, 0.0));
-    contact.elasticity = elasticity;
-    contact.contact_law = ContactLaw::Coulomb;
-    contact.layer = Some(layer(limit));
+    contact.interface.elasticity = elasticity;
+    contact.interface.contact_law = ContactLaw::Coulomb;
+    contact.interface.layer = Some(layer(limit));
     contact
 }
 
@@ -242,10 +242,11 @@ fn plastic_work_is_dissipated_and_heats() {
     {
         let mut hot = contact([stress, 0.0], half_space(), 0.02);
         let layer = ThirdBodyLayer::new(1e-3, 1e-3 * stiffness).unwrap();
-        hot.layer = Some(layer.with_yield(YieldLimit { stress, hardening }).unwrap());
-        hot.contact_law = *law;
-        hot.friction.law = Arc::new(TemperatureLinear::new(0.6, 700.0, 0.0).unwrap());
-        hot.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+        hot.interface.layer = Some(layer.with_yield(YieldLimit { stress, hardening }).unwrap());
+        hot.interface.contact_law = *law;
+        hot.interface.friction.law = Arc::new(TemperatureLinear::new(0.6, 700.0, 0.0).unwrap());
+        hot.interface.heat =
+            Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
         let found = [found_by(Method::Full, &hot, &cells(20)), solve(&hot, &cells(20))];
         for solution in &found {
             let power = solution.power.unwrap();
@@ -283,7 +284,8 @@ fn the_constants_of_a_layer_are_fitted() {
     let parameters =
         [Parameter::LayerYieldStress, Parameter::LayerHardening, Parameter::LayerShearModulus];
     let on = |layer: Option<ThirdBodyLayer>| {
-        let start = Problem { layer, ..contact(LIMITS[0], Arc::new(Rigid), 0.1) };
+        let start =
+            contact(LIMITS[0], Arc::new(Rigid), 0.1).with(|interface| interface.layer = layer);
         RollingContactModel::new(&start, &cells(40), &parameters, 0.45)
     };
     let load = contact(LIMITS[0], Arc::new(Rigid), 0.1).normal.normal_contact(None).unwrap();
@@ -345,7 +347,7 @@ fn methods_without_fields_tell_that_they_do_not_know_the_limit() {
         assert!(warnings.contains(&Warning::NoYield { method: method.name() }), "{warnings:?}");
     }
     let elastic = ThirdBodyLayer::new(1e-3, 1e8).unwrap();
-    let contact = Problem { layer: Some(elastic), ..contact };
+    let contact = contact.with(|interface| interface.layer = Some(elastic));
     let warnings = found_by(Method::Fast(FastMethod::ShenHedrickElkins), &contact, &cells(20));
     assert!(!warnings.warnings.iter().any(|warning| matches!(warning, Warning::NoYield { .. })));
 }

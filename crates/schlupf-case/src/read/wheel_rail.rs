@@ -263,7 +263,8 @@ impl WheelRequest {
             let reference = ReferencePoint::File;
             complete(Problem { kinematics, reference, normal, ..draft.clone() })
         };
-        let contact_modulus = contact_modulus(&draft.wheel.material, &draft.rail.material);
+        let contact_modulus =
+            contact_modulus(&draft.interface.wheel.material, &draft.interface.rail.material);
         let tangential = Tangential { problem: &problem, contact_modulus, solver, options };
         match place {
             Some(lateral) => {

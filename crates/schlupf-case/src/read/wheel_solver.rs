@@ -46,7 +46,10 @@ impl WheelSolver {
         let complete = |problem: Problem| {
             let elasticity = self.deformation.model(&*problem.normal, None)?;
             let contact_law = self.contact_law;
-            let problem = Problem { elasticity, contact_law, ..problem };
+            let problem = problem.with(|interface| {
+                interface.elasticity = elasticity;
+                interface.contact_law = contact_law;
+            });
             problem.check().map(|()| problem)
         };
         let solver = |options: &Options| any_solver(self.method, self.driver, options);

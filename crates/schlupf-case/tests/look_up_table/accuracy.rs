@@ -30,9 +30,9 @@ fn problem(semi_axes: [f64; 2], load: f64, poisson_ratio: f64) -> Problem {
         .friction(Constant::new(FRICTION).unwrap())
         .build()
         .unwrap();
-    problem.wheel.material = material;
-    problem.rail.material = material;
-    problem.heat.model = None;
+    problem.interface.wheel.material = material;
+    problem.interface.rail.material = material;
+    problem.interface.heat.model = None;
     problem
 }
 

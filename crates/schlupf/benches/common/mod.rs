@@ -67,13 +67,15 @@ impl Case {
     /// The problem at rest: others are this one with another motion, so that they share its set-up.
     pub fn at_rest(&self) -> Problem {
         let mut problem = problems::problem(rolling(0.0, 0.0, 0.0));
-        problem.elasticity = match self.bodies {
+        problem.interface.elasticity = match self.bodies {
             Bodies::Layer => problems::layer(),
             Bodies::HalfSpace => problems::half_space(),
         };
         if self.is_heated {
-            problem.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
-            problem.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
+            problem.interface.friction.law =
+                Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
+            problem.interface.heat =
+                Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
         }
         problem
     }
@@ -127,7 +129,7 @@ pub struct Product {
 impl Product {
     pub fn new(case: &Case) -> Self {
         let grid = case.grid();
-        let compliance = case.at_rest().elasticity.compliance(&grid).unwrap();
+        let compliance = case.at_rest().interface.elasticity.compliance(&grid).unwrap();
         let mut traction = VectorField::zeros(grid.len());
         for (k, (x, y)) in traction.x.iter_mut().zip(&mut traction.y).enumerate() {
             (*x, *y) = ((k as f64).sin(), (k as f64).cos());

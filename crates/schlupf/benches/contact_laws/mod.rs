@@ -41,7 +41,11 @@ pub fn table() -> String {
             let on_grids = GRIDS.map(|cells| {
                 let case = Case { bodies: Bodies::HalfSpace, is_heated: false, cells };
                 let normal = Arc::new(Ellipse::from_peak_pressure(a, b, 1e9).unwrap());
-                measured(&case, &Problem { contact_law, normal, ..case.at_rest() })
+                measured(
+                    &case,
+                    &Problem { normal, ..case.at_rest() }
+                        .with(|interface| interface.contact_law = contact_law),
+                )
             });
             let cells: [String; 3] = std::array::from_fn(|n| {
                 let products = joined(&on_grids.map(|of| format!("{:.0}", of[n][0])));

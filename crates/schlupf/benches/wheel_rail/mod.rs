@@ -62,7 +62,7 @@ fn solve(wheels: &[WheelOnRail], law: &ContactLaw, heat: &Heat) -> [f64; 2] {
             .friction(Constant::new(0.3)?)
             .heat(heat.clone())
             .elasticity(elasticity);
-        Ok(Problem { normal, contact_law: *law, ..builder.build()? })
+        Ok(Problem { normal, ..builder.build()? }.with(|interface| interface.contact_law = *law))
     };
     let options = Options::default();
     let tangential = Tangential {

@@ -123,7 +123,7 @@ pub fn bulk_temperature(
 /// A problem without heat model, and whatever [`Problem::check`] rejects.
 pub fn check(problem: &Problem, cooling: &Cooling) -> Result<(), Error> {
     cooling.check()?;
-    if problem.heat.model.is_none() {
+    if problem.interface.heat.model.is_none() {
         return Err(Error::NoHeat {});
     }
     problem.check()
@@ -140,7 +140,7 @@ struct Balance<'a> {
 
 impl Balance<'_> {
     fn find(&mut self) -> Result<BulkTemperature, Error> {
-        let rail = self.problem.rail.bulk_temperature;
+        let rail = self.problem.interface.rail.bulk_temperature;
         let coldest = self.cooling.air_temperature.min(rail);
         let low = self.at(coldest)?;
         let hottest = self.hottest(&low)?;
@@ -153,7 +153,7 @@ impl Balance<'_> {
 
     /// The balance at a given bulk temperature of the wheel.
     fn at(&mut self, temperature: f64) -> Result<BulkTemperature, Error> {
-        self.problem.wheel.bulk_temperature = temperature;
+        self.problem.interface.wheel.bulk_temperature = temperature;
         let progress = Progress::count(Stage::BulkTemperature, self.iterations);
         let solution = self.solver.solve(&self.problem, &within(self.watch, progress))?;
         self.iterations += 1;
@@ -162,7 +162,7 @@ impl Balance<'_> {
             let (purpose, method) = (MethodPurpose::BulkTemperature, solution.method.name());
             return Err(Error::OtherMethod { purpose, method });
         };
-        let partition = self.problem.conduction(&solution.kinematics);
+        let partition = self.problem.interface.conduction(&solution.kinematics);
         Ok(BulkTemperature {
             temperature,
             entry_temperature: partition.entry_temperature,
@@ -182,7 +182,7 @@ impl Balance<'_> {
     /// Heat flow through the contact divided by the step from the wheel's bulk temperature to its
     /// contact temperature, in W/K.
     fn chill(&self) -> Result<f64, Error> {
-        let conduction = self.problem.conduction(&self.problem.kinematics);
+        let conduction = self.problem.interface.conduction(&self.problem.kinematics);
         let wheel_speed = self.problem.kinematics.speed / conduction.contact_time_ratio();
         let normal = self.problem.normal.normal_contact(None)?;
         let options = self.solver.options();
@@ -193,13 +193,13 @@ impl Balance<'_> {
     /// A temperature at which the wheel loses more heat than it receives with the friction of a
     /// cold wheel; below the one at which friction vanishes.
     fn hottest(&self, cold: &BulkTemperature) -> Result<f64, Error> {
-        let weight = self.problem.conduction(&self.problem.kinematics).wheel_weight();
+        let weight = self.problem.interface.conduction(&self.problem.kinematics).wheel_weight();
         let through = (1.0 - weight) * self.chill()?;
         let air = self.cooling.film_coefficient * self.cooling.area;
-        let rail = self.problem.rail.bulk_temperature;
+        let rail = self.problem.interface.rail.bulk_temperature;
         let given = cold.frictional_heat + air * self.cooling.air_temperature + through * rail;
-        let limit = self.problem.friction.reference_temperature
-            + self.problem.friction.law.temperature_limit();
+        let limit = self.problem.interface.friction.reference_temperature
+            + self.problem.interface.friction.law.temperature_limit();
         // Material enters the contact at the weighted mean of both bodies.
         let vanishing = (limit - (1.0 - weight) * rail) / weight;
         Ok((given / (air + through)).min(vanishing - 1e-6 * (vanishing - rail).abs()))

@@ -71,13 +71,13 @@ struct Conductor {
 impl TemperatureField {
     /// A warning for whoever uses the temperatures, if there is one.
     pub fn caveat(problem: &Problem, solution: &Solution) -> Vec<Warning> {
-        let peclet = problem.peclet(&solution.kinematics, semi_axes(&solution.normal));
+        let peclet = problem.interface.peclet(&solution.kinematics, semi_axes(&solution.normal));
         let slow = peclet.caveat(true);
         Self::caveat_of_model(problem).into_iter().chain(slow).collect()
     }
 
     fn caveat_of_model(problem: &Problem) -> Option<Warning> {
-        let model = problem.heat.model.as_ref()?;
+        let model = problem.interface.heat.model.as_ref()?;
         (!model.is_linear()).then_some(Warning::HeatModelOfCells {})
     }
 
@@ -115,7 +115,7 @@ impl TemperatureField {
         let patch = Patch::new(&normal, grid);
         let mut records = vec![None; grid.len()];
         let elements = solution.state.elements.iter();
-        for element in elements.filter(|_| problem.heat.model.is_some()) {
+        for element in elements.filter(|_| problem.interface.heat.model.is_some()) {
             records[element.index] = Some(&element.heat);
         }
         let speed = solution.kinematics.speed;
@@ -137,7 +137,7 @@ impl TemperatureField {
         let (motion, _) = solution
             .seen_from(ReferencePoint::Patch)
             .unwrap_or((solution.kinematics, solution.force));
-        let conduction = problem.conduction(&motion);
+        let conduction = problem.interface.conduction(&motion);
         let [wheel_share, rail_share] = conduction.shares();
         let conductor = |body: &Body, share: f64, contact_time_ratio: f64| Conductor {
             bulk: body.bulk_temperature,
@@ -149,8 +149,12 @@ impl TemperatureField {
         };
         Ok(Self {
             tracks: patch.strips.iter().map(track).collect(),
-            wheel: conductor(&problem.wheel, wheel_share, conduction.contact_time_ratio()),
-            rail: conductor(&problem.rail, rail_share, 1.0),
+            wheel: conductor(
+                &problem.interface.wheel,
+                wheel_share,
+                conduction.contact_time_ratio(),
+            ),
+            rail: conductor(&problem.interface.rail, rail_share, 1.0),
         })
     }
 

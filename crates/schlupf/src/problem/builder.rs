@@ -7,7 +7,7 @@ use crate::elasticity::{CalibratedLayer, Elasticity};
 use crate::interface::friction::temperature_linear::TemperatureLinear;
 use crate::interface::friction::{Friction, FrictionLaw};
 use crate::interface::heat::Heat;
-use crate::interface::{ContactLaw, ThirdBodyLayer};
+use crate::interface::{ContactLaw, Interface, ThirdBodyLayer};
 use crate::normal::hertz::{Hertz, Radii};
 use crate::normal::{AtLoad, PressureSource};
 use crate::problem::{PrescribedForces, Problem};
@@ -216,14 +216,16 @@ impl ProblemBuilder {
             kinematics: self.kinematics,
             prescribed: self.prescribed,
             reference: self.reference,
-            wheel: self.wheel,
-            rail: self.rail,
             normal,
-            elasticity,
-            layer: self.layer,
-            contact_law: self.contact_law,
-            friction: Friction::new(friction, reference_temperature),
-            heat: self.heat,
+            interface: Interface {
+                wheel: self.wheel,
+                rail: self.rail,
+                elasticity,
+                layer: self.layer,
+                contact_law: self.contact_law,
+                friction: Friction::new(friction, reference_temperature),
+                heat: self.heat,
+            },
         };
         problem.check()?;
         Ok(problem)
@@ -249,7 +251,7 @@ mod tests {
     fn friction_counts_from_the_temperature_of_the_rail() {
         let rail = Body { bulk_temperature: -10.0, ..Body::STEEL };
         let problem = Problem::builder().rail(rail).build().unwrap();
-        assert_eq!(problem.friction.reference_temperature, -10.0);
+        assert_eq!(problem.interface.friction.reference_temperature, -10.0);
     }
 
     #[test]

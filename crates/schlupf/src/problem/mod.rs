@@ -21,19 +21,12 @@ pub use transient::Transient;
 
 use std::sync::Arc;
 
-use crate::bodies::{Body, Kinematics, Material, ReferencePoint, contact_modulus};
-use crate::elasticity::Elasticity;
-use crate::interface::friction::memory::FrictionMemory;
-use crate::interface::friction::{Friction, FrictionResponse, FrictionState};
-use crate::interface::heat::Heat;
-use crate::interface::heat::partition::Conduction;
-use crate::interface::heat::peclet::Peclet;
-use crate::interface::{ContactLaw, ThirdBodyLayer};
+use crate::bodies::{Kinematics, ReferencePoint};
+use crate::interface::Interface;
 use crate::normal::PressureSource;
-use crate::normal::patch::Cell;
-use crate::reporting::{Error, Quantity, Requirement, Warning, require};
+use crate::reporting::{Error, Quantity, Requirement, require};
 
-/// A rolling contact: two bodies, their motion, and the laws of their interaction.
+/// A rolling contact: what presses two bodies together, how they move, and what acts between them.
 #[derive(Debug, Clone)]
 pub struct Problem {
     /// Speed and creepages. A creepage whose force is prescribed is only a first guess.
@@ -42,22 +35,10 @@ pub struct Problem {
     pub prescribed: PrescribedForces,
     /// Reference point of the creepages and of the moment of the solution.
     pub reference: ReferencePoint,
-    /// The wheel.
-    pub wheel: Body,
-    /// The rail.
-    pub rail: Body,
     /// Source of the normal pressure.
     pub normal: Arc<dyn PressureSource>,
-    /// Elastic deformation of the bodies under tangential traction.
-    pub elasticity: Arc<dyn Elasticity>,
-    /// The layer between the surfaces, if there is one.
-    pub layer: Option<ThirdBodyLayer>,
-    /// Dependence of the traction of a point on its sliding, Eq. (8).
-    pub contact_law: ContactLaw,
-    /// Coefficient of friction, Eq. (23).
-    pub friction: Friction,
-    /// Frictional heating, Eqs. (17)–(22).
-    pub heat: Heat,
+    /// The two bodies and the laws of their interaction.
+    pub interface: Interface,
 }
 
 impl Problem {
@@ -66,72 +47,11 @@ impl Problem {
         Self { prescribed: PrescribedForces::default(), ..self.clone() }
     }
 
-    /// Compliance h/G of the layer between the surfaces (in m/Pa); zero if there is none.
-    pub fn layer_compliance(&self) -> f64 {
-        self.layer.map_or(0.0, |layer| layer.compliance())
-    }
-
-    /// What bounds the traction over the pressure in a cell (dimensionless) with a coefficient of
-    /// friction and a layer that has not flowed yet.
-    pub(crate) fn at_entry(&self, friction: f64, cell: &Cell) -> f64 {
-        let pressure = cell.pressure_where_covered();
-        self.layer.map_or(friction, |layer| {
-            layer.pass(friction * pressure, 0.0, [0.0; 2]).bound / pressure
-        })
-    }
-
-    /// Whether nothing that changes within the contact changes what bounds the traction.
-    pub(crate) fn has_constant_bound(&self) -> bool {
-        self.friction.law.is_constant() && !self.layer.is_some_and(|layer| layer.hardens())
-    }
-
-    /// A warning of a largest pressure (in Pa) that no body can bear.
-    pub fn beyond_elastic(&self, pressure: f64) -> Option<Warning> {
-        beyond_elastic([&self.wheel.material, &self.rail.material], pressure)
-    }
-
-    /// Heat partition and conduction of the two bodies at the speeds of `kinematics`.
-    pub fn conduction(&self, kinematics: &Kinematics) -> Conduction {
-        Conduction::new(&self.heat.partition, &self.wheel, &self.rail, kinematics)
-    }
-
-    /// Péclet numbers of the two bodies passing, at the speeds of `kinematics`, through a contact
-    /// of semi-axes a and b (in m).
-    pub fn peclet(&self, kinematics: &Kinematics, semi_axes: [f64; 2]) -> Peclet {
-        let wheel_speed = kinematics.speed / self.conduction(kinematics).contact_time_ratio();
-        let diffusivities = [&self.wheel, &self.rail].map(|body| body.material.diffusivity());
-        Peclet::new(semi_axes, [wheel_speed, kinematics.speed], diffusivities)
-    }
-
-    /// Friction in a cell at y (in m) with a temperature rise times effusivity (in W √s/m²) and a
-    /// slip speed (in m/s), Eq. (23).
-    pub fn friction_response(
-        &self,
-        conduction: &Conduction,
-        rise_times_effusivity: f64,
-        slip_speed: f64,
-        y: f64,
-    ) -> FrictionResponse {
-        let state = self.friction_state(conduction, rise_times_effusivity, slip_speed, y);
-        self.friction.law.respond(&state)
-    }
-
-    /// The arguments of the friction law there.
-    pub fn friction_state(
-        &self,
-        conduction: &Conduction,
-        rise_times_effusivity: f64,
-        slip_speed: f64,
-        y: f64,
-    ) -> FrictionState {
-        let temperature = conduction.contact_temperature(rise_times_effusivity)
-            - self.friction.reference_temperature;
-        FrictionState { temperature, slip_speed, y }
-    }
-
-    /// Friction of material at y (in m) when it enters the contact.
-    pub fn entry_friction(&self, conduction: &Conduction, y: f64) -> FrictionResponse {
-        self.friction_response(conduction, 0.0, 0.0, y)
+    /// The same with something else acting at the interface.
+    #[must_use]
+    pub fn with(mut self, change: impl FnOnce(&mut Interface)) -> Self {
+        change(&mut self.interface);
+        self
     }
 
     /// The coefficient of friction (dimensionless), if it is the same everywhere within a distance
@@ -139,38 +59,21 @@ impl Problem {
     pub(crate) fn uniform_friction(&self, width: f64) -> Option<f64> {
         /// Places on either side of the middle that are compared.
         const PLACES: i32 = 8;
-        let (cold, law) = (self.friction.cold_coefficient(), &self.friction.law);
-        let conduction = self.conduction(&self.kinematics);
+        let (cold, law) =
+            (self.interface.friction.cold_coefficient(), &self.interface.friction.law);
+        let conduction = self.interface.conduction(&self.kinematics);
         let mut places = (-PLACES..=PLACES).map(|k| width * f64::from(k) / f64::from(PLACES));
-        let is_cold = |y| self.entry_friction(&conduction, y).coefficient == cold;
-        let is_bounded = self.layer.is_none_or(|layer| layer.yield_limit().is_none());
+        let is_cold = |y| self.interface.entry_friction(&conduction, y).coefficient == cold;
+        let is_bounded = self.interface.layer.is_none_or(|layer| layer.yield_limit().is_none());
         (law.is_constant() && is_bounded && places.all(is_cold)).then_some(cold)
-    }
-
-    /// How friction lags behind its law, if it depends on anything that changes within the contact.
-    pub fn friction_memory(&self) -> Option<FrictionMemory> {
-        self.friction.memory.filter(|_| !self.friction.law.is_constant())
     }
 
     /// Performs all checks possible before the patch is known.
     pub fn check(&self) -> Result<(), Error> {
         self.kinematics.check()?;
         self.prescribed.check()?;
-        self.wheel.check_wheel()?;
-        self.rail.check_rail()?;
-        self.heat.check()?;
-        self.friction.check(self.conduction(&self.kinematics).entry_temperature)
+        self.interface.check(&self.kinematics)
     }
-}
-
-/// Ratio of the largest pressure to E* above which even steel is no longer elastic: its hardness is
-/// lower.
-const YIELDING: f64 = 0.03;
-
-/// A warning of a largest pressure (in Pa) that no body of one of two materials can bear.
-pub fn beyond_elastic([one, other]: [&Material; 2], pressure: f64) -> Option<Warning> {
-    let modulus = contact_modulus(one, other);
-    (pressure > YIELDING * modulus).then_some(Warning::BeyondElastic { pressure, modulus })
 }
 
 /// Maximum number of cells in one direction across the patch.

@@ -18,7 +18,7 @@ impl WheelSolution {
     /// without contacts.
     pub fn resultant(&self, kinematics: Kinematics) -> Option<Solution> {
         let main = self.contacts.first()?;
-        let limit = main.problem.friction.cold_coefficient() * self.force[2];
+        let limit = main.problem.interface.friction.cold_coefficient() * self.force[2];
         let [x, y, load] = self.force;
         let mut normal = main.solution.normal;
         normal.load = load;

@@ -68,7 +68,8 @@ impl Turning {
     /// Its angular velocity (in rad/s) as a place from which another one is sought: only where
     /// friction does not fall, beyond whose peak the search would end.
     pub fn nearby(&self) -> Option<f64> {
-        let rises = self.contacts.iter().all(|(_, problem, _)| problem.has_constant_bound());
+        let rises =
+            self.contacts.iter().all(|(_, problem, _)| problem.interface.has_constant_bound());
         (rises && self.missed.is_none()).then_some(self.angular_velocity)
     }
 }

@@ -150,7 +150,8 @@ impl WheelSolution {
 
     /// See [`Turning::nearby`].
     pub(super) fn nearby(&self) -> Option<f64> {
-        let rises = self.contacts.iter().all(|contact| contact.problem.has_constant_bound());
+        let rises =
+            self.contacts.iter().all(|contact| contact.problem.interface.has_constant_bound());
         rises.then_some(self.angular_velocity)
     }
 

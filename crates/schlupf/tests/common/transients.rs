@@ -28,9 +28,9 @@ pub fn reference(contact_law: ContactLaw) -> Problem {
     let mut reference = problem(kinematics);
     reference.normal =
         Arc::new(Hertz::from_curvatures(curvature, curvature, modulus, LOAD).unwrap());
-    reference.elasticity = Arc::new(HalfSpace::new(&steel, &steel).unwrap());
-    reference.contact_law = contact_law;
-    reference.friction.law = Arc::new(Constant::new(0.3).unwrap());
+    reference.interface.elasticity = Arc::new(HalfSpace::new(&steel, &steel).unwrap());
+    reference.interface.contact_law = contact_law;
+    reference.interface.friction.law = Arc::new(Constant::new(0.3).unwrap());
     reference
 }
 

@@ -2,17 +2,15 @@
 //! contact law, constant friction.
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 
-use crate::bodies::{Body, Kinematics, Material, ReferencePoint};
+use crate::bodies::{Body, Kinematics, Material};
 use crate::elasticity::half_space::HalfSpace;
 use crate::interface::Incremental;
-use crate::interface::friction::Friction;
 use crate::interface::friction::constant::Constant;
 use crate::interface::heat::Heat;
 use crate::interface::heat::partition::Partition;
 use crate::normal::Ellipse;
-use crate::problem::{PrescribedForces, Problem};
+use crate::problem::Problem;
 use crate::reporting::Error;
 use crate::solver::kalker_coefficients::creep_coefficients;
 use crate::solver::reference::kalker_linear::CreepCoefficients;
@@ -46,19 +44,17 @@ impl RollingContact {
         let material = Material { poisson_ratio, ..Material::STEEL };
         let bodies = HalfSpace::new(&material, &material)?;
         let ellipse = Ellipse::from_peak_pressure(semi_axes[0], semi_axes[1], PEAK_PRESSURE)?;
-        let problem = Problem {
-            kinematics: Kinematics { speed: 1.0, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 },
-            prescribed: PrescribedForces::default(),
-            reference: ReferencePoint::Patch,
-            wheel: Body { material, ..Body::STEEL },
-            rail: Body { material, ..Body::STEEL },
-            normal: Arc::new(ellipse),
-            elasticity: Arc::new(bodies),
-            layer: None,
-            contact_law: Incremental::new(STIFFNESS)?.into(),
-            friction: Friction::new(Arc::new(Constant::new(FRICTION)?), 20.0),
-            heat: Heat { model: None, partition: Partition::Given(0.5) },
-        };
+        let body = Body { material, ..Body::STEEL };
+        let problem = Problem::builder()
+            .kinematics(Kinematics::free_rolling(1.0))
+            .wheel(body)
+            .rail(body)
+            .normal(ellipse)
+            .elasticity(bodies)
+            .contact_law(Incremental::new(STIFFNESS)?)
+            .friction(Constant::new(FRICTION)?)
+            .heat(Heat { model: None, partition: Partition::Given(0.5) })
+            .build()?;
         Ok(Self { bodies, coefficients, semi_axes, problem })
     }
 

@@ -105,7 +105,7 @@ impl<'a> Motions<'a> {
         let ways = motions.iter().map(|parts| contact.motion(*parts)).collect();
         let (exact, solved) = (Vec::new(), AtomicUsize::new(0));
         let mut this = Self { contact, ways, exact, options, watch, solved };
-        let elasticity = Arc::clone(&this.contact.problem.elasticity);
+        let elasticity = Arc::clone(&this.contact.problem.interface.elasticity);
         this.exact =
             this.answers(&elasticity)?.ok_or(Error::CalibrationNotConverged { axis_ratio })?;
         Ok(this)
@@ -144,7 +144,11 @@ impl<'a> Motions<'a> {
 
     /// Solutions of all motions; `None` if one is not found.
     fn answers(&self, elasticity: &Arc<dyn Elasticity>) -> Result<Option<Vec<Solution>>, Error> {
-        let base = Problem { elasticity: Arc::clone(elasticity), ..self.contact.problem.clone() };
+        let base = self
+            .contact
+            .problem
+            .clone()
+            .with(|interface| interface.elasticity = Arc::clone(elasticity));
         let chains = self.ways.chunks(CHAIN).collect();
         let answers = parallel::try_map(chains, |ways| self.chain(&base, ways))?;
         let answers: Option<Vec<Vec<Solution>>> = answers.into_iter().collect();

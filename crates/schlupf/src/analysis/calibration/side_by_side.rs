@@ -135,7 +135,8 @@ fn course(
     };
     let answer = |(model, elasticity): &(Model, Arc<dyn Elasticity>)| {
         let mut solver = model.method().solver(&options());
-        let problem = Problem { elasticity: Arc::clone(elasticity), ..contact.problem.clone() };
+        let problem =
+            contact.problem.clone().with(|interface| interface.elasticity = Arc::clone(elasticity));
         let mut solve = |part: f64| {
             let problem = Problem { kinematics: motion(part), ..problem.clone() };
             solver.solve(&problem, watch)

@@ -47,7 +47,7 @@ pub(super) fn find(solver: &mut Points, normal: &NormalSummary) -> Result<Findin
     }
     let origin = path.at(0.0);
     let scale = Scale {
-        limit: solver.problem.friction.cold_coefficient() * normal.load,
+        limit: solver.problem.interface.friction.cold_coefficient() * normal.load,
         lever: (normal.semi_axis_x * normal.semi_axis_y).sqrt(),
     };
     let force = if solver.solver.has_derivatives() {
@@ -120,7 +120,8 @@ impl Scale {
 
     /// Shear modulus of both bodies, in Pa.
     fn modulus(problem: &Problem) -> f64 {
-        let [wheel, rail] = [&problem.wheel, &problem.rail].map(|b| b.material.shear_modulus());
+        let [wheel, rail] =
+            [&problem.interface.wheel, &problem.interface.rail].map(|b| b.material.shear_modulus());
         2.0 / (1.0 / wheel + 1.0 / rail)
     }
 

@@ -69,8 +69,9 @@ pub(super) fn of_sides(
         }
         let (points, failed) =
             points.into_iter().partition(|point| point.status == Status::Converged);
-        let noise =
-            NOISE * solver.solver.options().tolerance * solver.problem.friction.cold_coefficient();
+        let noise = NOISE
+            * solver.solver.options().tolerance
+            * solver.problem.interface.friction.cold_coefficient();
         maxima.extend(Side { solver, points, failed, noise }.maximum()?);
     }
     Ok(maxima)

@@ -150,13 +150,14 @@ pub fn of_passage(problem: &Problem, solution: &Solution, laws: &Laws) -> Result
         friction_power: solution.power.map_or(0.0, |power| power.friction),
         friction_coefficient: 1.0,
     };
-    let [wheel, rail] = [&problem.wheel, &problem.rail].map(|body| body.material.poisson_ratio);
+    let [wheel, rail] =
+        [&problem.interface.wheel, &problem.interface.rail].map(|body| body.material.poisson_ratio);
     let poisson_ratio = 0.5 * (wheel + rail);
     let limits = ShakedownLimits::of(solution.traction_coefficient, poisson_ratio);
     let has_fields = !solution.fields.is_empty();
     let pressure = has_fields.then(|| pressure(problem, solution)).transpose()?;
     let wear = pressure.map(|p| wear(&solution.fields, &p, (state.speed, laws)));
-    let is_heated = has_fields && problem.heat.model.is_some();
+    let is_heated = has_fields && problem.interface.heat.model.is_some();
     Ok(Passage {
         t_gamma: solution.t_gamma,
         crack_damage: laws.cracks.of(state.t_gamma),
@@ -251,7 +252,8 @@ fn profile(fields: &Fields, cells: &WearCells, densities: [f64; 2]) -> PassagePr
 
 fn melting(problem: &Problem, fields: &Fields, laws: &Laws) -> Melting {
     let rises = [&fields.temperature_rise_wheel, &fields.temperature_rise_rail];
-    let bulk = [&problem.wheel, &problem.rail].map(|body| body.bulk_temperature);
+    let bulk =
+        [&problem.interface.wheel, &problem.interface.rail].map(|body| body.bulk_temperature);
     let temperature = |body: usize, k: usize| bulk[body] + rises[body][k];
     let mut melting = Melting {
         max_temperature: f64::NEG_INFINITY,

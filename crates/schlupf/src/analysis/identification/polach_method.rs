@@ -42,7 +42,9 @@ impl PolachModel {
         FastMethod::Polach(reduction).check()?;
         require_heat(false, parameters, Some("polach"))?;
         let start = parameters.iter().map(|parameter| match parameter {
-            Parameter::Friction(constant) => friction_constant(&problem.friction, *constant),
+            Parameter::Friction(constant) => {
+                friction_constant(&problem.interface.friction, *constant)
+            }
             Parameter::AreaAdhesion => Ok(reduction.area_adhesion),
             Parameter::AreaSlip => Ok(reduction.area_slip),
             Parameter::ContactStiffness
@@ -96,8 +98,8 @@ impl CreepForceModel for PolachModel {
                 _ => {}
             }
         }
-        self.problem.friction =
-            adjusted_friction(&self.problem.friction, &self.parameters, values)?;
+        self.problem.interface.friction =
+            adjusted_friction(&self.problem.interface.friction, &self.parameters, values)?;
         self.problem.check()
     }
 
@@ -113,7 +115,7 @@ impl CreepForceModel for PolachModel {
         let kinematics = condition.kinematics.at(place.map(|part| -part));
         self.problem.kinematics = kinematics;
         let (load, state) = (contact.normal.load, friction_state(&self.problem));
-        let law = &self.problem.friction.law;
+        let law = &self.problem.interface.friction.law;
         let limit = load * law.respond(&state).coefficient;
         let found = differentiated_force(&contact, &kinematics, limit, self.reduction);
         let Differentiated { force, by_limit, by_area_adhesion, by_area_slip } = found;

@@ -67,9 +67,9 @@ impl RollingContactModel {
     ) -> Result<Self, Error> {
         problem.check()?;
         options.check()?;
-        let has_heat = problem.heat.model.is_some();
+        let has_heat = problem.interface.heat.model.is_some();
         require_heat(has_heat, parameters, None)?;
-        let materials = [&problem.wheel.material, &problem.rail.material];
+        let materials = [&problem.interface.wheel.material, &problem.interface.rail.material];
         let number = roughness::stiffness_number(materials[0], materials[1], gamma)?;
         let mut model = Self {
             problem: problem.clone(),
@@ -78,8 +78,8 @@ impl RollingContactModel {
             start: Vec::new(),
             constants: Vec::new(),
             roughness_number: number,
-            coefficient: problem.friction.cold_coefficient(),
-            stiffness: problem.contact_law.stiffness(),
+            coefficient: problem.interface.friction.cold_coefficient(),
+            stiffness: problem.interface.contact_law.stiffness(),
             contacts: Vec::new(),
             work: Work::default(),
         };
@@ -109,21 +109,23 @@ impl RollingContactModel {
     fn present(&self, parameter: Parameter) -> Result<f64, Error> {
         let quantity = parameter.quantity();
         match parameter {
-            Parameter::Friction(constant) => friction_constant(&self.problem.friction, constant),
+            Parameter::Friction(constant) => {
+                friction_constant(&self.problem.interface.friction, constant)
+            }
             Parameter::AreaAdhesion | Parameter::AreaSlip => {
                 Err(FitError::NotOfMethod { quantity, method: "full" }.into())
             }
             Parameter::LayerShearModulus => {
-                let layer = self.problem.layer.ok_or(FitError::NoLayer { quantity })?;
+                let layer = self.problem.interface.layer.ok_or(FitError::NoLayer { quantity })?;
                 Ok(layer.shear_modulus())
             }
             Parameter::LayerYieldStress | Parameter::LayerHardening => {
-                let layer = self.problem.layer.ok_or(FitError::NoLayer { quantity })?;
+                let layer = self.problem.interface.layer.ok_or(FitError::NoLayer { quantity })?;
                 let limit = layer.yield_limit().ok_or(FitError::NoYieldLimit { quantity })?;
                 let is_stress = parameter == Parameter::LayerYieldStress;
                 Ok(if is_stress { limit.stress } else { limit.hardening })
             }
-            _ if self.problem.contact_law.with_stiffness(self.stiffness)?.is_none() => {
+            _ if self.problem.interface.contact_law.with_stiffness(self.stiffness)?.is_none() => {
                 Err(FitError::NoStiffness {}.into())
             }
             Parameter::ContactStiffness => Ok(self.stiffness),
@@ -222,16 +224,21 @@ impl CreepForceModel for RollingContactModel {
                 _ => {}
             }
         }
-        let friction = adjusted_friction(&self.problem.friction, &self.parameters, values)?;
-        let layer = self.problem.layer.map(|own| adjusted_layer(&own, &self.parameters, values));
+        let friction =
+            adjusted_friction(&self.problem.interface.friction, &self.parameters, values)?;
+        let layer =
+            self.problem.interface.layer.map(|own| adjusted_layer(&own, &self.parameters, values));
         let layer = layer.transpose()?;
         let coefficient = friction.cold_coefficient();
         if let Some(height) = height {
             stiffness = self.roughness_number / (coefficient * height);
         }
-        let mut problem = Problem { layer, friction, ..self.problem.clone() };
-        if let Some(law) = self.problem.contact_law.with_stiffness(stiffness)? {
-            problem.contact_law = law;
+        let mut problem = self.problem.clone().with(|interface| {
+            interface.layer = layer;
+            interface.friction = friction;
+        });
+        if let Some(law) = self.problem.interface.contact_law.with_stiffness(stiffness)? {
+            problem.interface.contact_law = law;
         }
         problem.check()?;
         self.problem = problem;

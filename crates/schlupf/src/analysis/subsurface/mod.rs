@@ -134,8 +134,8 @@ impl SubsurfaceStress {
         }
         let (load, pieces) = SurfaceLoad::of_solution(problem, solution, side)?;
         let body = match side {
-            Side::Wheel => &problem.wheel,
-            Side::Rail => &problem.rail,
+            Side::Wheel => &problem.interface.wheel,
+            Side::Rail => &problem.interface.rail,
         };
         Self::on(fields.grid, pieces, load, (side, body.material.poisson_ratio))
     }

@@ -1,17 +1,15 @@
 //! Normalised forces of single states, from the solver.
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 
-use crate::bodies::{Body, Kinematics, Material, ReferencePoint};
+use crate::bodies::{Body, Kinematics, Material};
 use crate::elasticity::half_space::HalfSpace;
 use crate::interface::ContactLaw;
-use crate::interface::friction::Friction;
 use crate::interface::friction::constant::Constant;
 use crate::interface::heat::Heat;
 use crate::interface::heat::partition::Partition;
 use crate::normal::Ellipse;
-use crate::problem::{Options, PrescribedForces, Problem};
+use crate::problem::{Options, Problem};
 use crate::reporting::{Error, Watch};
 use crate::solution::{Resultant, Solution, Status};
 use crate::solver::Solver;
@@ -62,19 +60,17 @@ impl StateSolver {
         let material = Material { poisson_ratio, ..Material::STEEL };
         let bodies = HalfSpace::new(&material, &material)?;
         let ellipse = Ellipse::from_peak_pressure(semi_axes[0], semi_axes[1], PEAK_PRESSURE)?;
-        let problem = Problem {
-            kinematics: Kinematics::free_rolling(1.0),
-            prescribed: PrescribedForces::default(),
-            reference: ReferencePoint::Patch,
-            wheel: Body { material, ..Body::STEEL },
-            rail: Body { material, ..Body::STEEL },
-            normal: Arc::new(ellipse),
-            elasticity: Arc::new(bodies),
-            layer: None,
-            contact_law: ContactLaw::Coulomb,
-            friction: Friction::new(Arc::new(Constant::new(FRICTION)?), 20.0),
-            heat: Heat { model: None, partition: Partition::Given(0.5) },
-        };
+        let body = Body { material, ..Body::STEEL };
+        let problem = Problem::builder()
+            .kinematics(Kinematics::free_rolling(1.0))
+            .wheel(body)
+            .rail(body)
+            .normal(ellipse)
+            .elasticity(bodies)
+            .contact_law(ContactLaw::Coulomb)
+            .friction(Constant::new(FRICTION)?)
+            .heat(Heat { model: None, partition: Partition::Given(0.5) })
+            .build()?;
         let load = 2.0 / 3.0 * PI * SIZE * SIZE * PEAK_PRESSURE;
         let unit = bodies.shear_modulus() * SIZE * SIZE / (FRICTION * load);
         let on = |cells: usize| {

@@ -37,7 +37,7 @@ impl FrictionMemory {
     /// use schlupf::interface::friction::memory::FrictionMemory;
     ///
     /// let mut problem = Problem::builder().build()?;
-    /// problem.friction.memory = Some(FrictionMemory::new(0.02e-3, 0.01)?);
+    /// problem.interface.friction.memory = Some(FrictionMemory::new(0.02e-3, 0.01)?);
     /// // Nothing of a difference is left after a long way.
     /// assert!(FrictionMemory::new(0.02e-3, 0.01)?.kept(1.0, 1.0).part < 1e-12);
     /// # Ok::<(), schlupf::Error>(())

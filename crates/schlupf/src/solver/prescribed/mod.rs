@@ -100,7 +100,7 @@ impl ForceSolver {
 
     fn find(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
         let scaled = Scaled::new(problem, watch)?;
-        let is_constant = problem.has_constant_bound();
+        let is_constant = problem.interface.has_constant_bound();
         let is_limited = !matches!(self.inner.method(), Method::Fast(FastMethod::KalkerLinear));
         if is_limited && scaled.has_uniform_friction() {
             refuse_beyond_friction(&scaled)?;
@@ -130,7 +130,7 @@ impl ForceSolver {
             ..options.clone()
         };
         let branch = options.branch;
-        let is_single = scaled.problem.has_constant_bound();
+        let is_single = scaled.problem.interface.has_constant_bound();
         let scout = self.scout.get_or_insert_with(|| Box::new(SteadySolver::new(&coarse))).as_mut();
         let path = path::follow(scaled, scout, (is_single, watch))?;
         let mut found = Vec::new();
@@ -162,7 +162,7 @@ impl ForceSolver {
     /// The state along the path of this solver.
     fn along_path(&mut self, scaled: &Scaled, watch: Watch) -> Result<Solution, Error> {
         let branch = self.inner.options().branch;
-        let is_single = scaled.problem.has_constant_bound();
+        let is_single = scaled.problem.interface.has_constant_bound();
         let path = path::follow(scaled, self.inner.as_mut(), (is_single, watch))?;
         let mut states = path.states.iter().map(|state| state.solution.clone());
         let Some(first) = states.next() else {
@@ -265,7 +265,7 @@ fn refuse_beyond_friction(scaled: &Scaled) -> Result<(), Error> {
 fn chosen(scaled: &Scaled, first: Solution, second: Option<Solution>, branch: Branch) -> Solution {
     let Some(second) = second.filter(|second| scaled.are_distinct(&first, second)) else {
         let mut only = first;
-        if branch == Branch::HighSlip && !scaled.problem.has_constant_bound() {
+        if branch == Branch::HighSlip && !scaled.problem.interface.has_constant_bound() {
             only.warnings.push(Warning::OneMotion {});
         }
         return only;

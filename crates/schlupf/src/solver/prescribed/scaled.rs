@@ -63,7 +63,7 @@ impl Scaled {
         let place = reference_point::place(problem.reference, &normal)?;
         let contact = EllipticContact::of(problem, normal)?;
         let (load, lever) = (contact.normal.load, contact.lever());
-        let limit = problem.friction.cold_coefficient() * load;
+        let limit = problem.interface.friction.cold_coefficient() * load;
         let unit = if limit > 0.0 { limit } else { load };
         let wanted = problem.prescribed.under(load);
         let directions: Vec<Direction> = wanted.iter().map(|(direction, _)| *direction).collect();

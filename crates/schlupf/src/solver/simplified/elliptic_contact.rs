@@ -36,11 +36,12 @@ impl EllipticContact {
 
     /// The contact of a problem with the given sizes.
     pub(crate) fn of(problem: &Problem, normal: NormalSummary) -> Result<Self, Error> {
-        let bodies = HalfSpace::new(&problem.wheel.material, &problem.rail.material)?;
+        let bodies =
+            HalfSpace::new(&problem.interface.wheel.material, &problem.interface.rail.material)?;
         let axis_ratio = normal.semi_axis_x / normal.semi_axis_y;
         let of_bodies = interpolated_coefficients(axis_ratio, bodies.poisson_ratio())?;
         let shear_modulus = bodies.shear_modulus();
-        Ok(Self::new_of(normal, shear_modulus, of_bodies, problem.layer_compliance()))
+        Ok(Self::new_of(normal, shear_modulus, of_bodies, problem.interface.layer_compliance()))
     }
 
     /// An ellipse with bodies of shear modulus G (in Pa) and a layer of compliance h/G, in m/Pa.
@@ -102,12 +103,12 @@ impl EllipticContact {
 /// Friction limit μN of the force, in N, with friction at the slip speed v0 √(ξ² + η²) of the
 /// contact as a whole, at y = 0, at the temperature of the entering material.
 pub(super) fn friction_limit(problem: &Problem, load: f64) -> f64 {
-    load * problem.friction.law.respond(&friction_state(problem)).coefficient
+    load * problem.interface.friction.law.respond(&friction_state(problem)).coefficient
 }
 
 /// The arguments of the friction law there.
 pub fn friction_state(problem: &Problem) -> FrictionState {
     let motion = &problem.kinematics;
     let slip_speed = motion.speed * motion.creepage_x.hypot(motion.creepage_y);
-    problem.friction_state(&problem.conduction(motion), 0.0, slip_speed, 0.0)
+    problem.interface.friction_state(&problem.interface.conduction(motion), 0.0, slip_speed, 0.0)
 }

@@ -79,7 +79,9 @@ impl Kernel {
             FastMethod::Polach(reduction) => Ok(Self::Polach(reduction)),
             FastMethod::Fastsim(brush) => fastsim((brush, None)),
             FastMethod::ModifiedFastsim(brush, reduction) => fastsim((brush, Some(reduction))),
-            FastMethod::Table(_) if problem.layer.is_some() => Err(Error::LayerWithTable {}),
+            FastMethod::Table(_) if problem.interface.layer.is_some() => {
+                Err(Error::LayerWithTable {})
+            }
             FastMethod::Table(table) => {
                 let contact = EllipticContact::of(problem, normal.summary)?;
                 Ok(Self::Table(table, Box::new(TableContact::shape(table.0, &contact))))
@@ -126,9 +128,10 @@ impl FastContact {
     /// Switches to another problem; the set-up is kept if the bodies and the normal contact are the
     /// same.
     pub fn set_problem(&mut self, problem: &Problem) -> Result<(), Error> {
-        let bodies = |problem: &Problem| [problem.wheel.material, problem.rail.material];
+        let bodies =
+            |problem: &Problem| [problem.interface.wheel.material, problem.interface.rail.material];
         let fits = Arc::ptr_eq(&self.at.problem.normal, &problem.normal)
-            && self.at.problem.layer == problem.layer
+            && self.at.problem.interface.layer == problem.interface.layer
             && bodies(&self.at.problem) == bodies(problem);
         if !fits {
             *self = Self::new(problem, self.method, &self.options)?;
@@ -261,7 +264,7 @@ impl FastContact {
             account.warnings.extend(summary::caveats::of_temperatures(problem, view));
             account.work.cells = fastsim.patch.len();
             let mut solution = summary::solution(problem, &self.options, view, account);
-            if problem.heat.model.is_some() {
+            if problem.interface.heat.model.is_some() {
                 solution.warnings.extend(solution.power.and_then(warnings::of_power));
             }
             return solution;
@@ -280,7 +283,7 @@ impl FastContact {
         let contact_area = PI * normal.semi_axis_x * normal.semi_axis_y;
         // In steady rolling the dissipated power equals the power of the creep forces.
         let power = summary::creep_power(&motion, &force).map(|creep| {
-            let shares = problem.conduction(&motion).shares();
+            let shares = problem.interface.conduction(&motion).shares();
             let [into_wheel, into_rail] = shares.map(|share| share * creep);
             Power { friction: creep, creep, returned: 0.0, into_wheel, into_rail, exchanged: None }
         });
@@ -297,7 +300,7 @@ impl FastContact {
             power,
             t_gamma: summary::t_gamma(&motion, &force, [0.0; 2]),
             temperature: None,
-            peclet: problem.peclet(&motion, semi_axes(&normal)).numbers,
+            peclet: problem.interface.peclet(&motion, semi_axes(&normal)).numbers,
             area: Area { contact: contact_area, stick: None, slip: None },
             fields: Fields::default(),
             history: account.history,

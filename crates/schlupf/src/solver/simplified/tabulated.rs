@@ -170,7 +170,7 @@ impl<'a> TableContact<'a> {
     pub(super) fn sensitivity(&self, problem: &Problem) -> Sensitivity {
         let motion = &problem.kinematics;
         let load = self.contact.normal.load;
-        let friction = problem.friction.law.respond(&friction_state(problem));
+        let friction = problem.interface.friction.law.respond(&friction_state(problem));
         let limit = friction.coefficient * load;
         let TableForce { force, slopes, .. } = self.force(motion, limit);
         let column = |k: usize| Resultant::new(slopes[0][k], slopes[1][k], slopes[2][k]);

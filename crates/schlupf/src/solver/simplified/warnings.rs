@@ -36,11 +36,11 @@ pub(super) fn of_any_motion(
         _ => of_slender_patch(normal, name),
     });
     warnings.extend(of_shape(problem, name));
-    warnings.extend(problem.beyond_elastic(normal.peak_pressure));
-    if problem.friction_memory().is_some() {
+    warnings.extend(problem.interface.beyond_elastic(normal.peak_pressure));
+    if problem.interface.friction_memory().is_some() {
         warnings.push(Warning::NoMemory { method: name });
     }
-    let may_yield = problem.layer.is_some_and(|layer| layer.yield_limit().is_some());
+    let may_yield = problem.interface.layer.is_some_and(|layer| layer.yield_limit().is_some());
     if may_yield && !method.has_fields() {
         warnings.push(Warning::NoYield { method: name });
     }
@@ -96,7 +96,8 @@ pub(super) fn of_power(power: Power) -> Option<Warning> {
 fn depends_on_temperature(problem: &Problem) -> bool {
     let at = |temperature: f64| {
         let state = FrictionState { temperature, ..FrictionState::default() };
-        problem.friction.law.respond(&state).coefficient
+        problem.interface.friction.law.respond(&state).coefficient
     };
-    problem.heat.model.is_some() && [30.0, 300.0, 3000.0].into_iter().any(|t| at(t) != at(0.0))
+    problem.interface.heat.model.is_some()
+        && [30.0, 300.0, 3000.0].into_iter().any(|t| at(t) != at(0.0))
 }

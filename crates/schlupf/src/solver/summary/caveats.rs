@@ -27,8 +27,8 @@ pub(crate) fn of_temperatures(
     let mut caveats = Vec::from_iter(of_slow_rolling(problem, normal, now));
     let temperature = super::temperature(patch, now);
     let (wheel, rail) = (Quantity::WheelBulkTemperature, Quantity::RailBulkTemperature);
-    caveats.extend(of_hot_body(wheel, temperature.max_wheel, &problem.wheel.material));
-    caveats.extend(of_hot_body(rail, temperature.max_rail, &problem.rail.material));
+    caveats.extend(of_hot_body(wheel, temperature.max_wheel, &problem.interface.wheel.material));
+    caveats.extend(of_hot_body(rail, temperature.max_rail, &problem.interface.rail.material));
     if now.surfaces.as_ref().is_some_and(|surfaces| !surfaces.is_found) {
         caveats.push(Warning::of(Unconverged::HeatExchange {}));
     }
@@ -44,7 +44,7 @@ fn of_slow_rolling(problem: &Problem, normal: &NormalSummary, now: &Snapshot) ->
     if now.surfaces.is_some() || !is_any || !is_rolling {
         return None;
     }
-    problem.peclet(&now.kinematics, semi_axes(normal)).caveat(false)
+    problem.interface.peclet(&now.kinematics, semi_axes(normal)).caveat(false)
 }
 
 fn of_hot_body(body: Quantity, temperature: f64, material: &Material) -> Option<Warning> {

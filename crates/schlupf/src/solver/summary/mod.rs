@@ -52,8 +52,8 @@ pub(crate) fn solution(
         power: power(patch, now, &force)
             .map(|power| Power { exchanged: Some(exchanged(problem, patch, now)), ..power }),
         t_gamma: t_gamma(&now.kinematics, &force, patch.row_powers(&now.traction)),
-        temperature: problem.heat.model.as_ref().map(|_| temperature(patch, now)),
-        peclet: problem.peclet(&now.kinematics, semi_axes(normal)).numbers,
+        temperature: problem.interface.heat.model.as_ref().map(|_| temperature(patch, now)),
+        peclet: problem.interface.peclet(&now.kinematics, semi_axes(normal)).numbers,
         area: area(patch, now, options.slip_threshold),
         fields: fields(patch, now, options.slip_threshold),
         history: report.history,
@@ -72,7 +72,7 @@ pub(crate) fn normalised(
     normal: &NormalSummary,
     force: &Resultant,
 ) -> Resultant {
-    let limit = problem.friction.cold_coefficient() * normal.load;
+    let limit = problem.interface.friction.cold_coefficient() * normal.load;
     let lever = (normal.semi_axis_x * normal.semi_axis_y).sqrt();
     force.scaled(limit.recip(), (limit * lever).recip())
 }
@@ -150,7 +150,7 @@ pub(crate) fn chill(problem: &Problem, patch: &Patch, wheel_speed: f64) -> f64 {
         (wheel_speed * covered * patch.grid.spacing_x / std::f64::consts::PI).sqrt()
     };
     let sum: f64 = patch.strips.iter().map(of_strip).sum();
-    2.0 * problem.wheel.material.effusivity() * patch.grid.spacing_y * sum
+    2.0 * problem.interface.wheel.material.effusivity() * patch.grid.spacing_y * sum
 }
 
 /// −v0 (ξ Fx + η Fy + φ Mz), in W, if the moment is known or there is no spin.

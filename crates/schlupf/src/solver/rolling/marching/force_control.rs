@@ -94,7 +94,7 @@ impl ForceControl {
         }
         let directions: Vec<Direction> =
             prescribed.under(load).iter().map(|(direction, _)| *direction).collect();
-        let limit = problem.friction.cold_coefficient() * load;
+        let limit = problem.interface.friction.cold_coefficient() * load;
         let limit = if limit > 0.0 { limit } else { load };
         let unit = |of: &Direction| limit * if *of == Direction::Spin { lever } else { 1.0 };
         let force_units: Vec<f64> = directions.iter().map(unit).collect();

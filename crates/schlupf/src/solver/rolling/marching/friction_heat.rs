@@ -53,7 +53,7 @@ impl FrictionPoint {
         pressure: f64,
     ) -> f64 {
         let friction = self.of_friction(problem, now, passage, arrived);
-        let Some(layer) = &problem.layer else { return friction };
+        let Some(layer) = &problem.interface.layer else { return friction };
         let slip = self.slip_speed * passage.paths[0] / now.over_step.speed;
         let flow = layer.pass(friction * pressure, arrived.plastic_displacement, [slip; 2]);
         let found = flow.bound / pressure;
@@ -88,7 +88,7 @@ impl FrictionPoint {
             };
             lagging(problem, now, arrived.friction, &input)
         };
-        if problem.heat.model.is_none() || problem.friction.law.is_constant() {
+        if problem.interface.heat.model.is_none() || problem.interface.friction.law.is_constant() {
             return at(0.0);
         }
         let per_friction =
@@ -98,7 +98,7 @@ impl FrictionPoint {
         record.extend_from_slice(&arrived.heat);
         fixed_point(self.friction, |tried| {
             record[0].flux = heat(tried * per_friction) * passage.flux_over_heat;
-            at(problem.heat.rise_times_effusivity(&record))
+            at(problem.interface.heat.rise_times_effusivity(&record))
         })
     }
 }
@@ -123,9 +123,13 @@ pub(super) fn lagging(
     arrived: Option<f64>,
     &FrictionInput { y, path, scaled_rise, slip_speed }: &FrictionInput,
 ) -> f64 {
-    let law = problem.friction_response(&now.conduction, scaled_rise, slip_speed, y).coefficient;
-    let Some(memory) = problem.friction_memory() else { return law };
-    let arrived = arrived.unwrap_or_else(|| problem.entry_friction(&now.conduction, y).coefficient);
+    let law = problem
+        .interface
+        .friction_response(&now.conduction, scaled_rise, slip_speed, y)
+        .coefficient;
+    let Some(memory) = problem.interface.friction_memory() else { return law };
+    let arrived =
+        arrived.unwrap_or_else(|| problem.interface.entry_friction(&now.conduction, y).coefficient);
     law + (arrived - law) * memory.kept(slip_speed, path / now.over_step.speed).part
 }
 
@@ -138,8 +142,8 @@ pub(super) fn remember(
     elements: &mut [Element],
     arrivals: &[Arrival],
 ) {
-    let yields = problem.layer.filter(|layer| layer.yield_limit().is_some());
-    if problem.friction_memory().is_none() && yields.is_none() {
+    let yields = problem.interface.layer.filter(|layer| layer.yield_limit().is_some());
+    if problem.interface.friction_memory().is_none() && yields.is_none() {
         return;
     }
     for strip in &patch.strips {
@@ -155,7 +159,7 @@ pub(super) fn remember(
             let through = paths[0] + paths[1];
             let [here, leaving] = [paths[0], through]
                 .map(|path| lagging(problem, now, before.friction, &after(path)));
-            if problem.friction_memory().is_some() {
+            if problem.interface.friction_memory().is_some() {
                 element.friction_on_leaving = Some(leaving);
             }
             if let Some(layer) = &yields {

@@ -175,7 +175,7 @@ impl<'a> March<'a> {
         };
         let time = if history.is_endless() { state.time } else { start };
         let kinematics = history.kinematics(time, &problem.kinematics);
-        let conduction = problem.conduction(&kinematics);
+        let conduction = problem.interface.conduction(&kinematics);
         let elements = on_patch(&contact.patch, &state.elements);
         let mut march = Self {
             problem,
@@ -261,13 +261,17 @@ impl<'a> March<'a> {
     /// Shifts the wheel at rest (in m), with the friction at the temperature of the material.
     fn shift(&mut self, distance: [f64; 2], watch: Watch) -> Result<(), Error> {
         let at_rest = Kinematics { speed: self.problem.kinematics.speed, ..AT_REST };
-        self.now.conduction = self.problem.conduction(&at_rest);
+        self.now.conduction = self.problem.interface.conduction(&at_rest);
         let patch = &self.contact.patch;
         for (k, cell) in patch.cells.iter().enumerate() {
             let scaled_rise = self.now.scaled_rise[k];
-            let friction =
-                self.problem.friction_response(&self.now.conduction, scaled_rise, 0.0, cell.y);
-            self.now.friction[k] = self.problem.at_entry(friction.coefficient, cell);
+            let friction = self.problem.interface.friction_response(
+                &self.now.conduction,
+                scaled_rise,
+                0.0,
+                cell.y,
+            );
+            self.now.friction[k] = self.problem.interface.at_entry(friction.coefficient, cell);
         }
         let bound = self.now.bound(patch);
         let limits = self.limits();
@@ -299,7 +303,7 @@ impl<'a> March<'a> {
         self.now.over_step = history.mean(self.time, self.time + duration, otherwise);
         self.time += duration;
         self.now.kinematics = history.kinematics(self.time, otherwise);
-        self.now.conduction = self.problem.conduction(&self.now.over_step);
+        self.now.conduction = self.problem.interface.conduction(&self.now.over_step);
         start.former = self.follow_load(watch)?;
         let moves = start.former.is_some();
         let (contact, displacement) = (&self.contact, &self.displacement);
@@ -374,7 +378,7 @@ impl<'a> March<'a> {
         let mut records: Vec<_> = arrivals.iter().map(|arrival| arrival.heat.to_vec()).collect();
         let patch = &self.contact.patch;
         let old_scaled_rise = self.now.scaled_rise.clone();
-        set_temperatures(&mut self.now, patch, &self.problem.heat, &mut records);
+        set_temperatures(&mut self.now, patch, &self.problem.interface.heat, &mut records);
         for (k, (element, record)) in self.elements.iter_mut().zip(records).enumerate() {
             element.heat = record.into();
             element.scaled_rise = self.now.scaled_rise[k];

@@ -46,7 +46,7 @@ impl TimeStepLaw {
     ) -> Result<Self, Error> {
         Ok(Self {
             contact: StripContact::new(problem, normal, contact)?,
-            interface: problem.contact_law,
+            interface: problem.interface.contact_law,
             directions: Directions::default(),
             of: Default::default(),
             factors: None,

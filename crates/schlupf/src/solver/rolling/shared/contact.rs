@@ -66,10 +66,10 @@ pub(crate) struct Former {
 impl DiscreteContact {
     /// The normal contact of a problem on a grid that covers it.
     pub fn new(problem: &Problem, normal: &NormalContact, grid: Grid) -> Result<Self, Error> {
-        let compliance = problem.elasticity.compliance(&grid)?;
+        let compliance = problem.interface.elasticity.compliance(&grid)?;
         let patch = touching_patch(normal, grid)?;
         let zeros = || VectorField::zeros(grid.len());
-        let with_layer = problem.layer.map(|_| zeros());
+        let with_layer = problem.interface.layer.map(|_| zeros());
         let fields = [zeros(), zeros(), zeros()];
         let [traction, displacement, passing] = fields;
         let mut contact = Self {
@@ -77,7 +77,7 @@ impl DiscreteContact {
             normal: normal.summary,
             patch,
             compliance,
-            layer_compliance: problem.layer_compliance(),
+            layer_compliance: problem.interface.layer_compliance(),
             workspace: Workspace { traction, displacement, with_layer, passing },
             bristles: bristles(problem),
             cell_stiffness: 0.0,
@@ -329,5 +329,5 @@ fn touching_patch(normal: &NormalContact, grid: Grid) -> Result<Patch, Error> {
 /// Cold coefficient of friction times the initial slope of the contact law, in 1/m; infinite for
 /// Coulomb's law.
 fn bristles(problem: &Problem) -> f64 {
-    problem.friction.cold_coefficient() * problem.contact_law.stiffness()
+    problem.interface.friction.cold_coefficient() * problem.interface.contact_law.stiffness()
 }

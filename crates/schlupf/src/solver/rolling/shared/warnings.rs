@@ -21,10 +21,10 @@ pub(crate) fn warnings(
     contact: &mut DiscreteContact,
     now: &Snapshot,
 ) -> Vec<Warning> {
-    let mut warnings: Vec<Warning> = problem.elasticity.caveat().into_iter().collect();
-    warnings.extend(problem.elasticity.caveat_of_parts(contact.normal.parts));
+    let mut warnings: Vec<Warning> = problem.interface.elasticity.caveat().into_iter().collect();
+    warnings.extend(problem.interface.elasticity.caveat_of_parts(contact.normal.parts));
     warnings.extend(problem.normal.caveat());
-    warnings.extend(problem.beyond_elastic(contact.normal.peak_pressure));
+    warnings.extend(problem.interface.beyond_elastic(contact.normal.peak_pressure));
     let view = View { normal: &contact.normal, patch: &contact.patch, now };
     warnings.extend(summary::caveats::of_temperatures(problem, view));
     let edge = contact.edge_displacement(&now.traction);
@@ -32,7 +32,7 @@ pub(crate) fn warnings(
         warnings.push(Warning::SmallMargin { edge });
     }
     let force = summary::force(&contact.patch, now);
-    let limit = problem.friction.cold_coefficient() * contact.normal.load;
+    let limit = problem.interface.friction.cold_coefficient() * contact.normal.load;
     let noise = options.tolerance * limit * now.kinematics.speed;
     warnings.extend(summary::power(&contact.patch, now, &force).and_then(|power| {
         let (returned, friction) = (power.returned, power.friction);

@@ -41,8 +41,9 @@ impl Unsolved {
 
     /// Whether it is a goal of the same contact.
     pub fn is(&self, goal: &Goal) -> bool {
-        let (one, other) = (&self.problem, goal.problem);
-        one.kinematics == other.kinematics
+        let kinematics = &self.problem.kinematics;
+        let (one, other) = (&self.problem.interface, &goal.problem.interface);
+        *kinematics == goal.problem.kinematics
             && (one.contact_law, one.wheel, one.rail)
                 == (other.contact_law, other.wheel, other.rail)
             && one.friction.is_same(&other.friction)

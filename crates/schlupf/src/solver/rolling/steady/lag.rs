@@ -63,12 +63,13 @@ impl Lag {
 
     /// Switches to another law.
     pub fn set_problem(&mut self, problem: &Problem, patch: &Patch) {
-        self.memory = problem.friction_memory();
+        self.memory = problem.interface.friction_memory();
         if self.memory.is_some() {
-            let conduction = problem.conduction(&problem.kinematics);
+            let conduction = problem.interface.conduction(&problem.kinematics);
             for strip in &patch.strips {
                 let first = strip.cells.start;
-                self.entry[first] = problem.entry_friction(&conduction, patch.cells[first].y);
+                self.entry[first] =
+                    problem.interface.entry_friction(&conduction, patch.cells[first].y);
             }
         }
     }

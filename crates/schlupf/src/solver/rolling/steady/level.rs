@@ -163,7 +163,7 @@ impl Level {
         p.fill(0.0);
         let patch = &self.contact.patch;
         if self.friction.is_coupled {
-            let cold = vec![problem.friction.cold_coefficient(); patch.len()];
+            let cold = vec![problem.interface.friction.cold_coefficient(); patch.len()];
             self.strips.set_bound(&patch.cells, &cold);
         }
         self.strips.uncoupled_state(compliance, p);

@@ -47,10 +47,10 @@ impl NestedGrids {
     /// Whether a problem is one of these grids.
     pub fn fits(&self, problem: &Problem) -> bool {
         Arc::ptr_eq(&self.problem.normal, &problem.normal)
-            && Arc::ptr_eq(&self.problem.elasticity, &problem.elasticity)
-            && self.problem.layer == problem.layer
-            && std::mem::discriminant(&self.problem.contact_law)
-                == std::mem::discriminant(&problem.contact_law)
+            && Arc::ptr_eq(&self.problem.interface.elasticity, &problem.interface.elasticity)
+            && self.problem.interface.layer == problem.interface.layer
+            && std::mem::discriminant(&self.problem.interface.contact_law)
+                == std::mem::discriminant(&problem.interface.contact_law)
     }
 
     /// Newton's method from the coarsest grid to the finest, each starting from the earlier

@@ -54,7 +54,7 @@ impl NestedGrids {
             element.plastic_displacement = friction.flowed_on_leaving(k);
         }
         let patch = &contact.patch;
-        if options.keeps_state && problem.heat.model.is_some() {
+        if options.keeps_state && problem.interface.heat.model.is_some() {
             for strip in &patch.strips {
                 let shared = friction.heat.records_on_leaving(strip);
                 for (element, k) in elements[strip.cells.clone()].iter_mut().zip(1..) {

@@ -151,7 +151,7 @@ impl<'a> Derivatives<'a> {
 
     /// Direct changes due to a constant of the friction law other than μ0.
     fn by_friction_constant(&self, constant: FrictionConstant) -> Option<Direct> {
-        let law = self.problem.friction.law.adjustable()?;
+        let law = self.problem.interface.friction.law.adjustable()?;
         let Level { contact, friction, .. } = &self.levels[0];
         let mut direct = Direct::nothing(self.levels[0].strips.len());
         for k in 0..contact.patch.len() {
@@ -202,7 +202,7 @@ impl<'a> Derivatives<'a> {
     }
 
     fn by_stiffness(&mut self) -> Option<Resultant> {
-        let stiffness = self.problem.contact_law.stiffness();
+        let stiffness = self.problem.interface.contact_law.stiffness();
         let mut direct = Direct::nothing(self.levels[0].strips.len());
         direct.cause.stiffness = 1.0;
         Some(scaled(&self.by(&direct)?, stiffness.recip()))
@@ -210,7 +210,7 @@ impl<'a> Derivatives<'a> {
 
     /// Derivative by the shear modulus of the layer, whose shear is inversely proportional to it.
     fn by_layer(&mut self) -> Option<Resultant> {
-        let layer = self.problem.layer?;
+        let layer = self.problem.interface.layer?;
         let mut direct = Direct::nothing(self.levels[0].strips.len());
         direct.response = self.part_of_response(Calibrated::OfLayer)?;
         self.products += 1;
@@ -219,7 +219,7 @@ impl<'a> Derivatives<'a> {
 
     /// Derivative by the yield stress, or by the hardening: by a change of both.
     fn by_yield_limit(&mut self, [stress, hardening]: [f64; 2]) -> Option<Resultant> {
-        self.problem.layer?.yield_limit()?;
+        self.problem.interface.layer?.yield_limit()?;
         let cells = self.levels[0].strips.len();
         let mut direct = Direct::nothing(cells);
         let limit = YieldLimit { stress, hardening };

@@ -78,7 +78,7 @@ impl SteadyFriction {
             is_coupled: false,
             kinematics: problem.kinematics,
             spacing,
-            conduction: problem.conduction(&problem.kinematics),
+            conduction: problem.interface.conduction(&problem.kinematics),
             heat: StripHeat::new(patch),
             flux_over_power: paths(patch).map(|paths| flux_over_heat(spacing, paths)).collect(),
             rigid: vec![[0.0; 2]; cells],
@@ -98,9 +98,9 @@ impl SteadyFriction {
 
     /// Switches to another motion, and other friction and heat laws.
     pub fn set_problem(&mut self, problem: &Problem, patch: &Patch) {
-        self.is_coupled = !problem.has_constant_bound();
-        self.yielding = Yielding::new(problem.layer, patch);
-        self.conduction = problem.conduction(&problem.kinematics);
+        self.is_coupled = !problem.interface.has_constant_bound();
+        self.yielding = Yielding::new(problem.interface.layer, patch);
+        self.conduction = problem.interface.conduction(&problem.kinematics);
         self.kinematics = problem.kinematics;
         self.conductors = conductors_along(problem, patch);
         if self.is_coupled {
@@ -113,7 +113,7 @@ impl SteadyFriction {
         let speed = problem.kinematics.speed;
         let durations = paths(patch).map(|[before, after]| [before, before + after]);
         let durations = durations.map(|paths| paths.map(|path| path / speed));
-        self.heat.set(problem.heat.model.as_ref(), durations);
+        self.heat.set(problem.interface.heat.model.as_ref(), durations);
         self.scaled_rise.fill(0.0);
         if self.is_coupled && self.conductors.is_some() {
             self.weigh_upstream();
@@ -203,15 +203,19 @@ impl SteadyFriction {
         let y = patch.cells[k].y;
         let given = [[self.scaled_rise[k], speed_of(self.slip[k])], [0.0; 2]];
         given.map(|[scaled_rise, slip]| {
-            problem.friction_state(&self.conduction, scaled_rise, slip, y)
+            problem.interface.friction_state(&self.conduction, scaled_rise, slip, y)
         })
     }
 
     fn respond(&mut self, problem: &Problem, patch: &Patch, k: usize) {
         let slip_speed = speed_of(self.slip[k]);
         let y = patch.cells[k].y;
-        let response =
-            problem.friction_response(&self.conduction, self.scaled_rise[k], slip_speed, y);
+        let response = problem.interface.friction_response(
+            &self.conduction,
+            self.scaled_rise[k],
+            slip_speed,
+            y,
+        );
         let (durations, is_first) = (self.heat.durations(k), k == self.heat.first(k));
         let input = FrictionInput { law: response.coefficient, slip_speed, durations, is_first };
         self.lag.pass(k, &input);
@@ -258,7 +262,7 @@ impl SteadyFriction {
     ) {
         self.slip.copy_from_slice(&self.rigid);
         for cells in kept {
-            let mut coefficient = problem.friction.cold_coefficient();
+            let mut coefficient = problem.interface.friction.cold_coefficient();
             for k in cells.clone() {
                 let over = if bound[k] > 0.0 { bound[k].recip() } else { 0.0 };
                 let along = pair(p, k).map(|p| over * p);
@@ -297,10 +301,11 @@ impl SteadyFriction {
     /// temperature of the last evaluation, of material that some time ago (in s) had the friction
     /// of rest.
     pub fn fall(&self, problem: &Problem, (k, y): (usize, f64), speed: f64, duration: f64) -> f64 {
-        let law = problem.friction_response(&self.conduction, self.scaled_rise[k], speed, y);
-        let Some(memory) = problem.friction_memory() else { return -law.by_slip_speed };
+        let law =
+            problem.interface.friction_response(&self.conduction, self.scaled_rise[k], speed, y);
+        let Some(memory) = problem.interface.friction_memory() else { return -law.by_slip_speed };
         let kept = memory.kept(speed, duration);
-        let at_rest = problem.entry_friction(&self.conduction, y).coefficient;
+        let at_rest = problem.interface.entry_friction(&self.conduction, y).coefficient;
         let faded = (at_rest - law.coefficient) * kept.by_slip_speed;
         -(1.0 - kept.part) * law.by_slip_speed - faded
     }
@@ -337,11 +342,12 @@ fn paths(patch: &Patch) -> impl Iterator<Item = [f64; 2]> {
 
 /// The conducting bodies of a problem if heat also flows along the surface.
 fn conductors_along(problem: &Problem, patch: &Patch) -> Option<Conductors> {
-    let peclet = problem.peclet(&problem.kinematics, semi_axes_of_grid(&patch.grid));
-    let is_conduction = problem.heat.model.as_ref().is_some_and(|model| model.is_conduction());
+    let peclet = problem.interface.peclet(&problem.kinematics, semi_axes_of_grid(&patch.grid));
+    let is_conduction =
+        problem.interface.heat.model.as_ref().is_some_and(|model| model.is_conduction());
     (is_conduction && !peclet.is_fast()).then(|| Conductors {
-        conduction: problem.conduction(&problem.kinematics),
-        materials: [problem.wheel.material, problem.rail.material],
+        conduction: problem.interface.conduction(&problem.kinematics),
+        materials: [problem.interface.wheel.material, problem.interface.rail.material],
         speed: problem.kinematics.speed,
         scale: 1.0,
     })
@@ -365,7 +371,7 @@ impl Scaling {
         let motion = problem.kinematics;
         let rolling = motion.circumferential_speed() / motion.speed;
         let creepage_x = motion.creepage_x + rolling * (1.0 - (-change).exp());
-        let conduction = problem.conduction(&Kinematics { creepage_x, ..motion });
+        let conduction = problem.interface.conduction(&Kinematics { creepage_x, ..motion });
         Conductors { conduction, ..conductors }
     }
 }

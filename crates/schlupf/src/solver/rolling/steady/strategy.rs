@@ -101,7 +101,7 @@ impl NestedGrids {
             return Ok(Found { outcome, warning: Some(Warning::BranchLost {}) });
         }
         let normal = &self.levels[0].contact.normal;
-        let limit = goal.problem.friction.cold_coefficient() * normal.load;
+        let limit = goal.problem.interface.friction.cold_coefficient() * normal.load;
         let lever = (normal.semi_axis_x * normal.semi_axis_y).sqrt();
         let change = force.plus(-1.0, &other_force).scaled(1.0, lever.recip());
         let apart = change.tangential().hypot(change.moment_z.unwrap_or(0.0));

@@ -87,14 +87,14 @@ impl StripLaw {
     ) -> Result<Self, Error> {
         let contact = StripContact::new(problem, normal, discrete)?;
         let patch = &discrete.patch;
-        let (stencils, factors) = discretised(problem.contact_law, patch, &contact);
+        let (stencils, factors) = discretised(problem.interface.contact_law, patch, &contact);
         let cells = patch.len();
         let mut is_first = vec![false; cells];
         for strip in &patch.strips {
             is_first[strip.cells.start] = true;
         }
         Ok(Self {
-            law: problem.contact_law,
+            law: problem.interface.contact_law,
             gamma: 0.0,
             bound: vec![0.0; cells],
             over_bound: vec![0.0; cells],
@@ -117,7 +117,7 @@ impl StripLaw {
     pub fn set_problem(&mut self, problem: &Problem, contact: &DiscreteContact) {
         let patch = &contact.patch;
         self.gamma = contact.cell_stiffness();
-        self.law = problem.contact_law;
+        self.law = problem.interface.contact_law;
         if self.contact.settle(contact) {
             (self.stencils, self.factors) = discretised(self.law, patch, &self.contact);
         }

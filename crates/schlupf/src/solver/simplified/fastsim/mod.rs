@@ -78,7 +78,7 @@ impl Fastsim {
         let grid = Grid::across(&normal.extent(), options.cells_x, options.cells_y);
         let mut patch = Patch::new(normal, grid);
         if brush.bound == TractionBound::Parabolic {
-            let flows = problem.layer.is_some_and(|layer| layer.yield_limit().is_some());
+            let flows = problem.interface.layer.is_some_and(|layer| layer.yield_limit().is_some());
             if flows || matches!(normal.pressure, Pressure::Tabulated(..)) {
                 return Err(Error::NoParaboloid {});
             }
@@ -103,10 +103,11 @@ impl Fastsim {
 
     /// Switches to another friction law.
     pub fn set_friction(&mut self, problem: &Problem) {
-        let conduction = problem.conduction(&problem.kinematics);
+        let conduction = problem.interface.conduction(&problem.kinematics);
         for (friction, cell) in self.friction.iter_mut().zip(&self.patch.cells) {
-            let by_law = problem.friction_response(&conduction, 0.0, 0.0, cell.y).coefficient;
-            *friction = problem.at_entry(by_law, cell);
+            let by_law =
+                problem.interface.friction_response(&conduction, 0.0, 0.0, cell.y).coefficient;
+            *friction = problem.interface.at_entry(by_law, cell);
         }
     }
 
@@ -129,7 +130,7 @@ impl Fastsim {
             let factor = slope_reduction(reduction, contact.stress_gradient(motion, limit));
             self.flexibility = self.flexibility.softened(factor);
         }
-        if problem.has_constant_bound() {
+        if problem.interface.has_constant_bound() {
             self.pass(motion);
         } else {
             self.pass_with_friction(problem);
@@ -139,7 +140,7 @@ impl Fastsim {
 
     /// Sets the heat model and the speed, if they have changed.
     fn prepare_heat(&mut self, problem: &Problem) {
-        let (model, speed) = (problem.heat.model.as_ref(), problem.kinematics.speed);
+        let (model, speed) = (problem.interface.heat.model.as_ref(), problem.kinematics.speed);
         if is_same(self.heated.0.as_ref(), model) && self.heated.1 == speed {
             return;
         }
@@ -160,7 +161,7 @@ impl Fastsim {
     /// The same for friction that depends on slip and heat, or on how a layer flows.
     fn pass_with_friction(&mut self, problem: &Problem) {
         self.prepare_heat(problem);
-        let flows = problem.layer.is_some_and(|layer| layer.yield_limit().is_some());
+        let flows = problem.interface.layer.is_some_and(|layer| layer.yield_limit().is_some());
         if flows || !self.is_linear {
             self.pass_one_by_one(problem);
             return;
@@ -177,9 +178,9 @@ impl Fastsim {
     fn pass_one_by_one(&mut self, problem: &Problem) {
         let Self { patch, traction, friction, flexibility, heat, .. } = self;
         let motion = &problem.kinematics;
-        let conduction = problem.conduction(motion);
+        let conduction = problem.interface.conduction(motion);
         for strip in &patch.strips {
-            let mut last = [problem.friction.cold_coefficient(); 2];
+            let mut last = [problem.interface.friction.cold_coefficient(); 2];
             let mut slope = 0.0;
             let mut carried = Carried::entering();
             let mut pressure_before = 0.0;
@@ -203,9 +204,10 @@ impl Fastsim {
                     let (_, passage, slip_speed) = arrive(mu);
                     let scaled_rise = heat.scaled_rise(k, inherited, passage.heat());
                     let friction = problem
+                        .interface
                         .friction_response(&conduction, scaled_rise, slip_speed, cell.y)
                         .coefficient;
-                    let Some(layer) = &problem.layer else { return friction };
+                    let Some(layer) = &problem.interface.layer else { return friction };
                     let slip = slip_speed * passage.distance / motion.speed;
                     flow = layer.pass(friction * pressure_here, flowed, [slip; 2]);
                     flow.bound / pressure_here
@@ -235,7 +237,7 @@ impl Fastsim {
     /// All quantities in the cells after the last pass.
     pub fn snapshot(&mut self, problem: &Problem) -> Snapshot {
         let motion = &problem.kinematics;
-        let conduction = problem.conduction(motion);
+        let conduction = problem.interface.conduction(motion);
         let mut now = Snapshot::blank(*motion, conduction, self.patch.len());
         now.friction.copy_from_slice(&self.friction);
         let compliance = [self.flexibility.longitudinal, self.flexibility.lateral];
@@ -358,7 +360,7 @@ mod tests {
     /// The patch of a contact of 80 kN under a law, and the ellipse.
     fn set_up(law: Arc<dyn FrictionLaw>, kind: Kind) -> (Problem, Fastsim, EllipticContact) {
         let mut problem = Problem::builder().load(80e3).build().unwrap();
-        problem.friction.law = law;
+        problem.interface.friction.law = law;
         let options = Options { cells_x: 23, cells_y: 22, ..Options::default() };
         let normal = problem.normal.normal_contact(None).unwrap();
         let contact = EllipticContact::of(&problem, normal.summary).unwrap();
@@ -444,7 +446,8 @@ mod tests {
         problem.kinematics =
             Kinematics { speed: 30.0, creepage_x: 0.1, creepage_y: 0.0, spin: 0.0 };
         let exact = fastsim.force(&problem, &contact).x;
-        problem.heat = Heat { model: Some(Arc::new(ConstantSource)), ..problem.heat };
+        problem.interface.heat =
+            Heat { model: Some(Arc::new(ConstantSource)), ..problem.interface.heat };
         let model = fastsim.force(&problem, &contact).x;
         assert!(!fastsim.is_linear);
         assert_relative_eq!(model, exact, max_relative = 0.1);

@@ -218,10 +218,10 @@ const STEEPEST: f64 = 0.5;
 
 impl<'a> WithFriction<'a> {
     pub fn new(problem: &'a Problem, flexibility: &'a Flexibility) -> Self {
-        let conduction = problem.conduction(&problem.kinematics);
-        let unheated = problem.friction_state(&conduction, 0.0, 0.0, 0.0).temperature;
+        let conduction = problem.interface.conduction(&problem.kinematics);
+        let unheated = problem.interface.friction_state(&conduction, 0.0, 0.0, 0.0).temperature;
         let by_rise = conduction.contact_factor().into();
-        let follows_slip_speed = problem.friction.law.follows_slip_speed();
+        let follows_slip_speed = problem.interface.friction.law.follows_slip_speed();
         Self { problem, flexibility, by_rise, unheated: unheated.into(), follows_slip_speed }
     }
 
@@ -230,7 +230,7 @@ impl<'a> WithFriction<'a> {
     /// A point that arrives with more traction than its coefficient here would have allowed there
     /// loses the excess without slip and heat: see [`super::Fastsim::path_in`].
     pub fn pass(&self, strips: &FourStrips, workspace: &mut Workspace, found: &mut Found) {
-        let cold = f64x4::from(self.problem.friction.cold_coefficient());
+        let cold = f64x4::from(self.problem.interface.friction.cold_coefficient());
         let mut last = [cold; 2];
         let mut carried = Carried::entering();
         let mut pressure_before = f64x4::from(0.0);
@@ -312,7 +312,7 @@ impl<'a> WithFriction<'a> {
             [f64x4::from(0.0); 2]
         };
         let rise = *inherited + station.own_weight * heat;
-        let responses = self.problem.friction.law.respond_to_four(&FourStates {
+        let responses = self.problem.interface.friction.law.respond_to_four(&FourStates {
             temperature: (self.unheated + self.by_rise * rise).to_array(),
             slip_speed: speed.to_array(),
             y: station.y,

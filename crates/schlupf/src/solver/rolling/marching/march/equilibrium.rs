@@ -35,7 +35,7 @@ impl March<'_> {
             if let Some(control) = &control {
                 self.now.over_step = control.motion(&self.now.over_step);
                 self.now.kinematics = control.motion(&self.now.kinematics);
-                self.now.conduction = self.problem.conduction(&self.now.over_step);
+                self.now.conduction = self.problem.interface.conduction(&self.now.over_step);
             }
             let starts_elsewhere = self.now.traction != old_traction;
             let mut moved = self.balance(arrivals, &bound, watch)?;

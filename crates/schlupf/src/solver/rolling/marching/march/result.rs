@@ -17,7 +17,8 @@ impl March<'_> {
         let [cells, of] = self.strip_lengths;
         let coarse = (cells < FEWEST && cells < of).then_some(Warning::FewCells { cells, of });
         let is_past = self.largest_pressure > self.contact.normal.peak_pressure;
-        let yields = self.problem.beyond_elastic(self.largest_pressure).filter(|_| is_past);
+        let yields =
+            self.problem.interface.beyond_elastic(self.largest_pressure).filter(|_| is_past);
         coarse.into_iter().chain(yields).collect()
     }
 

@@ -182,7 +182,7 @@ impl Exact {
         let summary = &normal.summary;
         let semi_axes = [summary.semi_axis_x, summary.semi_axis_y];
         if let Pressure::Elliptic = normal.pressure
-            && let Some(known) = problem.elasticity.under_ellipsoid(semi_axes)
+            && let Some(known) = problem.interface.elasticity.under_ellipsoid(semi_axes)
         {
             // At the same pressure it is proportional to the size.
             return Ok(Some(Self::Ellipsoid(known, summary.peak_pressure)));
@@ -196,7 +196,7 @@ impl Exact {
         let rows = grid.rows * parts.max(4_usize.div_ceil(grid.rows));
         let finer = Grid::across(&grid.extent(), parts * grid.columns_within(), rows);
         let patch = Patch::new(normal, finer);
-        let mut compliance = problem.elasticity.compliance_on_finer(grid, &finer)?;
+        let mut compliance = problem.interface.elasticity.compliance_on_finer(grid, &finer)?;
         let spread = Interpolation::new(&patch);
         let mut traction = VectorField::zeros(finer.len());
         let mut under = [0, 1].map(|_| VectorField::zeros(finer.len()));

@@ -36,7 +36,7 @@ impl StripContact {
         let row = contact.row_compliances();
         let [own, ..] = row;
         let is_rigid = own[0] <= 0.0 || own[1] <= 0.0;
-        if is_rigid && problem.contact_law.is_coulomb() {
+        if is_rigid && problem.interface.contact_law.is_coulomb() {
             return Err(Error::CoulombOfRigidBodies {});
         }
         let missing = Missing::new(problem, normal, contact, Calibrated::Displacement)?;
