@@ -16,7 +16,7 @@ use schlupf::normal::NormalContact;
 use schlupf::problem::{History, State};
 use schlupf::reporting::Message;
 use schlupf::wheel_rail::WheelSolution;
-use schlupf::{Method, Options, Problem, Quantity, Solver, Transient, Watch};
+use schlupf::{Error, Method, Options, Problem, Quantity, Solution, Solver, Transient, Watch};
 
 use crate::case_file::{CaseFile, Overrides};
 use crate::error::{CaseError, CaseErrors};
@@ -77,8 +77,8 @@ pub struct Case {
 
 /// What a case asks for.
 pub enum Rolling {
-    /// Steady rolling, and what finds it.
-    Steady(Box<dyn Solver>),
+    /// Steady rolling.
+    Steady,
     /// Rolling over time.
     Transient(Box<Transient>),
 }
@@ -233,7 +233,7 @@ impl CaseFile {
     }
 
     /// An error of the core, at the place of the field that it names.
-    pub fn explain(&self, error: &schlupf::Error) -> CaseError {
+    pub fn explain(&self, error: &Error) -> CaseError {
         self.settings.explain(error)
     }
 
@@ -350,7 +350,7 @@ impl Case {
     /// let text = CaseFile::default_text();
     /// let file = CaseFile::from_str(&text, "template", Folder::new(""), Overrides::NONE)?;
     /// let case = file.pose(&schlupf::unwatched)?;
-    /// assert!(matches!(case.rolling(None), Ok(Rolling::Steady(_))));
+    /// assert!(matches!(case.rolling(None), Ok(Rolling::Steady)));
     /// # Ok::<(), schlupf_case::CaseErrors>(())
     /// ```
     ///
@@ -358,7 +358,7 @@ impl Case {
     /// A history or a state where the method or the way that was asked for cannot follow it.
     pub fn rolling(&self, initial_state: Option<State>) -> Result<Rolling, CaseError> {
         if self.history.is_none() && initial_state.is_none() {
-            return Ok(Rolling::Steady(self.full_solver()));
+            return Ok(Rolling::Steady);
         }
         let what = if self.history.is_some() { "a history" } else { "an initial state" };
         match (self.method, self.driver) {
@@ -394,6 +394,18 @@ impl Case {
         Err(self.contradiction(field.unwrap_or(field!("history.time")), &reason))
     }
 
+    /// The steady state of its contact, as its options ask for it; that of a wheel was found with
+    /// all its contacts.
+    ///
+    /// # Errors
+    /// As [`Solver::solve`].
+    pub fn steady_state(&self, watch: Watch) -> Result<Solution, Error> {
+        match self.wheel.as_ref().and_then(|wheel| wheel.contacts.first()) {
+            Some(main) => Ok(main.solution.clone()),
+            None => self.full_solver().solve(&self.problem, watch),
+        }
+    }
+
     /// What finds steady states of the case, without derivatives; see [`Self::require_steady`].
     pub fn solver(&self) -> Box<dyn Solver> {
         self.any_solver(&Options { sensitivity: false, ..self.options.clone() })
@@ -409,7 +421,7 @@ impl Case {
     /// a wheel with profiles as a whole.
     pub fn solver_of_motion(&self) -> Box<dyn Solver> {
         match &self.wheel_solver {
-            Some(wheel) => Box::new(wheel.clone()),
+            Some(wheel) => Box::new(wheel.of_forces()),
             None => self.solver_without_state(),
         }
     }
@@ -430,7 +442,7 @@ impl Case {
     }
 
     /// An error of the core, at the place of the field that it names.
-    pub fn explain(&self, error: &schlupf::Error) -> CaseError {
+    pub fn explain(&self, error: &Error) -> CaseError {
         self.file.explain(error)
     }
 

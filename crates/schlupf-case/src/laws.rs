@@ -3,9 +3,8 @@
 use std::sync::Arc;
 
 use schlupf::interface::friction::FrictionLaw;
-use schlupf::interface::heat::partition::{Partition, PartitionLaw};
+use schlupf::interface::heat::partition::PartitionLaw;
 use schlupf::normal::PressureSource;
-use schlupf::{Error, Problem};
 
 /// Laws of the caller, each in place of that of a case. What they replace of the case has no
 /// effect; the reference temperature of friction stays.
@@ -17,21 +16,4 @@ pub struct Laws {
     pub pressure: Option<Arc<dyn PressureSource>>,
     /// The share of the wheel in the frictional heat.
     pub partition: Option<Arc<dyn PartitionLaw>>,
-}
-
-impl Laws {
-    /// Puts them into a problem.
-    pub(crate) fn apply(&self, problem: &mut Problem) -> Result<(), Error> {
-        let Self { friction, pressure, partition } = self.clone();
-        if let Some(law) = friction {
-            problem.interface.friction.law = law;
-        }
-        if let Some(pressure) = pressure {
-            problem.normal = pressure;
-        }
-        if let Some(law) = partition {
-            problem.interface.heat.partition = Partition::Law(law);
-        }
-        problem.check()
-    }
 }

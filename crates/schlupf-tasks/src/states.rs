@@ -264,7 +264,7 @@ impl StateSolver {
         let wheel = posed.case.wheel.as_deref();
         let further = wheel.map(WheelSolution::further_warnings).unwrap_or_default();
         solution.warnings.iter().chain(&further).for_each(warn);
-        let status = wheel.map_or(solution.status, |wheel| wheel.status_with(&solution));
+        let status = wheel.map_or(solution.status, WheelSolution::status);
         Ok(Acting { force: solution.force, load: solution.normal.load, status, wheel })
     }
 
@@ -387,6 +387,10 @@ impl Posed {
     }
 
     fn solve(&mut self, entries: &[Entry], watch: Watch) -> Result<Solution, NoState> {
+        if self.case.wheel.is_some() {
+            let found = self.case.steady_state(watch);
+            return found.map_err(|error| CaseErrors::from(self.case.explain(&error)).into());
+        }
         let (kinematics, load) = self.motion(entries);
         let Self { case, solver, loaded, .. } = self;
         let own = &case.problem.normal;

@@ -11,7 +11,7 @@ use common::{cells, half_space, problem, rolling};
 use schlupf::analysis::calibration::displacements::{Sample, fit};
 use schlupf::analysis::calibration::side_by_side::{Answer, Model, side_by_side};
 use schlupf::analysis::calibration::{
-    Calibration, CalibrationOptions, Deviation, calibrate, deviation_of_table, kalker_bed,
+    Calibration, CalibrationOptions, Deviation, KalkerBed, calibrate, deviation_of_table,
 };
 use schlupf::bodies::Material;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
@@ -179,7 +179,7 @@ fn kalker_1982_the_bed_has_the_forces_of_the_linear_theory() {
     for (axis_ratio, c11, c22) in [(0.5, 3.62, 3.01), (1.0, 4.12, 3.67), (2.0, 5.10, 4.90)] {
         let (b, g): (f64, f64) = (5e-3, bodies.shear_modulus());
         let a = axis_ratio * b;
-        let bed = kalker_bed(&bodies, [a, b]).unwrap();
+        let bed = KalkerBed { bodies }.on([a, b]).unwrap();
         let [x, y] = bed.bedding();
         assert_relative_eq!(x, 3.0 * c11 * g / (8.0 * a), max_relative = 1e-2);
         assert_relative_eq!(y, 3.0 * c22 * g / (8.0 * a), max_relative = 1e-2);

@@ -2,13 +2,12 @@
 
 use std::sync::Arc;
 
-use schlupf::bodies::{Body, Kinematics, Material, ReferencePoint, contact_modulus};
+use schlupf::bodies::{Body, Material};
 use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::interface::ContactLaw;
 use schlupf::interface::friction::Friction;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::friction::polach::Polach;
-use schlupf::normal::PressureSource;
+use schlupf::interface::{ContactLaw, Interface};
 use schlupf::reporting::ForceError;
 use schlupf::wheel_rail::{
     Along, Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side,
@@ -97,22 +96,16 @@ fn solve_with<R>(
         ..Body::STEEL.material
     };
     let body = Body { material, ..Body::STEEL };
-    let problem = |kinematics: Kinematics, normal: Arc<dyn PressureSource>| {
-        let builder = Problem::builder()
-            .wheel(body)
-            .rail(body)
-            .kinematics(kinematics)
-            .reference(ReferencePoint::File)
-            .heat(schlupf::interface::heat::Heat::none())
-            .contact_law(ContactLaw::Coulomb)
-            .elasticity(HalfSpace::new(&material, &material)?);
-        let problem = builder.build()?;
-        Ok(Problem { normal, ..problem }.with(|interface| interface.friction = friction.clone()))
-    };
-    let options = Options { cells_x: cells, cells_y: cells, ..Options::default() };
+    let builder = Problem::builder()
+        .wheel(body)
+        .rail(body)
+        .heat(schlupf::interface::heat::Heat::none())
+        .contact_law(ContactLaw::Coulomb)
+        .elasticity(HalfSpace::new(&material, &material).unwrap());
+    let interface = &Interface { friction, ..builder.build().unwrap().interface };
+    let options = &Options { cells_x: cells, cells_y: cells, ..Options::default() };
     let solver = |options: &Options| Method::Full.solver(options);
-    let contact_modulus = contact_modulus(&material, &material);
-    work(&Tangential { problem: &problem, contact_modulus, solver: &solver, options: &options })
+    work(&Tangential { interface, solver: &solver, options })
 }
 
 fn constant(coefficient: f64) -> Friction {

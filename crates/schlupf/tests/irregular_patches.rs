@@ -9,10 +9,10 @@ use std::path::Path;
 use std::sync::Arc;
 
 use common::{Random, cells, half_space, problem, quantiles, rolling};
-use schlupf::bodies::{Kinematics, Material, ReferencePoint, contact_modulus};
+use schlupf::bodies::Kinematics;
 use schlupf::interface::ContactLaw;
 use schlupf::interface::friction::constant::Constant;
-use schlupf::normal::{PressureSource, PressureTable, Tabulated};
+use schlupf::normal::{PressureTable, Tabulated};
 use schlupf::solution::Strategy;
 use schlupf::wheel_rail::{
     Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side, Support,
@@ -77,13 +77,8 @@ fn contacts_of_wheels_on_rails_are_found_directly() {
             cells: across,
         };
         let options = cells(across);
-        let posed = |kinematics: Kinematics, normal: Arc<dyn PressureSource>| {
-            let given = problem(kinematics);
-            Ok(Problem { normal, reference: ReferencePoint::File, ..coulomb(given) })
-        };
         let tangential = Tangential {
-            problem: &posed,
-            contact_modulus: contact_modulus(&Material::STEEL, &Material::STEEL),
+            interface: &coulomb(problem(Kinematics::free_rolling(1.0))).interface,
             solver: &|options: &Options| Method::Full.solver(options),
             options: &options,
         };

@@ -9,11 +9,9 @@
 
 use std::sync::Arc;
 
-use schlupf::bodies::{Body, Kinematics, ReferencePoint, contact_modulus};
 use schlupf::elasticity::Rigid;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::heat::Heat;
-use schlupf::normal::PressureSource;
 use schlupf::reporting::Error;
 use schlupf::wheel_rail::{
     Contact, Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side,
@@ -24,18 +22,11 @@ use schlupf::{Method, Options, Problem, Quantity, unwatched};
 const NOMINAL: f64 = 0.46;
 
 fn solve(wheel: &WheelOnRail) -> Result<WheelSolution, Error> {
-    let problem = |kinematics: Kinematics, normal: Arc<dyn PressureSource>| {
-        let builder = Problem::builder().kinematics(kinematics).reference(ReferencePoint::File);
-        let problem = builder.friction(Constant::new(0.3)?).heat(Heat::none()).elasticity(Rigid);
-        Ok(Problem { normal, ..problem.build()? })
-    };
+    let builder = Problem::builder().friction(Constant::new(0.3)?).heat(Heat::none());
+    let interface = &builder.elasticity(Rigid).build()?.interface;
     let solver = |options: &Options| Method::Full.solver(options);
-    let contact_modulus = contact_modulus(&Body::STEEL.material, &Body::STEEL.material);
     let options = &Options { cells_x: 12, cells_y: 12, ..Options::default() };
-    wheel.solve(
-        &Tangential { problem: &problem, contact_modulus, solver: &solver, options },
-        &unwatched,
-    )
+    wheel.solve(&Tangential { interface, solver: &solver, options }, &unwatched)
 }
 
 /// Radius of the wheel and height of the rail over y, both outwards in the coordinates of their

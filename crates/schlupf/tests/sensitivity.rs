@@ -5,7 +5,7 @@ mod common;
 use std::sync::Arc;
 
 use common::{half_space, problem, rolling};
-use schlupf::analysis::calibration::kalker_bed;
+use schlupf::analysis::calibration::KalkerBed;
 use schlupf::bodies::{Material, contact_modulus};
 use schlupf::elasticity::elastic_layer::{ElasticLayer, Springs};
 use schlupf::elasticity::half_space::HalfSpace;
@@ -174,10 +174,8 @@ fn on_calibrated_springs() {
     let bodies = HalfSpace::new(&steel, &steel).unwrap();
     let layer = CalibratedLayer::new(&steel, &steel, None).unwrap();
     let with_bed = |p: &Problem, load: f64| {
-        let normal = hertz(load);
-        let summary = normal.normal_contact(None).unwrap().summary;
-        let bed = kalker_bed(&bodies, [summary.semi_axis_x, summary.semi_axis_y]).unwrap();
-        Problem { normal, ..p.clone() }.with(|interface| interface.elasticity = Arc::new(bed))
+        Problem { normal: hertz(load), ..p.clone() }
+            .with(|interface| interface.elasticity = Arc::new(KalkerBed { bodies }))
     };
     let with_layer = |p: &Problem, load: f64| {
         Problem { normal: hertz(load), ..p.clone() }

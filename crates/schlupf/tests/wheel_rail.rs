@@ -4,11 +4,10 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use schlupf::bodies::{Body, Kinematics, Material, ReferencePoint, contact_modulus};
+use schlupf::bodies::{Body, Material, contact_modulus};
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::interface::{ContactLaw, Incremental};
-use schlupf::normal::PressureSource;
 use schlupf::reporting::WheelRailError;
 use schlupf::wheel_rail::{
     Contact, Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RestingWheelset,
@@ -79,21 +78,16 @@ fn solve_with<R>(
 ) -> R {
     let body = Body { material: STEEL, ..Body::STEEL };
     let elasticity = HalfSpace::new(&STEEL, &STEEL).unwrap();
-    let problem = |kinematics: Kinematics, normal: Arc<dyn PressureSource>| {
-        let builder = Problem::builder()
-            .wheel(body)
-            .rail(body)
-            .kinematics(kinematics)
-            .reference(ReferencePoint::File)
-            .friction(Constant::new(friction)?)
-            .heat(schlupf::interface::heat::Heat::none())
-            .elasticity(elasticity);
-        let problem = builder.build()?;
-        Ok(Problem { normal, ..problem }.with(|interface| interface.contact_law = *law))
-    };
+    let builder = Problem::builder()
+        .wheel(body)
+        .rail(body)
+        .contact_law(*law)
+        .friction(Constant::new(friction).unwrap())
+        .heat(schlupf::interface::heat::Heat::none())
+        .elasticity(elasticity);
+    let interface = &builder.build().unwrap().interface;
     let solver = |options: &Options| Method::Full.solver(options);
-    let contact_modulus = contact_modulus(&STEEL, &STEEL);
-    work(&Tangential { problem: &problem, contact_modulus, solver: &solver, options })
+    work(&Tangential { interface, solver: &solver, options })
 }
 
 fn bristles() -> ContactLaw {
@@ -422,6 +416,25 @@ fn two_contacts_share_the_vertical_force() {
     };
     close("F_z", vertical(one) + vertical(two), 10e3, 2.0);
     close("F_z of the wheel", solution.force[2], 10e3, 2.0);
+}
+
+/// What is asked for beyond the forces is there at every contact, and does not change them.
+#[test]
+fn every_contact_has_what_the_options_ask_for() {
+    let mut wheel = manchester().into_iter().find(|row| row.is_double).unwrap().wheel;
+    wheel.joining = Joining { distance: 1e-3, angle: 0.01 };
+    let plain = Options { cells_x: 16, cells_y: 16, ..Options::default() };
+    let more = Options { sensitivity: true, extrapolate: true, ..plain.clone() };
+    let [plain, more] = [plain, more].map(|options| {
+        solve_with((&bristles(), 0.3, &options), |with| wheel.solve(with, &unwatched)).unwrap()
+    });
+    assert_eq!([plain.contacts.len(), more.contacts.len()], [2, 2]);
+    for (plain, more) in plain.contacts.iter().zip(&more.contacts) {
+        let (plain, more) = (&plain.solution, &more.solution);
+        assert!(plain.sensitivity.is_none() && plain.extrapolation.is_none());
+        assert!(more.sensitivity.is_some() && more.extrapolation.is_some());
+        assert!((plain.force.y - more.force.y).abs() < 1e-5 * plain.normal.load);
+    }
 }
 
 /// The same height as found from the force gives the same force back.

@@ -2,14 +2,11 @@
 
 use std::sync::Arc;
 
-use schlupf::Error;
-use schlupf::analysis::calibration::kalker_bed;
+use schlupf::analysis::calibration::KalkerBed;
 use schlupf::bodies::Material;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness, Springs};
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::elasticity::{CalibratedLayer, Elasticity, Rigid, Winkler};
-use schlupf::normal::PressureSource;
-use schlupf::problem::History;
 
 use crate::FieldPath;
 use crate::error::CaseError;
@@ -32,54 +29,17 @@ const SPRINGS: [FieldPath; 4] = fields![
 ];
 
 /// How the bodies deform.
-#[derive(Debug, Clone)]
-pub enum Deformation {
-    /// Like this.
-    Known(Arc<dyn Elasticity>),
-    /// Like the bed whose stiffnesses are Kalker's for the largest patch.
-    KalkerBed(HalfSpace),
-}
-
-impl Deformation {
-    /// The model, or a rigid one where it is still to be found.
-    pub fn provisional(&self) -> Arc<dyn Elasticity> {
-        match self {
-            Self::Known(model) => Arc::clone(model),
-            Self::KalkerBed(_) => Arc::new(Rigid),
-        }
-    }
-
-    /// The model; `normal` and the loads of `history` tell the patch for which springs are
-    /// calibrated.
-    pub fn model(
-        &self,
-        normal: &dyn PressureSource,
-        history: Option<&History>,
-    ) -> Result<Arc<dyn Elasticity>, Error> {
-        match self {
-            Self::Known(model) => Ok(Arc::clone(model)),
-            Self::KalkerBed(bodies) => {
-                let load = history.and_then(History::largest_load);
-                let patch = normal.normal_contact(load)?.summary;
-                let bed = kalker_bed(bodies, [patch.semi_axis_x, patch.semi_axis_y])?;
-                Ok(Arc::new(bed))
-            }
-        }
-    }
-}
-
-/// How the bodies deform, as far as that needs no patch.
-pub fn deformation(settings: &Settings, bodies: [&Material; 2]) -> Result<Deformation, CaseError> {
-    let model: Arc<dyn Elasticity> = match settings.chosen(field!("elasticity.model"))? {
+pub fn elasticity(
+    settings: &Settings,
+    bodies: [&Material; 2],
+) -> Result<Arc<dyn Elasticity>, CaseError> {
+    Ok(match settings.chosen(field!("elasticity.model"))? {
         ElasticityModel::Rigid => Arc::new(Rigid),
         ElasticityModel::HalfSpace => Arc::new(half_space(settings, bodies)?),
         ElasticityModel::Winkler if settings.any_given(&BEDDINGS) => Arc::new(winkler(settings)?),
-        ElasticityModel::Winkler => {
-            return Ok(Deformation::KalkerBed(half_space(settings, bodies)?));
-        }
+        ElasticityModel::Winkler => Arc::new(KalkerBed { bodies: half_space(settings, bodies)? }),
         ElasticityModel::ElasticLayer => layer(settings, bodies)?,
-    };
-    Ok(Deformation::Known(model))
+    })
 }
 
 fn layer(settings: &Settings, bodies: [&Material; 2]) -> Result<Arc<dyn Elasticity>, CaseError> {

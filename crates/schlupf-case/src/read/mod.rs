@@ -19,8 +19,10 @@ mod wheel_solver;
 
 use std::sync::Arc;
 
-use schlupf::bodies::{Kinematics, Material};
-use schlupf::normal::NormalContact;
+use schlupf::bodies::{Kinematics, Material, ReferencePoint};
+use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::{ContactLaw, Interface};
+use schlupf::normal::{NormalContact, PressureSource};
 use schlupf::problem::{History, PrescribedForces};
 use schlupf::solver::ForceSolver;
 use schlupf::solver::MarchingSolver;
@@ -40,7 +42,6 @@ use crate::laws::Laws;
 use crate::notice::Notice;
 use crate::profiles::ProfileReading;
 use crate::settings::Settings;
-use elasticity::Deformation;
 use roughness::OfRoughness;
 pub use roughness::{MicroCase, explain as explain_roughness, load as load_roughness};
 use wheel_rail::WheelRequest;
@@ -49,15 +50,25 @@ pub use wheel_solver::WheelSolver;
 /// What a case says of its problem: all that is known without solving anything.
 #[derive(Debug, Clone)]
 pub struct Parts {
-    /// The problem, with a contact law and an elasticity that stand for those that are still to be
-    /// found.
-    draft: Problem,
-    deformation: Deformation,
+    /// Both bodies and all laws; with a contact law that sticks firmly where a micro model is to
+    /// find k_c.
+    interface: Interface,
+    kinematics: Kinematics,
+    prescribed: PrescribedForces,
+    reference: ReferencePoint,
+    contact: Contact,
     stiffness: OfRoughness,
     /// Values over time, where there are some.
     pub history: Option<History>,
-    /// The wheel whose contacts are still to be found, if the case has profiles.
-    wheel: Option<WheelRequest>,
+}
+
+/// Where wheel and rail touch.
+#[derive(Debug, Clone)]
+enum Contact {
+    /// In one patch under this pressure.
+    Pressure(Arc<dyn PressureSource>),
+    /// Where the profiles of a wheel and a rail do.
+    Wheel(WheelRequest),
 }
 
 /// A problem with what was found on the way to it.
@@ -81,52 +92,87 @@ impl Parts {
         let rail = bodies::body(settings, &bodies::RAIL)?;
         let materials = [&wheel.material, &rail.material];
         let stiffness = interface::stiffness(settings, materials)?;
-        let deformation = elasticity::deformation(settings, materials)?;
-        let mut draft = Problem {
-            kinematics: kinematics::kinematics(settings)?,
-            prescribed: kinematics::prescribed(settings)?,
-            reference: kinematics::reference(settings)?,
-            elasticity: deformation.provisional(),
-            layer: layer::layer(settings)?,
-            normal: normal::source(settings, materials[0], materials[1])?,
-            contact_law: interface::contact_law(settings, stiffness.provisional())?,
-            friction: friction::friction(settings)?,
-            heat: heat::heat(settings)?,
-            wheel,
-            rail,
+        let kinematics = kinematics::kinematics(settings)?;
+        let reference = kinematics::reference(settings)?;
+        let contact_law = match &stiffness {
+            OfRoughness::Known(known) => interface::contact_law(settings, known.stiffness)?,
+            OfRoughness::MicroModel(_) => ContactLaw::Coulomb,
         };
-        let history = history::history(settings)?;
-        let wheel = wheel_rail::request(settings)?;
-        if wheel.is_some() {
-            wheel_rail::refuse_others(settings, &stiffness, history.is_some())?;
+        let elasticity = elasticity::elasticity(settings, materials)?;
+        let contact = match wheel_rail::request(settings)? {
+            Some(wheel) => Contact::Wheel(wheel),
+            None => Contact::Pressure(normal::source(settings, materials)?),
+        };
+        let prescribed = match contact {
+            Contact::Pressure(_) => kinematics::prescribed(settings)?,
             // A force turns the whole wheel.
-            draft.prescribed = PrescribedForces::default();
+            Contact::Wheel(_) => PrescribedForces::default(),
+        };
+        let parts = Self {
+            interface: Interface {
+                elasticity,
+                layer: layer::layer(settings)?,
+                contact_law,
+                friction: friction::friction(settings)?,
+                heat: heat::heat(settings)?,
+                wheel,
+                rail,
+            },
+            kinematics,
+            prescribed,
+            reference,
+            contact,
+            stiffness,
+            history: history::history(settings)?,
+        };
+        if parts.has_wheel() {
+            wheel_rail::refuse_others(settings, &parts.stiffness, parts.history.is_some())?;
         }
-        let explain = |error| settings.explain(&error);
-        draft.check().map_err(explain)?;
-        if let Some(history) = &history {
-            history.check_forces(&draft.prescribed).map_err(explain)?;
-            history.check(&draft.kinematics).map_err(explain)?;
+        parts.check().map_err(|error| settings.explain(&error))?;
+        Ok(parts)
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        self.kinematics.check()?;
+        self.prescribed.check()?;
+        self.interface.check(&self.kinematics)?;
+        if let Some(history) = &self.history {
+            history.check_forces(&self.prescribed)?;
+            history.check(&self.kinematics)?;
         }
-        Ok(Self { draft, deformation, stiffness, history, wheel })
+        Ok(())
     }
 
     /// Puts laws of the caller in place of those of the case.
     pub fn apply(&mut self, laws: &Laws) -> Result<(), Error> {
-        if laws.pressure.is_some() {
-            self.wheel = None;
+        let Laws { friction, pressure, partition } = laws.clone();
+        if let Some(law) = friction {
+            self.interface.friction.law = law;
         }
-        laws.apply(&mut self.draft)
+        if let Some(pressure) = pressure {
+            self.contact = Contact::Pressure(pressure);
+        }
+        if let Some(law) = partition {
+            self.interface.heat.partition = Partition::Law(law);
+        }
+        self.interface.check(&self.kinematics)
     }
 
     /// Whether the contacts are those of a wheel with profiles.
     pub fn has_wheel(&self) -> bool {
-        self.wheel.is_some()
+        self.wheel_request().is_some()
+    }
+
+    fn wheel_request(&self) -> Option<&WheelRequest> {
+        match &self.contact {
+            Contact::Pressure(_) => None,
+            Contact::Wheel(wheel) => Some(wheel),
+        }
     }
 
     /// Those of wheel and rail.
     pub fn materials(&self) -> [Material; 2] {
-        [&self.draft.wheel, &self.draft.rail].map(|body| body.material)
+        [self.interface.wheel.material, self.interface.rail.material]
     }
 
     /// The normal contact, of a history that with the largest load.
@@ -135,16 +181,18 @@ impl Parts {
         settings: &Settings,
         watch: Watch,
     ) -> Result<NormalContact, CaseError> {
-        if self.wheel.is_some() {
-            let problem = self.pose(settings, None, watch)?.problem;
-            return problem.normal.normal_contact(None).map_err(|error| settings.explain(&error));
+        let explain = |error: Error| settings.explain(&error);
+        match &self.contact {
+            Contact::Wheel(wheel) => {
+                let problem = self.pose_wheel(wheel, settings, watch)?.problem;
+                problem.normal.normal_contact(None).map_err(explain)
+            }
+            Contact::Pressure(normal) => {
+                let load = self.history.as_ref().and_then(History::largest_load);
+                normal.prepare(load, watch).map_err(explain)?;
+                normal.normal_contact(load).map_err(explain)
+            }
         }
-        let load = self.history.as_ref().and_then(History::largest_load);
-        let contact = || {
-            self.draft.normal.prepare(load, watch)?;
-            self.draft.normal.normal_contact(load)
-        };
-        contact().map_err(|error| settings.explain(&error))
     }
 
     /// The problem, and where its k_c comes from: solves the normal contact and the micro model
@@ -155,26 +203,34 @@ impl Parts {
         solved: Option<&Arc<MicroContact>>,
         watch: Watch,
     ) -> Result<Posed, CaseError> {
-        if let Some(wheel) = &self.wheel {
-            return self.pose_wheel(wheel, settings, watch);
-        }
-        let explain = |error: Error| settings.explain(&error);
-        let normal = &*self.draft.normal;
+        let normal = match &self.contact {
+            Contact::Pressure(normal) => normal,
+            Contact::Wheel(wheel) => return self.pose_wheel(wheel, settings, watch),
+        };
         let load = self.history.as_ref().and_then(History::largest_load);
         for load in [None, load] {
-            normal.prepare(load, watch).map_err(explain)?;
+            normal.prepare(load, watch).map_err(|error| settings.explain(&error))?;
         }
-        let elasticity = self.deformation.model(normal, self.history.as_ref()).map_err(explain)?;
+        let mut interface = self.interface.clone();
         let stiffness = match &self.stiffness {
             OfRoughness::Known(stiffness) => stiffness.clone(),
             OfRoughness::MicroModel(request) => {
-                roughness::solve(settings, request.on(settings, normal)?, solved, watch)?
+                let patch =
+                    || normal.normal_contact(None).map_err(|error| settings.explain(&error));
+                let request = request.on(settings, patch)?;
+                let found = roughness::solve(settings, request, solved, watch)?;
+                interface.contact_law = interface::contact_law(settings, found.stiffness)?;
+                found
             }
         };
-        let contact_law = interface::contact_law(settings, stiffness.stiffness)?;
-        let problem = Problem { elasticity, contact_law, ..self.draft.clone() };
-        let motion = problem.kinematics;
-        Ok(Posed { problem, stiffness, motion, wheel: None })
+        let problem = Problem {
+            kinematics: self.kinematics,
+            prescribed: self.prescribed,
+            reference: self.reference,
+            normal: Arc::clone(normal),
+            interface,
+        };
+        Ok(Posed { problem, stiffness, motion: self.kinematics, wheel: None })
     }
 
     /// The problem of the main contact of a wheel on a rail, and all its contacts.
@@ -191,7 +247,7 @@ impl Parts {
         let found = solver.find_one(watch).map_err(|error| settings.explain(&error))?;
         let main = found.contacts.first().ok_or_else(|| wheel_rail::no_contact(settings))?;
         let (problem, stiffness) = (main.problem.clone(), stiffness.clone());
-        let speed = solver.draft.kinematics.speed;
+        let speed = self.kinematics.speed;
         let creepage_x = found.creepage(solver.radius, speed);
         let motion = Kinematics { creepage_x, ..Kinematics::free_rolling(speed) };
         solver.known = found.resultant(motion).map(Box::new);
@@ -205,12 +261,10 @@ impl Parts {
     ) -> Result<WheelSolver, CaseError> {
         Ok(WheelSolver {
             request: wheel.clone(),
-            draft: self.draft.clone(),
-            deformation: self.deformation.clone(),
-            contact_law: interface::contact_law(settings, self.stiffness.provisional())?,
+            interface: self.interface.clone(),
             method: method(settings)?,
             driver: driver(settings)?,
-            options: Options { sensitivity: false, extrapolate: false, ..options(settings)? },
+            options: options(settings)?,
             radius: settings.number(field!("kinematics.wheel_radius"))?,
             known: None,
         })
@@ -218,8 +272,7 @@ impl Parts {
 
     /// Whether another load scales the pressure or the patch, and nothing else is to be found anew.
     pub fn scales_with_load(&self, settings: &Settings) -> Result<bool, CaseError> {
-        let is_known = matches!(self.stiffness, OfRoughness::Known(_))
-            && matches!(self.deformation, Deformation::Known(_));
+        let is_known = matches!(self.stiffness, OfRoughness::Known(_));
         Ok(is_known
             && match settings.chosen(field!("normal.model"))? {
                 NormalModel::Hertz | NormalModel::Tabulated => true,
@@ -230,18 +283,18 @@ impl Parts {
 
     /// The wheel of a case of two profiles.
     pub fn wheel(&self, settings: &Settings) -> Result<&WheelOnRail, CaseError> {
-        let request = self.wheel.as_ref();
+        let request = self.wheel_request();
         request.map(WheelRequest::wheel).ok_or_else(|| wheel_rail::no_profiles(settings))
     }
 
     /// What was read of the profiles of the wheel and of the rail, if the case has profiles.
     pub fn profiles(&self) -> &[ProfileReading] {
-        self.wheel.as_ref().map_or(&[], |wheel| wheel.readings())
+        self.wheel_request().map_or(&[], |wheel| wheel.readings())
     }
 
     /// What users should know of what was read.
     pub fn notices(&self) -> &[Notice] {
-        self.wheel.as_ref().map_or(&[], WheelRequest::notices)
+        self.wheel_request().map_or(&[], WheelRequest::notices)
     }
 
     /// The left and the right wheel at another lateral position (in m), resting on both rails.
@@ -251,7 +304,7 @@ impl Parts {
         lateral: f64,
         watch: Watch,
     ) -> Result<Vec<WheelSolution>, CaseError> {
-        let request = self.wheel.as_ref().ok_or_else(|| wheel_rail::no_profiles(settings))?;
+        let request = self.wheel_request().ok_or_else(|| wheel_rail::no_profiles(settings))?;
         let found = self.wheel_solver(request, settings)?.find(Some(lateral), watch);
         found.map_err(|error| settings.explain(&error))
     }
@@ -272,12 +325,13 @@ pub fn micro_case(settings: &Settings, watch: Watch) -> Result<Option<MicroCase>
     let wheel = bodies::body(settings, &bodies::WHEEL)?;
     let rail = bodies::body(settings, &bodies::RAIL)?;
     let materials = [&wheel.material, &rail.material];
-    let normal = normal::source(settings, materials[0], materials[1])?;
     let Some(request) = roughness::request(settings, materials)? else { return Ok(None) };
-    if !request.has_pressures() {
+    let patch = || {
+        let normal = normal::source(settings, materials)?;
         normal.prepare(None, watch).map_err(|error| settings.explain(&error))?;
-    }
-    request.on(settings, &*normal).map(Some)
+        normal.normal_contact(None).map_err(|error| settings.explain(&error))
+    };
+    request.on(settings, patch).map(Some)
 }
 
 /// The numerical options of a case.

@@ -9,7 +9,7 @@ use schlupf::normal::profile::{Profile, UndeformedDistance, relative_radius};
 use schlupf::normal::{Ellipse, PressureSource, PressureTable, Tabulated};
 
 use super::bodies::{RAIL, WHEEL, radii};
-use super::wheel_rail::Unsolved;
+use super::wheel_rail::refuse_micro_model;
 use crate::FieldPath;
 use crate::error::CaseError;
 use crate::fields::choice::NormalModel;
@@ -23,15 +23,14 @@ const SPACINGS: [FieldPath; 2] = fields!["normal.spacing_x", "normal.spacing_y"]
 /// The source of the normal pressure.
 pub fn source(
     settings: &Settings,
-    wheel: &Material,
-    rail: &Material,
+    [wheel, rail]: [&Material; 2],
 ) -> Result<Arc<dyn PressureSource>, CaseError> {
     Ok(match settings.chosen(field!("normal.model"))? {
         NormalModel::Hertz => Arc::new(hertz(settings, contact_modulus(wheel, rail))?),
         NormalModel::Ellipse => Arc::new(ellipse(settings)?),
         NormalModel::Tabulated => Arc::new(tabulated(settings)?),
         NormalModel::Profile => Arc::new(profile(settings, contact_modulus(wheel, rail))?),
-        NormalModel::WheelRail => Arc::new(Unsolved),
+        NormalModel::WheelRail => return Err(refuse_micro_model(settings)),
     })
 }
 

@@ -11,7 +11,7 @@ use schlupf::interface::roughness::micro_model::{
 };
 use schlupf::interface::roughness::stiffness::{TYPICAL_GAMMA, closed_form};
 use schlupf::interface::roughness::tangential_curve::SimilarBodies;
-use schlupf::normal::PressureSource;
+use schlupf::normal::NormalContact;
 use schlupf::surface::form::Form;
 use schlupf::surface::holes::Holes;
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
@@ -53,16 +53,6 @@ pub enum OfRoughness {
     Known(LawStiffness),
     /// What a micro model finds.
     MicroModel(MicroRequest),
-}
-
-impl OfRoughness {
-    /// k_c (in 1/m), or 1 where it is still to be found.
-    pub fn provisional(&self) -> f64 {
-        match self {
-            Self::Known(stiffness) => stiffness.stiffness,
-            Self::MicroModel(_) => 1.0,
-        }
-    }
 }
 
 /// What a micro model needs, as far as it is known without the patch.
@@ -132,22 +122,16 @@ pub fn request(
 }
 
 impl MicroRequest {
-    /// Whether the mean pressures are given, and the patch does not count.
-    pub fn has_pressures(&self) -> bool {
-        self.mean_pressures.is_some()
-    }
-
     /// All that is needed, the pressures being those of the patch where none are given.
     pub fn on(
         &self,
         settings: &Settings,
-        normal: &dyn PressureSource,
+        patch: impl FnOnce() -> Result<NormalContact, CaseError>,
     ) -> Result<MicroCase, CaseError> {
-        if let Some(pressures) = &self.mean_pressures {
-            return self.at(settings, pressures);
+        match &self.mean_pressures {
+            Some(pressures) => self.at(settings, pressures),
+            None => self.at(settings, &pressures_of_patch(patch()?.summary.peak_pressure)),
         }
-        let contact = normal.normal_contact(None).map_err(|error| settings.explain(&error))?;
-        self.at(settings, &pressures_of_patch(contact.summary.peak_pressure))
     }
 
     fn at(&self, settings: &Settings, mean_pressures: &[f64]) -> Result<MicroCase, CaseError> {

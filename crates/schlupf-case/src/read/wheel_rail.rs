@@ -2,14 +2,11 @@
 
 use std::sync::Arc;
 
-use schlupf::bodies::{Kinematics, ReferencePoint, contact_modulus};
-use schlupf::normal::{NormalContact, PressureSource};
-use schlupf::reporting::WheelRailError;
 use schlupf::wheel_rail::{
     Along, Drive, Joining, Motion, Pair, Position, RailShape, RowsMove, Side, Support, Tangential,
     Track, WheelOnRail, WheelShape, WheelSolution,
 };
-use schlupf::{Error, Options, Problem, Solver, Watch};
+use schlupf::{Error, Watch};
 
 use super::roughness::OfRoughness;
 use crate::FieldPath;
@@ -29,9 +26,6 @@ const CELLS: usize = 64;
 
 /// Difference of two depths that counts as none, in m.
 const SAME_DEPTH: f64 = 1e-6;
-
-/// What makes a solver with given options.
-pub type MakesSolver<'a> = &'a dyn Fn(&Options) -> Box<dyn Solver>;
 
 /// A wheel on a rail, as far as it is known without solving.
 #[derive(Debug, Clone)]
@@ -250,33 +244,24 @@ fn motion(settings: &Settings) -> Result<Motion, CaseError> {
 
 impl WheelRequest {
     /// The contacts of the wheel, or with another lateral position as `place` (in m) those of the
-    /// left and of the right wheel resting on both rails. `draft` has both bodies and all laws,
-    /// `complete` completes it for the pressure of a contact, and `solver` makes what solves it.
+    /// left and of the right wheel resting on both rails.
     pub fn solve(
         &self,
-        (draft, place): (&Problem, Option<f64>),
-        complete: &dyn Fn(Problem) -> Result<Problem, Error>,
-        (solver, options): (MakesSolver, &Options),
+        place: Option<f64>,
+        tangential: &Tangential,
         watch: Watch,
     ) -> Result<Vec<WheelSolution>, Error> {
-        let problem = |kinematics: Kinematics, normal: Arc<dyn PressureSource>| {
-            let reference = ReferencePoint::File;
-            complete(Problem { kinematics, reference, normal, ..draft.clone() })
-        };
-        let contact_modulus =
-            contact_modulus(&draft.interface.wheel.material, &draft.interface.rail.material);
-        let tangential = Tangential { problem: &problem, contact_modulus, solver, options };
         match place {
             Some(lateral) => {
                 let position = Position { lateral, ..self.wheel.position };
                 // A force is that on the wheel of the case.
                 let own = WheelOnRail { position, ..self.wheel.clone() };
-                let mut both = own.solve_resting(&tangential, watch)?;
+                let mut both = own.solve_resting(tangential, watch)?;
                 both.sort_by_key(|wheel| wheel.side == Side::Right);
                 Ok(Vec::from(both))
             }
-            None if self.rests => self.wheel.solve_resting(&tangential, watch).map(Vec::from),
-            None => Ok(vec![self.wheel.solve(&tangential, watch)?]),
+            None if self.rests => self.wheel.solve_resting(tangential, watch).map(Vec::from),
+            None => Ok(vec![self.wheel.solve(tangential, watch)?]),
         }
     }
 
@@ -298,15 +283,5 @@ impl WheelRequest {
     /// The same, to be changed.
     pub fn wheel_mut(&mut self) -> &mut WheelOnRail {
         &mut self.wheel
-    }
-}
-
-/// The pressure of a wheel whose contacts are not solved yet.
-#[derive(Debug)]
-pub struct Unsolved;
-
-impl PressureSource for Unsolved {
-    fn normal_contact(&self, _load: Option<f64>) -> Result<NormalContact, Error> {
-        Err(WheelRailError::Unsolved {}.into())
     }
 }

@@ -1,15 +1,14 @@
 //! What finds the contacts of a wheel on a rail.
 
 use schlupf::bodies::Kinematics;
-use schlupf::interface::ContactLaw;
+use schlupf::interface::Interface;
 use schlupf::problem::{LongitudinalForce, PrescribedForces};
 use schlupf::reporting::WheelRailError;
 use schlupf::solution::{Resultant, Status, Work};
-use schlupf::wheel_rail::{Along, Drive, WheelSolution};
+use schlupf::wheel_rail::{Along, Drive, Tangential, WheelSolution};
 use schlupf::{Error, Method, Options, Problem, Solution, Solver, Watch};
 
 use super::any_solver;
-use super::elasticity::Deformation;
 use super::wheel_rail::WheelRequest;
 use crate::fields::choice::Driver;
 
@@ -20,13 +19,8 @@ use crate::fields::choice::Driver;
 pub struct WheelSolver {
     /// The wheel.
     pub request: WheelRequest,
-    /// Both bodies and all laws, with a pressure and an elasticity that stand for those of a
-    /// contact.
-    pub draft: Problem,
-    /// How the bodies deform.
-    pub deformation: Deformation,
-    /// The contact law.
-    pub contact_law: ContactLaw,
+    /// Both bodies and all laws.
+    pub interface: Interface,
     /// All equations, or a fast method.
     pub method: Method,
     /// The driver that was asked for.
@@ -43,23 +37,28 @@ impl WheelSolver {
     /// The contacts of the wheel, or with another lateral position as `place` (in m) those of the
     /// left and of the right wheel resting on both rails.
     pub fn find(&self, place: Option<f64>, watch: Watch) -> Result<Vec<WheelSolution>, Error> {
-        let complete = |problem: Problem| {
-            let elasticity = self.deformation.model(&*problem.normal, None)?;
-            let contact_law = self.contact_law;
-            let problem = problem.with(|interface| {
-                interface.elasticity = elasticity;
-                interface.contact_law = contact_law;
-            });
-            problem.check().map(|()| problem)
-        };
         let solver = |options: &Options| any_solver(self.method, self.driver, options);
-        self.request.solve((&self.draft, place), &complete, (&solver, &self.options), watch)
+        let tangential =
+            Tangential { interface: &self.interface, solver: &solver, options: &self.options };
+        self.request.solve(place, &tangential, watch)
     }
 
     /// The wheel of the case.
     pub fn find_one(&self, watch: Watch) -> Result<WheelSolution, Error> {
         let found = self.find(None, watch)?.into_iter().next();
         found.ok_or_else(|| WheelRailError::Unsolved {}.into())
+    }
+
+    /// The same for forces alone.
+    pub fn of_forces(&self) -> Self {
+        let options = &self.options;
+        let options = Options {
+            sensitivity: false,
+            extrapolate: false,
+            keeps_state: false,
+            ..options.clone()
+        };
+        Self { options, ..self.clone() }
     }
 
     /// Makes the wheel turn with a creepage of its nominal radius, or as a force makes it.

@@ -121,7 +121,7 @@ impl Outcome {
         match self {
             Self::Solved { solution, wheel, .. } => {
                 let wheel = wheel.as_ref();
-                wheel.map_or(solution.status, |wheel| wheel.status_with(solution)).name()
+                wheel.map_or(solution.status, |wheel| wheel.status()).name()
             }
             Self::NoContact => NO_CONTACT,
             Self::Failed(_) => FAILED,

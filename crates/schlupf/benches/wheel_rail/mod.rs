@@ -55,19 +55,14 @@ pub fn table() -> String {
 /// Rounds and products of all wheels.
 fn solve(wheels: &[WheelOnRail], law: &ContactLaw, heat: &Heat) -> [f64; 2] {
     let elasticity = HalfSpace::new(&Body::STEEL.material, &Body::STEEL.material).unwrap();
-    let problem = |kinematics: Kinematics, normal: Arc<dyn PressureSource>| {
-        let builder = Problem::builder()
-            .kinematics(kinematics)
-            .reference(ReferencePoint::File)
-            .friction(Constant::new(0.3)?)
-            .heat(heat.clone())
-            .elasticity(elasticity);
-        Ok(Problem { normal, ..builder.build()? }.with(|interface| interface.contact_law = *law))
-    };
+    let builder = Problem::builder()
+        .contact_law(*law)
+        .friction(Constant::new(0.3).unwrap())
+        .heat(heat.clone())
+        .elasticity(elasticity);
     let options = Options::default();
     let tangential = Tangential {
-        problem: &problem,
-        contact_modulus: contact_modulus(&Body::STEEL.material, &Body::STEEL.material),
+        interface: &builder.build().unwrap().interface,
         solver: &|options: &Options| Method::Full.solver(options),
         options: &options,
     };

@@ -121,10 +121,7 @@ impl Elasticity for CalibratedLayer {
     }
 
     fn compliance_on_finer(&self, grid: &Grid, finer: &Grid) -> Result<Box<dyn Compliance>, Error> {
-        let half = |cells: usize, spacing: f64| 0.5 * cells as f64 * spacing;
-        let semi_axes =
-            [half(grid.columns_within(), grid.spacing_x), half(grid.rows, grid.spacing_y)];
-        let layer = self.layer(semi_axes)?.on_finer(grid, finer)?;
+        let layer = self.layer(grid.semi_axes())?.on_finer(grid, finer)?;
         Ok(Box::new(layer.growing(SIZE_EXPONENT)))
     }
 

@@ -92,6 +92,12 @@ impl Grid {
         }
     }
 
+    /// Half the length and half the width of its cells without the border, in m.
+    pub fn semi_axes(&self) -> [f64; 2] {
+        let half = |cells: usize, spacing: f64| 0.5 * cells as f64 * spacing;
+        [half(self.columns_within(), self.spacing_x), half(self.rows, self.spacing_y)]
+    }
+
     /// Number of cells along x without the border.
     pub fn columns_within(&self) -> usize {
         self.columns - 2 * BORDER

@@ -130,10 +130,11 @@ impl WheelOnRail {
             step = (next - roll).abs();
             if step < SETTLED {
                 (left.unevenness, right.unevenness) = (off, -off);
-                return Ok(match self.side {
+                let [own, other] = match self.side {
                     Side::Left => [left, right],
                     Side::Right => [right, left],
-                });
+                };
+                return Ok([own.completed(tangential, watch)?, other]);
             }
             roll = next;
             before = Some([left, right]);

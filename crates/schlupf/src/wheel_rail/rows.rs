@@ -77,7 +77,7 @@ struct Height {
 }
 
 /// A wheel and a rail above the plane of a contact.
-pub(super) struct Interface<'a> {
+pub(super) struct Passing<'a> {
     pub pair: &'a Pair,
     pub pose: &'a Pose,
     pub plane: &'a ContactPlane,
@@ -91,7 +91,7 @@ struct OutlinePoint {
     tangent: [f64; 2],
 }
 
-impl Interface<'_> {
+impl Passing<'_> {
     /// The motion of rows at ascending s (in m) beyond that of the plane, `motion`; `None` where a
     /// profile ends or is nowhere seen from the plane.
     pub fn rows(

@@ -87,10 +87,8 @@ impl WheelOnRail {
             cells_x: (tangential.options.cells_x / 2).max(FEWEST_CELLS),
             cells_y: (tangential.options.cells_y / 2).max(FEWEST_CELLS),
             tolerance: tangential.options.tolerance.max(ESTIMATE),
-            sensitivity: false,
-            extrapolate: false,
             keeps_state: false,
-            ..tangential.options.clone()
+            ..tangential.searching()
         };
         let settling = |accuracy: Accuracy, tolerance: f64, options| Settling {
             wheel: self,
@@ -110,7 +108,8 @@ impl WheelOnRail {
             let coarse = settling(Accuracy::Coarse, NEARLY_SETTLED, &coarse).find(from)?;
             (coarse.start, coarse.rounds)
         };
-        let fine = settling(Accuracy::Cells(self.cells), SETTLED, tangential.options);
+        let searching = tangential.searching();
+        let fine = settling(Accuracy::Cells(self.cells), SETTLED, &searching);
         let Settled { lowered, turning, residual, rounds: more, .. } = fine.find(from)?;
         if let Some(missed) = turning.missed {
             return Err(missed.into());

@@ -1,8 +1,6 @@
 //! The tangential problems of all contacts of a wheel, at a given angular velocity or under a given
 //! force.
 
-use std::sync::Arc;
-
 use super::creepage::{Motion, Moving, creepages};
 use super::driven::{Along, Drive, Found, Point, SLOPE, Search};
 use super::equilibrium::{Lowered, Lowering};
@@ -10,11 +8,11 @@ use super::pair::Pair;
 use super::patch::ContactPatch;
 use super::pose::{Pose, cross, dot, minus};
 use super::pressed::Pressed;
-use super::rows::{Interface, RowsMove};
+use super::rows::{Passing, RowsMove};
 use super::side::Side;
-use crate::bodies::{Kinematics, RowMotion};
-use crate::normal::PressureSource;
-use crate::problem::{Options, Problem};
+use crate::bodies::{Kinematics, ReferencePoint, RowMotion};
+use crate::interface::Interface;
+use crate::problem::{Options, PrescribedForces, Problem};
 use crate::reporting::{Error, ForceError, Quantity, Watch};
 use crate::solution::Solution;
 use crate::solver::Solver;
@@ -24,15 +22,19 @@ const NEGLIGIBLE: f64 = 1e-4;
 
 /// How the tangential problem of each contact is posed and solved.
 pub struct Tangential<'a> {
-    /// The problem of a contact from its motion and its pressure, with both bodies and all laws;
-    /// creepages hold at the origin of the pressure's file.
-    pub problem: &'a dyn Fn(Kinematics, Arc<dyn PressureSource>) -> Result<Problem, Error>,
-    /// Contact modulus E* of both bodies, in Pa (see [`crate::bodies::contact_modulus`]).
-    pub contact_modulus: f64,
+    /// Both bodies and all laws.
+    pub interface: &'a Interface,
     /// A solver with given options.
     pub solver: &'a dyn Fn(&Options) -> Box<dyn Solver>,
     /// Options of the results.
     pub options: &'a Options,
+}
+
+impl Tangential<'_> {
+    /// Options with which the motion is sought: derivatives and extrapolation are of the result.
+    pub(super) fn searching(&self) -> Options {
+        Options { sensitivity: false, extrapolate: false, ..self.options.clone() }
+    }
 }
 
 /// A contact with its problem and its solution.
@@ -142,7 +144,14 @@ impl Sliding<'_> {
             let kinematics =
                 Kinematics { creepage_y: sign * here.creepage_y, spin: sign * here.spin, ..here };
             let patch = ContactPatch::new(pressed, rows.as_ref(), self.side)?;
-            let problem = (self.tangential.problem)(kinematics, patch)?;
+            let problem = Problem {
+                kinematics,
+                prescribed: PrescribedForces::default(),
+                reference: ReferencePoint::File,
+                normal: patch,
+                interface: self.tangential.interface.clone(),
+            };
+            problem.check()?;
             if k == solvers.len() {
                 solvers.push((self.tangential.solver)(self.options));
             }
@@ -163,8 +172,8 @@ impl Sliding<'_> {
         if share == 0.0 {
             return Ok(None);
         }
-        let interface = Interface { pair: self.lowering.pair, pose, plane: &pressed.plane };
-        let rows = interface.rows(&touched(pressed), moving, motion)?;
+        let passing = Passing { pair: self.lowering.pair, pose, plane: &pressed.plane };
+        let rows = passing.rows(&touched(pressed), moving, motion)?;
         Ok(rows.map(|rows| if share == 1.0 { rows } else { rows.scaled(share) }))
     }
 

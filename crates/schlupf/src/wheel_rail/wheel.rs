@@ -138,14 +138,25 @@ impl WheelSolution {
         }
     }
 
-    /// The status of the wheel and of a solution of its first contact.
-    pub fn status_with(&self, first: &Solution) -> Status {
-        if self.status() == Status::Converged { first.status } else { Status::NotConverged }
-    }
-
     /// Depth below first touch, in m.
     pub fn depth(&self) -> f64 {
         self.guess.depth
+    }
+
+    /// With what the options ask for beyond the motion.
+    pub(super) fn completed(
+        mut self,
+        tangential: &Tangential,
+        watch: Watch,
+    ) -> Result<Self, Error> {
+        let options = tangential.options;
+        if options.sensitivity || options.extrapolate {
+            for contact in &mut self.contacts {
+                let mut solver = (tangential.solver)(options);
+                contact.solution = solver.solve(&contact.problem, watch)?;
+            }
+        }
+        Ok(self)
     }
 
     /// See [`Turning::nearby`].
@@ -256,7 +267,7 @@ impl WheelOnRail {
     /// A wheel beside the rail or lifted off it, jammed by friction, or in contact at the end of a
     /// profile; whatever the tangential problem rejects; [`Error::Stopped`].
     pub fn solve(&self, tangential: &Tangential, watch: Watch) -> Result<WheelSolution, Error> {
-        self.solve_near(None, tangential, watch)
+        self.solve_near(None, tangential, watch)?.completed(tangential, watch)
     }
 
     /// The same from a solution with nearly the same roll angle.
@@ -277,8 +288,8 @@ impl WheelOnRail {
                 }
                 let contacts = lowering.at(depth, Accuracy::Cells(self.cells))?;
                 let lowered = Lowered { at: Guess::smooth(depth), contacts };
-                let sliding =
-                    self.sliding((&lowering, &lowered), (tangential, tangential.options), watch);
+                let options = tangential.searching();
+                let sliding = self.sliding((&lowering, &lowered), (tangential, &options), watch);
                 let turning = sliding.solve(near.map(|near| near.angular_velocity))?;
                 Ok(self.solution(&lowering, &lowered, turning, 1))
             }
@@ -293,7 +304,7 @@ impl WheelOnRail {
         watch: Watch<'a>,
     ) -> Lowering<'a> {
         let (pair, joining, attitude) = (&*self.pair, self.joining, self.attitude());
-        let contact_modulus = tangential.contact_modulus;
+        let contact_modulus = tangential.interface.contact_modulus();
         Lowering { pair, gap, attitude, joining, contact_modulus, watch }
     }
 

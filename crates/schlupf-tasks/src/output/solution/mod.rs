@@ -42,10 +42,7 @@ impl SolutionReport {
 
 impl Report for SolutionReport {
     fn status(&self) -> Status {
-        match &self.wheel {
-            Some(wheel) if wheel.status() == Status::NotConverged => Status::NotConverged,
-            _ => self.solution.status,
-        }
+        self.wheel.as_ref().map_or(self.solution.status, |wheel| wheel.status())
     }
 
     fn warnings(&self) -> &[Message] {

@@ -21,7 +21,7 @@ use crate::elasticity::{Elasticity, RelativeStiffness, Winkler, tabulated_stiffn
 use crate::numerics::least_squares::{Limits, Residuals, minimise};
 use crate::reporting::{Error, Watch};
 
-pub use kalker_bed::kalker_bed;
+pub use kalker_bed::KalkerBed;
 
 use rolling_contact::SIZE;
 use rolling_fit::{FITTED, Motions, OTHERS};

@@ -11,7 +11,7 @@ use crate::problem::{Brush, FastMethod, Method, Options, Problem};
 use crate::reporting::{Error, Watch};
 use crate::solution::{Solution, Status};
 
-use super::kalker_bed::kalker_bed;
+use super::kalker_bed::KalkerBed;
 use super::rolling_contact::{FRICTION, PEAK_PRESSURE, RollingContact, SIZE};
 
 /// A model of the comparison.
@@ -111,7 +111,7 @@ pub fn side_by_side(
     let models: Vec<(Model, Arc<dyn Elasticity>)> = vec![
         (Model::HalfSpace, Arc::new(contact.bodies)),
         (Model::Layer, Arc::new(ElasticLayer::new(x, y, None)?)),
-        (Model::KalkerBed, Arc::new(kalker_bed(&contact.bodies, contact.semi_axes)?)),
+        (Model::KalkerBed, Arc::new(KalkerBed { bodies: contact.bodies })),
         // FASTSIM uses no elasticity model.
         (Model::Fastsim, Arc::new(contact.bodies)),
     ];
