@@ -315,8 +315,8 @@ class Calibration(Report, task="calibrate"):
     _case: Case
 
     def _finish(self, case: Case, families: dict[str, list[tuple[str, list[Any]]]]) -> None:
-        section = case.from_toml(_core.own_file(self._report, "section") or "").elasticity.given()
-        self._case = case.with_(elasticity=None).with_(elasticity=section)
+        found = case.from_toml(_core.own_file(self._report, "section") or "")
+        self._case = case.with_(elasticity=None).with_(elasticity=found.elasticity)
 
     @property
     def case(self) -> Case:
