@@ -1,4 +1,4 @@
-"""The sections of a case: what they have, as classes, and what they are given, as dictionaries.
+"""Sections of a case as classes, and what they are given as dictionaries.
 
 >>> import schlupf
 >>> load: schlupf.sections.NormalFields = {"load": "80 kN"}
