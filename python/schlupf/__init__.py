@@ -24,6 +24,7 @@ from ._plots import comparison as plot_comparison
 from ._plots import frames as animate
 from ._preset import Preset
 from ._presets import conditions, friction, layers, materials, methods, roughnesses
+from ._record import Record
 from ._report import (
     BulkTemperature,
     Calibration,
@@ -39,7 +40,7 @@ from ._report import (
     Wheelset,
 )
 from ._report_plots import RoughContactPlots
-from ._result import Record, Result
+from ._result import Result
 from ._section import Section
 from ._study import Sweep, merge, read_table, sweep
 from ._tasks import damage

@@ -29,7 +29,10 @@ class Entry(Generic[Value, Given]):
     @overload
     def __get__(self, of: Any, owner: type[Any]) -> Value: ...
     def __get__(self, of: Any, owner: type[Any]) -> Any:
-        return self if of is None else of[self._name]
+        try:
+            return self if of is None else of[self._name]
+        except KeyError:
+            raise AttributeError(self._name) from None
 
     if TYPE_CHECKING:
         # What it belongs to sets all its attributes itself.

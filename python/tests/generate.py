@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import generate_records
 import generate_sections
 import generate_tasks
 
@@ -9,6 +10,7 @@ import generate_tasks
 SOURCES = {
     generate_tasks.FILE: generate_tasks.source,
     generate_sections.PACKAGE / "sections.py": generate_sections.sections,
+    generate_records.FILE: generate_records.records,
     generate_sections.PACKAGE / "_presets.py": generate_sections.presets,
 }
 

@@ -61,3 +61,18 @@ def presets_are_sections() -> None:
     Case(**schlupf.methods.polach_dry)
     schlupf.materials.stel  # type: ignore[attr-defined]
     assert_type(schlupf.materials.steel.source, str)
+
+
+def results_are_records(result: schlupf.Result) -> None:
+    assert_type(result.force.x, float)
+    assert_type(result.force.moment_z, float | None)
+    assert_type(result.temperature.max_rise, float | None)
+    assert_type(result.contacts[0].normal.load, float)
+    assert_type(result.work.newton_iterations, int)
+    result.forse  # type: ignore[attr-defined]
+    result.force.z  # type: ignore[attr-defined]
+    result.force.x = 1.0  # type: ignore[assignment]
+    result.plot.surface("pressure")
+    result.plot.surface("presure")  # type: ignore[arg-type]
+    schlupf.plot_comparison([result], "slip_x")
+    schlupf.animate(result, "slip")  # type: ignore[arg-type]

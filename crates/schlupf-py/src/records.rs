@@ -5,7 +5,6 @@ use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use schlupf::columns::{Record, Value};
-use schlupf::creep_curve::CreepCurve;
 use schlupf::solution::{Fields, Instant};
 use schlupf::wheel_rail::{Contact, WheelSolution};
 use schlupf::{Quantity, Solution};
@@ -16,8 +15,8 @@ use schlupf_tasks::output::table::{ColumnValues, Values};
 /// Name, unit and meaning of columns.
 type Described = Vec<(&'static str, &'static str, &'static str)>;
 
-/// The columns of a solution, of a wheel and of its contacts, of cells, of instants and of the
-/// points of a creep curve, each under the name of its record.
+/// The columns of a solution, of a wheel, of its contacts, of cells and of instants, each under the
+/// name of its record.
 #[pyfunction]
 pub fn column_table() -> Vec<(&'static str, Described)> {
     vec![
@@ -26,7 +25,6 @@ pub fn column_table() -> Vec<(&'static str, Described)> {
         ("contact", of_record::<Contact>()),
         ("cells", of_record::<Fields>()),
         ("instants", of_record::<[Instant]>()),
-        ("points", of_record::<CreepCurve>()),
     ]
 }
 
