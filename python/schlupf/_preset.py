@@ -1,4 +1,4 @@
-"""What presets are."""
+"""Presets: constants to start with, each with its source."""
 
 from __future__ import annotations
 

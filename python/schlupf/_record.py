@@ -1,4 +1,4 @@
-"""What records of results are."""
+"""Records of results: named values."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a case is made of: sections, and the fields in them."""
+"""Sections of a case: their fields are attributes and items."""
 
 from __future__ import annotations
 
