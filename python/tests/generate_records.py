@@ -91,7 +91,7 @@ class Classes:
             record = kind = camel(path)
             self.add(record, f"``{path}`` of a result", seen, f"{path}.")
         else:
-            kind, record = " | ".join(sorted(seen.kinds - {"None"})), ""
+            kind, record = " | ".join(sorted(seen.kinds - {"None"})) or "object", ""
         return (f"{kind} | None" if "None" in seen.kinds else kind), record
 
     def add(self, name: str, about: str, seen: Seen, prefix: str, owner: type | None = None):
