@@ -94,7 +94,7 @@ class ReferenceFile(Record):
     creepage_x: Found[float] = Found()
     creepage_y: Found[float] = Found()
     spin: Found[float] = Found()
-    moment_z: Found[float] = Found()
+    moment_z: Found[float | None] = Found()
 
 
 class Reference(Record):
@@ -150,15 +150,15 @@ class Normalised(Record):
 class Power(Record):
     """``power`` of a result."""
 
-    friction: Found[float] = Found()
+    friction: Found[float | None] = Found()
     """friction power (W)."""
-    creep: Found[float] = Found()
+    creep: Found[float | None] = Found()
     """power of the creep forces (W)."""
-    returned: Found[float] = Found()
+    returned: Found[float | None] = Found()
     """friction power that the bristles of the contact law return (W)."""
-    into_wheel: Found[float] = Found()
+    into_wheel: Found[float | None] = Found()
     """part of the heat that goes into the wheel (W)."""
-    into_rail: Found[float] = Found()
+    into_rail: Found[float | None] = Found()
     """part of the heat that goes into the rail (W)."""
     exchanged: Found[float | None] = Found()
     """heat from the wheel into the rail as their bulk temperatures differ (W)."""
@@ -169,7 +169,7 @@ class TGamma(Record):
 
     without_spin: Found[float] = Found()
     """wear number, frictional energy per distance rolled (N)."""
-    with_spin: Found[float] = Found()
+    with_spin: Found[float | None] = Found()
     """wear number, frictional energy per distance rolled (N)."""
 
 
@@ -268,6 +268,41 @@ class Sensitivity(Record):
     contact_stiffness: Found[SensitivityContactStiffness] = Found(SensitivityContactStiffness)
 
 
+class ExtrapolationForce(Record):
+    """``extrapolation.force`` of a result."""
+
+    x: Found[float] = Found()
+    y: Found[float] = Found()
+    moment_z: Found[float] = Found()
+
+
+class ExtrapolationNormalised(Record):
+    """``extrapolation.normalised`` of a result."""
+
+    x: Found[float] = Found()
+    y: Found[float] = Found()
+    moment_z: Found[float] = Found()
+
+
+class ExtrapolationError(Record):
+    """``extrapolation.error`` of a result."""
+
+    x: Found[float] = Found()
+    """estimated error of the longitudinal force (N)."""
+    y: Found[float] = Found()
+    """estimated error of the lateral force (N)."""
+    moment_z: Found[float] = Found()
+    """estimated error of the moment (N m)."""
+
+
+class Extrapolation(Record):
+    """``extrapolation`` of a result."""
+
+    force: Found[ExtrapolationForce] = Found(ExtrapolationForce)
+    normalised: Found[ExtrapolationNormalised] = Found(ExtrapolationNormalised)
+    error: Found[ExtrapolationError] = Found(ExtrapolationError)
+
+
 class Warning(Record):
     """``warning`` of a result."""
 
@@ -340,7 +375,7 @@ class ContactForce(Record):
     """longitudinal force (N)."""
     y: Found[float] = Found()
     """lateral force (N)."""
-    moment_z: Found[float] = Found()
+    moment_z: Found[float | None] = Found()
     """spin moment (N m)."""
 
 
@@ -351,7 +386,7 @@ class ContactNormalised(Record):
     """longitudinal force over the friction limit."""
     y: Found[float] = Found()
     """lateral force over the friction limit."""
-    moment_z: Found[float] = Found()
+    moment_z: Found[float | None] = Found()
     """moment over friction limit and size."""
 
 
@@ -360,7 +395,7 @@ class ContactTGamma(Record):
 
     without_spin: Found[float] = Found()
     """wear number, frictional energy per distance rolled (N)."""
-    with_spin: Found[float] = Found()
+    with_spin: Found[float | None] = Found()
     """wear number, frictional energy per distance rolled (N)."""
 
 
@@ -391,7 +426,7 @@ class Contact(Record):
     force: Found[ContactForce] = Found(ContactForce)
     normalised: Found[ContactNormalised] = Found(ContactNormalised)
     t_gamma: Found[ContactTGamma] = Found(ContactTGamma)
-    friction_power: Found[float] = Found()
+    friction_power: Found[float | None] = Found()
     """friction power (W)."""
     residual: Found[float] = Found()
     """relative residual."""
@@ -406,41 +441,6 @@ class WheelForce(Record):
     """lateral force on the wheel in the track frame (N)."""
     z: Found[float] = Found()
     """vertical force on the wheel in the track frame (N)."""
-
-
-class ExtrapolationForce(Record):
-    """``extrapolation.force`` of a result."""
-
-    x: Found[float] = Found()
-    y: Found[float] = Found()
-    moment_z: Found[float] = Found()
-
-
-class ExtrapolationNormalised(Record):
-    """``extrapolation.normalised`` of a result."""
-
-    x: Found[float] = Found()
-    y: Found[float] = Found()
-    moment_z: Found[float] = Found()
-
-
-class ExtrapolationError(Record):
-    """``extrapolation.error`` of a result."""
-
-    x: Found[float] = Found()
-    """estimated error of the longitudinal force (N)."""
-    y: Found[float] = Found()
-    """estimated error of the lateral force (N)."""
-    moment_z: Found[float] = Found()
-    """estimated error of the moment (N m)."""
-
-
-class Extrapolation(Record):
-    """``extrapolation`` of a result."""
-
-    force: Found[ExtrapolationForce] = Found(ExtrapolationForce)
-    normalised: Found[ExtrapolationNormalised] = Found(ExtrapolationNormalised)
-    error: Found[ExtrapolationError] = Found(ExtrapolationError)
 
 
 class Solved(Record):
@@ -463,12 +463,11 @@ class Solved(Record):
     temperature: Found[Temperature] = Found(Temperature)
     area: Found[Area] = Found(Area)
     sensitivity: Found[Sensitivity | None] = Found(Sensitivity)
+    extrapolation: Found[Extrapolation] = Found(Extrapolation)
     warnings: Found[list[Warning]] = Found(Warning)
     residual: Found[float] = Found()
     """relative residual."""
     work: Found[Work] = Found(Work)
     wheelset: Found[Wheelset] = Found(Wheelset)
     contacts: Found[list[Contact]] = Found(Contact)
-    """number of contacts of a wheel."""
     wheel_force: Found[WheelForce] = Found(WheelForce)
-    extrapolation: Found[Extrapolation] = Found(Extrapolation)

@@ -1,4 +1,4 @@
-"""Makes schlupf/_records.py of results: those of the gallery, and of all methods.
+"""Makes schlupf/_records.py of results: those of the gallery by all methods.
 
 Names and kinds of values are those of the documented JSON; the columns of the library tell what
 they are, and that there is a result with each of them.
@@ -6,7 +6,9 @@ they are, and that there is a result with each of them.
 
 from __future__ import annotations
 
+import contextlib
 import inspect
+import itertools
 import keyword
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -35,6 +37,7 @@ from ._record import Found, Record
 
 GRID = {"cells_x": 8, "cells_y": 8}
 RICH = {"cells_x": 24, "cells_y": 24}
+SPIN = {"creepage_x": 0.002, "spin": 1.0}
 
 
 @dataclass
@@ -57,13 +60,15 @@ class Seen:
             self.kinds.add("None" if value is None else type(value).__name__)
 
 
-def cases() -> Iterator[schlupf.Case]:
-    for name in schlupf.examples.__all__:
-        yield getattr(schlupf.examples, name).with_(grid=GRID)
-    yield schlupf.Case(grid=RICH, solver={"extrapolate": True})
-    for name, _ in FIELDS["solver.method"].choices:
-        common = {"friction": {"model": "constant"}, "heat": {"model": "none"}, "grid": GRID}
-        yield schlupf.Case(solver={"method": name}, **common)
+def results() -> Iterator[schlupf.Result]:
+    yield schlupf.Case(grid=RICH, solver={"extrapolate": True}).solve(strict=False, warn=False)
+    methods = [name for name, _ in FIELDS["solver.method"].choices]
+    gallery = [getattr(schlupf.examples, name) for name in schlupf.examples.__all__]
+    for case, method in itertools.product([*gallery, schlupf.Case(kinematics=SPIN)], methods):
+        asked = case.with_(grid=GRID, solver={"method": method})
+        # Not every method can solve every case.
+        with contextlib.suppress(schlupf.CaseError):
+            yield asked.solve(strict=False, warn=False)
 
 
 def columns(record: str) -> dict[str, str]:
@@ -107,15 +112,15 @@ class Classes:
             if len(line) > 100:
                 line = line.replace("= Found(", "= Found(\n        ")[:-1] + "\n    )"
             lines.append(line)
-            if prefix + member in self.docs:
+            if prefix + member in self.docs and not record:
                 lines += docstring(self.docs[prefix + member])
         self.lines[name] = [f"class {name}(Record):", *lines]
 
 
 def records() -> str:
     seen = Seen()
-    for case in cases():
-        seen.add(case.solve(strict=False, warn=False).to_dict())
+    for result in results():
+        seen.add(result.to_dict())
     docs = columns("solution") | columns("wheel")
     docs |= {f"contact.{path}": doc for path, doc in columns("contact").items()}
     classes = Classes(docs)

@@ -69,6 +69,7 @@ def results_are_records(result: schlupf.Result) -> None:
     assert_type(result.temperature.max_rise, float | None)
     assert_type(result.contacts[0].normal.load, float)
     assert_type(result.work.newton_iterations, int)
+    assert_type(result.power.friction, float | None)
     result.forse  # type: ignore[attr-defined]
     result.force.z  # type: ignore[attr-defined]
     result.force.x = 1.0  # type: ignore[assignment]
