@@ -12,8 +12,8 @@ Numbers are in SI units (temperatures in °C, differences in K), text has its un
 tractions act on the wheel.
 """
 
-from . import examples, warnings
-from ._case import Case, Section
+from . import examples, sections, warnings
+from ._case import Case
 from ._core import __version__
 from ._errors import CaseError, CaseFileError, CaseNotConverged, NotConverged, SchlupfWarning
 from ._forces import Solver, forces
@@ -22,7 +22,9 @@ from ._look_up_table import LookUpTable, TableForces
 from ._plots import ResultPlots
 from ._plots import comparison as plot_comparison
 from ._plots import frames as animate
-from ._presets import Preset, conditions, friction, layers, materials, methods, roughnesses
+from ._preset import Preset
+from ._presets import conditions, friction, layers, materials, methods, roughnesses
+from ._record import Record
 from ._report import (
     BulkTemperature,
     Calibration,
@@ -38,7 +40,8 @@ from ._report import (
     Wheelset,
 )
 from ._report_plots import RoughContactPlots
-from ._result import Record, Result
+from ._result import Result
+from ._section import Section
 from ._study import Sweep, merge, read_table, sweep
 from ._tasks import damage
 
@@ -86,6 +89,7 @@ __all__ = [
     "plot_comparison",
     "read_table",
     "roughnesses",
+    "sections",
     "sweep",
     "warnings",
 ]

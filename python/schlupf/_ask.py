@@ -5,31 +5,27 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from . import _core
 from ._tables import csv
-from ._units import plain
+from ._units import File, Number, Series, plain
+from .sections import FieldPath
 
 if TYPE_CHECKING:
     from ._report import Report
 
 R = TypeVar("R", bound="Report")
 
-#: A number in SI units, or text with its unit, or a quantity of pint.
-Number = Any
-#: Several of them.
-Numbers = Number | Sequence[Number]
+#: A number, or several.
+Numbers = Number | Series
 #: Start and end.
 Range = tuple[Number, Number] | str
 #: Text, or several that belong together.
 Texts = str | Sequence[str]
 #: A field of the case by its dotted path, and its values.
-Family = Mapping[str, Sequence[Any]]
-#: A path.
-File = str | PathLike[str]
+Family = Mapping[FieldPath, Sequence[Any] | Series]
 #: A path, or columns of numbers by name (mapping, data frame).
 Data = File | Mapping[str, Any]
 

@@ -16,14 +16,18 @@ from ._errors import CaseError, SchlupfWarning, UnknownName, quoted
 from ._fields import FIELDS, SECTIONS, Field, no_field
 from ._laws import LARGEST, Law, checked, sampled
 from ._result import Result
+from ._section import Section
 from ._tasks import Tasks
 from ._units import is_quantity, magnitude, plain, refused
+from .sections import Sections
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
     from os import PathLike
 
-    from ._forces import Solver
+    from typing_extensions import Unpack
+
+    from .sections import CaseFields, SectionFields
 
 
 #: A family as the library reads it, its field, and the values as the case has them.
@@ -151,86 +155,7 @@ def _removed(path: str) -> Iterator[str]:
         yield from (f"{field}=" for field in inner)
 
 
-class Section:
-    """A section of a case: its fields are attributes and items, and may be set.
-
-    A field that is not given has its default, in SI units; `None` if it has none or if it follows
-    from other fields.
-    """
-
-    __slots__ = ("_case", "_path")
-    _path: str
-    _case: Case
-
-    def __init__(self, case: Case, path: str) -> None:
-        object.__setattr__(self, "_case", case)
-        object.__setattr__(self, "_path", path)
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self._case, self._path)
-
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_"):
-            raise AttributeError(name)
-        path = f"{self._path}.{name}"
-        if path in SECTIONS:
-            return Section(self._case, path)
-        if path in FIELDS:
-            return self._case[path]
-        raise AttributeError(no_field(path))
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        self._case[f"{self._path}.{name}"] = value
-
-    def __getitem__(self, name: str) -> Any:
-        return self._case[f"{self._path}.{name}"]
-
-    def __setitem__(self, name: str, value: Any) -> None:
-        self._case[f"{self._path}.{name}"] = value
-
-    def _names(self) -> list[str]:
-        prefix = f"{self._path}."
-        paths = [path for path in (*FIELDS, *SECTIONS) if path.startswith(prefix)]
-        return sorted({path[len(prefix) :].split(".")[0] for path in paths})
-
-    def __contains__(self, name: object) -> bool:
-        return name in self._names()
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self.given())
-
-    def keys(self) -> list[str]:
-        """Names of the fields that are given, so that ``dict(section)`` has their values."""
-        return list(self.given())
-
-    def __dir__(self) -> list[str]:
-        return [*self._names(), "given"]
-
-    def given(self) -> dict[str, Any]:
-        """The fields that are given, with their values in SI units."""
-        prefix = f"{self._path}."
-        paths = [path for path in self._case.given() if path.startswith(prefix)]
-        return {path[len(prefix) :]: self._case[path] for path in paths}
-
-    def __repr__(self) -> str:
-        values = ((name, self[name]) for name in self._names() if f"{self._path}.{name}" in FIELDS)
-        lines = (f"  {name} = {value!r}" for name, value in values if value is not None)
-        return "\n".join([f"[{self._path}]", *lines])
-
-
-class SolverSection(Section):
-    """The section ``solver``, and the way to a solver."""
-
-    __slots__ = ()
-
-    def __call__(self) -> Solver:
-        """A solver that keeps its set-up and starts from its earlier solutions."""
-        from ._forces import Solver
-
-        return Solver(self._case)
-
-
-class Case(Tasks):
+class Case(Sections, Tasks):
     """What to solve, as in a case file: one keyword for each section, with its fields.
 
     Parameters
@@ -263,7 +188,7 @@ class Case(Tasks):
     #: Arguments of `with_laws`.
     _laws: dict[str, Any]
 
-    def __init__(self, title: str | None = None, **sections: Mapping[str, Any]) -> None:
+    def __init__(self, title: str | None = None, **sections: Unpack[SectionFields]) -> None:
         values: dict[str, Any] = dict(sections)
         if title is not None and not isinstance(title, str):
             raise TypeError(f"title must be text, but is {quoted(title)}; sections are keywords")
@@ -327,7 +252,7 @@ class Case(Tasks):
     def _toml(self, folder: str | PathLike[str] | None = None) -> str:
         return self._file.to_toml(self._folder if folder is None else Path(folder))
 
-    def with_(self, **sections: Any) -> Case:
+    def with_(self, **sections: Unpack[CaseFields]) -> Case:
         """The same case with other fields; `None` removes a field or a section."""
         case = self._of(self._file.with_fields(list(assignments(sections))), self._folder)
         # A load scales the pressure of a function.
@@ -412,19 +337,17 @@ class Case(Tasks):
         if self._is_replaced(path):
             raise refused(path, f"{path} has no effect: a function is in place of it")
 
-    def __getattr__(self, name: str) -> Any:
-        if name in SECTIONS:
-            return Section(self, name)
-        if name in FIELDS:
-            return self[name]
-        raise AttributeError(no_field(name))
+    if not TYPE_CHECKING:
+        # A wrong name is told by those like it.
+        def __getattr__(self, name: str) -> Any:
+            raise AttributeError(no_field(name))
 
-    def __setattr__(self, name: str, value: Any) -> None:
-        self[name] = value
+        def __setattr__(self, name: str, value: Any) -> None:
+            self[name] = value
 
     def __getitem__(self, path: str) -> Any:
-        if path in SECTIONS:
-            return Section(self, path)
+        if path in Section.OF_PATHS:
+            return Section.OF_PATHS[path](self)
         if path not in FIELDS:
             raise UnknownName(no_field(path))
         return self._file.value(path)
@@ -442,9 +365,6 @@ class Case(Tasks):
     def keys(self) -> list[str]:
         """Dotted paths of the fields that are given, so that ``dict(case)`` has their values."""
         return self.given()
-
-    def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *_top()]
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Case):
@@ -523,24 +443,11 @@ class Case(Tasks):
         members = [self._file.with_fields([f"{path}={entry}"]) for entry in texts]
         return text, path, [member.value(path) for member in members]
 
-    @property
-    def solver(self) -> SolverSection:
-        """The section ``solver``.
-
-        Called, ``case.solver()``, it is a solver that keeps its set-up and starts from its earlier
-        solutions.
-        """
-        return SolverSection(self, "solver")
-
 
 def rebuilt(text: str, folder: str, laws: dict[str, Any]) -> Case:
     """A case from its text, in a folder, with laws."""
     case = Case.from_toml(text, folder)
     return case.with_laws(**laws) if laws else case
-
-
-def _top() -> list[str]:
-    return [name for name in SECTIONS if name and "." not in name] + ["title"]
 
 
 def _documentation() -> str:

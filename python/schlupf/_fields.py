@@ -18,6 +18,7 @@ class Field:
     units: str
     requirement: str
     default: str | None
+    is_optional: bool
     choices: tuple[tuple[str, str], ...]
     used_with: tuple[tuple[str, tuple[str, ...]], ...]
     doc: str

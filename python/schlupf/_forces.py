@@ -16,9 +16,14 @@ from ._units import plain
 from .warnings import emit
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from numpy.typing import ArrayLike, NDArray
+    from typing_extensions import Unpack
 
     from ._case import Case
+    from ._units import Number, Series
+    from .sections import Conditions
 
 #: Conditions that have a short name, with their fields.
 CONDITIONS = dict(_core.conditions())
@@ -38,7 +43,7 @@ def forces(
     *,
     strict: bool = False,
     warn: bool = True,
-    **conditions: ArrayLike | xr.DataArray,
+    **conditions: Unpack[Conditions[ArrayLike | Series | xr.DataArray]],
 ) -> xr.Dataset:
     """Forces on the wheel under many conditions, on all cores.
 
@@ -136,7 +141,7 @@ def forces(
 Counted = tuple[str, str, str, int, int, bool]
 
 
-def _paths(case: Case, conditions: dict[str, Any]) -> dict[str, str]:
+def _paths(case: Case, conditions: Mapping[str, Any]) -> dict[str, str]:
     """The fields of conditions, by their names."""
     paths = {name: CONDITIONS.get(name, name.replace("__", ".")) for name in conditions}
     for name, path in paths.items():
@@ -232,7 +237,9 @@ class Solver:
         self._case = case
         self._solver = _core.BatchSolver(case._file)
 
-    def solve(self, *, strict: bool = True, warn: bool = True, **conditions: float) -> Result:
+    def solve(
+        self, *, strict: bool = True, warn: bool = True, **conditions: Unpack[Conditions[Number]]
+    ) -> Result:
         """The steady state of ``case.with_(…)`` with other numbers, named as in `forces`.
 
         Raises
@@ -242,14 +249,15 @@ class Solver:
         NotConverged
             If `strict` and the solution has not converged.
         """
-        several = [name for name, value in conditions.items() if np.ndim(value) > 0]
+        given: Mapping[str, Any] = conditions
+        several = [name for name, value in given.items() if np.ndim(value) > 0]
         if several:
             raise ValueError(f"{several[0]} must be one number: `schlupf.forces` takes arrays")
-        paths = _paths(self._case, conditions)
+        paths = _paths(self._case, given)
         if in_law():
             raise RuntimeError("a law must not use a solver: the solver waits for the law")
         values = {
-            path: np.array([float(_in_si(self._case, path, conditions[name]))])
+            path: np.array([float(_in_si(self._case, path, given[name]))])
             for name, path in paths.items()
         }
         return Result._new(self._solver.solve(values), strict=strict, warn=warn)

@@ -6,13 +6,13 @@ import base64
 import functools
 import io
 import textwrap
-from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar, cast
+from typing import TYPE_CHECKING, Any, Literal, ParamSpec, TypeVar, cast
 
 import numpy as np
 
 from ._errors import UnknownName, no_such, quoted
 from ._prefixes import scaled
-from ._result import Record
+from ._record import Record
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from matplotlib.path import Path
     from numpy.typing import NDArray
 
+    from ._records import CellColumn, InstantColumn, Normal
     from ._result import Result
 
 #: Width of a figure of one column, in inches.
@@ -185,7 +186,7 @@ class ResultPlots:
     @styled
     def cut(
         self,
-        *names: str,
+        *names: CellColumn | Literal["friction_limit"],
         y: float | str | None = None,
         x: float | str | None = None,
         ax: Axes | None = None,
@@ -232,7 +233,7 @@ class ResultPlots:
         return ax
 
     @styled
-    def surface(self, name: str = "pressure", ax: Axes | None = None, **style: Any) -> Axes:
+    def surface(self, name: CellColumn = "pressure", ax: Axes | None = None, **style: Any) -> Axes:
         """A field as a surface over the patch, as in the figures of Neuhaus and Sextro (2014)."""
         import matplotlib.pyplot as plt
         from mpl_toolkits.mplot3d import Axes3D  # type: ignore[import-untyped]
@@ -255,7 +256,7 @@ class ResultPlots:
         return cast("Axes", ax)
 
     @styled
-    def history(self, *names: str, ax: Axes | None = None, **style: Any) -> Axes:
+    def history(self, *names: InstantColumn, ax: Axes | None = None, **style: Any) -> Axes:
         """Numbers of ``result.history`` over time; by default the forces over the load."""
         history = self._result.history
         if history.sizes["time"] < 2:
@@ -276,7 +277,7 @@ class ResultPlots:
         return ax
 
     def animation(
-        self, field: str = "traction_x", *, ax: Axes | None = None, **options: Any
+        self, field: CellColumn = "traction_x", *, ax: Axes | None = None, **options: Any
     ) -> FuncAnimation:
         """A field over time, where the case was solved with ``fields_every``; see `animate`."""
         return frames(self._result, field, ax=ax, **options)
@@ -348,7 +349,7 @@ def shown(fields: xr.Dataset, name: str) -> xr.DataArray:
     return (values / fields["covered"]).assign_attrs(values.attrs)
 
 
-def _ellipse(fields: xr.Dataset, normal: Record) -> Path | None:
+def _ellipse(fields: xr.Dataset, normal: Normal) -> Path | None:
     """The edge of a contact with the pressure of Hertz in mm; none of another."""
     from matplotlib.path import Path
 
@@ -484,7 +485,7 @@ def _patch_axes(ax: Axes, title: str) -> None:
 @styled
 def comparison(
     results: Sequence[Result],
-    field: str = "pressure",
+    field: CellColumn = "pressure",
     labels: Sequence[str] | None = None,
     ax: Sequence[Axes] | None = None,
 ) -> list[Axes]:
@@ -529,7 +530,7 @@ def comparison(
 @styled
 def frames(
     results: Result | Sequence[Result],
-    field: str = "traction_x",
+    field: CellColumn = "traction_x",
     *,
     ax: Axes | None = None,
     **options: Any,

@@ -1,108 +1,126 @@
-"""Constants to start with, each with its source."""
+"""Constants to start with, each with its source.
+
+Made of the presets of the library by tests/generate.py.
+"""
 
 from __future__ import annotations
 
-import json
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from ._core import presets
-from ._errors import UnknownName, no_such
+from ._preset import Preset, Presets
+from ._section import Entry
 
 if TYPE_CHECKING:
-    from collections.abc import ItemsView, Iterator
+    from typing_extensions import Never
 
 
-class Preset(dict[str, Any]):
-    """Fields of a section as a dictionary, with what they are and where they come from.
+class Conditions(Presets, group="conditions"):
+    """Conditions of the rail, for a first guess: ``Case(**conditions.wet)``."""
 
-    Attributes
-    ----------
-    doc, source : str
-    """
-
-    def __init__(self, fields: dict[str, Any], doc: str, source: str) -> None:
-        super().__init__(fields)
-        self.doc = doc
-        self.source = source
-
-    def __repr__(self) -> str:
-        return f"{super().__repr__()}\n{self.doc}\nsource: {self.source}"
-
-    def __reduce__(self) -> Any:
-        return type(self), (dict(self), self.doc, self.source)
-
-
-class Presets:
-    """Presets of one kind, by name."""
-
-    def __init__(self, group: str) -> None:
-        self._presets = {
-            name: Preset(_nested(fields), doc, source)
-            for of, name, doc, source, fields in presets()
-            if of == group
-        }
-
-    def __getattr__(self, name: str) -> Preset:
-        if name.startswith("_"):
-            raise AttributeError(name)
-        try:
-            return self._presets[name]
-        except KeyError:
-            raise AttributeError(no_such("preset", name, self)) from None
-
-    def __getitem__(self, name: str) -> Preset:
-        try:
-            return self._presets[name]
-        except (KeyError, TypeError):
-            raise UnknownName(no_such("preset", name, self)) from None
-
-    def __contains__(self, name: object) -> bool:
-        return name in self._presets
-
-    def items(self) -> ItemsView[str, Preset]:
-        """Names and presets."""
-        return self._presets.items()
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._presets)
-
-    def __len__(self) -> int:
-        return len(self._presets)
-
-    def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *self]
-
-    def __repr__(self) -> str:
-        width = max(map(len, self), default=0)
-        return "\n".join(f"{name:{width}}  {p.doc}" for name, p in self._presets.items())
+    dry: Entry[Preset, Never] = Entry()
+    """dry rail: friction falls with the slip speed; Polach's method takes methods.polach_dry, too
+    (Polach, Wear 258 (2005) 992–1000)."""
+    leaves: Entry[Preset, Never] = Entry()
+    """damp film of leaves: middle of 0.05 to 0.1, measured on the rail by hand-pushed tribometer
+    (Olofsson and Lewis, in: Iwnicki (ed.), Handbook of Railway Vehicle Dynamics (2006), ch. 5)."""
+    oil: Entry[Preset, Never] = Entry()
+    """much grease on the rail: middle of 0.05 to 0.1, measured by hand-pushed tribometer (Olofsson
+    and Lewis, in: Iwnicki (ed.), Handbook of Railway Vehicle Dynamics (2006), ch. 5)."""
+    sanded: Entry[Preset, Never] = Entry()
+    """dry rail with a layer of sand, which flows at 400 MPa; that it softens (layers.sand) is left
+    out (Polach, Wear 258 (2005) 992–1000; Hou, Kalousek and Magel (1997), by way of the user guide
+    for CONTACT)."""
+    wet: Entry[Preset, Never] = Entry()
+    """wet rail: friction falls with the slip speed; Polach's method takes methods.polach_wet, too
+    (Polach, Wear 258 (2005) 992–1000)."""
 
 
-def _nested(fields: list[tuple[str, str]]) -> dict[str, Any]:
-    nested: dict[str, Any] = {}
-    for path, value in fields:
-        *sections, name = path.split(".")
-        inner = nested
-        for section in sections:
-            inner = inner.setdefault(section, {})
-        # Text and numbers of TOML are those of JSON, too.
-        inner[name] = json.loads(value)
-    return nested
+class Friction(Presets, group="friction"):
+    """Friction laws with their constants, for ``friction``."""
+
+    eurosprinter: Entry[Preset, Never] = Entry()
+    """locomotive Eurosprinter 127 001, from modified FASTSIM (Spiryagin, Polach and Cole, Vehicle
+    System Dynamics 51 (2013), as CONTACT's example has it)."""
+    neuhaus_sextro: Entry[Preset, Never] = Entry()
+    """falls linearly with temperature and vanishes 700 K above the reference (Neuhaus and Sextro,
+    ICCM 2014, Eq. (23))."""
+    polach_dry: Entry[Preset, Never] = Entry()
+    """dry rail; falls with the slip speed (Polach, Wear 258 (2005) 992–1000)."""
+    polach_wet: Entry[Preset, Never] = Entry()
+    """wet rail; falls with the slip speed (Polach, Wear 258 (2005) 992–1000)."""
 
 
-#: Materials, for ``wheel`` and ``rail``.
-materials = Presets("materials")
+class Layers(Presets, group="layers"):
+    """Layers between the surfaces, for ``layer``."""
 
-#: Roughnesses, for ``contact_law={"roughness": …}``.
-roughnesses = Presets("roughnesses")
+    clay: Entry[Preset, Never] = Entry()
+    """clay: elastic to 40 µm, 200 MPa, then 400 MPa/mm of the whole displacement; under 900 MPa
+    (Hou, Kalousek and Magel (1997), by way of the user guide for CONTACT)."""
+    eurosprinter: Entry[Preset, Never] = Entry()
+    """contaminants under the locomotive Eurosprinter 127 001: h/G = 1.52e-13 m/Pa (Vollebregt,
+    User guide for CONTACT, example of creep force curves)."""
+    magnetite: Entry[Preset, Never] = Entry()
+    """magnetite: elastic to 70 µm, then at 560 MPa; under 900 MPa. Only h/G counts, h is set to 1
+    mm (Hou, Kalousek and Magel (1997), by way of the user guide for CONTACT)."""
+    molybdenum_disulphide: Entry[Preset, Never] = Entry()
+    """MoS2: elastic to 20 µm, 20 MPa, then 20 MPa/mm of the whole displacement; under 900 MPa
+    (Hou, Kalousek and Magel (1997), by way of the user guide for CONTACT)."""
+    sand: Entry[Preset, Never] = Entry()
+    """sand: elastic to 50 µm, 400 MPa, then −200 MPa/mm of the whole displacement; under 900 MPa
+    (Hou, Kalousek and Magel (1997), by way of the user guide for CONTACT)."""
 
-#: Friction laws with their constants, for ``friction``.
-friction = Presets("friction")
 
-#: Layers between the surfaces, for ``layer``.
-layers = Presets("layers")
+class Materials(Presets, group="materials"):
+    """Materials, for ``wheel`` and ``rail``."""
+
+    aluminium: Entry[Preset, Never] = Entry()
+    """pure aluminium, for twin-disc tests (Kaye and Laby, Tables of physical and chemical
+    constants (elastic); CRC Handbook of chemistry and physics (thermal))."""
+    steel: Entry[Preset, Never] = Entry()
+    """wheel and rail steel (Neuhaus and Sextro, ICCM 2014)."""
+    steel_contact: Entry[Preset, Never] = Entry()
+    """wheel and rail steel with G = 82 GPa, as in the examples of CONTACT (Vollebregt, User guide
+    for CONTACT)."""
+
+
+class Methods(Presets, group="methods"):
+    """Fast methods with their constants: ``Case(**methods.polach_dry)``."""
+
+    eurosprinter: Entry[Preset, Never] = Entry()
+    """modified FASTSIM of the locomotive Eurosprinter 127 001; goes with friction.eurosprinter
+    (Spiryagin, Polach and Cole, Vehicle System Dynamics 51 (2013); β = 0.62 there, whose ε is half
+    of ours)."""
+    modified_fastsim: Entry[Preset, Never] = Entry()
+    """modified FASTSIM; constants that make its longitudinal forces those of Polach on a dry rail
+    (Spiryagin, Polach and Cole, Vehicle System Dynamics 51 (2013); constants by schlupf)."""
+    polach_dry: Entry[Preset, Never] = Entry()
+    """Polach's method with the reductions of a dry rail; goes with friction.polach_dry (Polach,
+    Wear 258 (2005) 992–1000)."""
+    polach_wet: Entry[Preset, Never] = Entry()
+    """Polach's method with the reductions of a wet rail; goes with friction.polach_wet (Polach,
+    Wear 258 (2005) 992–1000)."""
+
+
+class Roughnesses(Presets, group="roughnesses"):
+    """Roughnesses, for ``contact_law={"roughness": …}``."""
+
+    ground_rail: Entry[Preset, Never] = Entry()
+    """the roughest a reprofiled rail may be, Ra = 10 µm; h_rms = √(π/2) Ra for Gaussian heights
+    (EN 13231-5)."""
+    neuhaus_sextro: Entry[Preset, Never] = Entry()
+    """both surfaces together: gives the k_c = 5e6 1/m of the paper with μ0 = 0.4 and γ = 0.45
+    (Neuhaus and Sextro, ICCM 2014, by the closed form of Persson (2007))."""
+
 
 #: Conditions of the rail, for a first guess: ``Case(**conditions.wet)``.
-conditions = Presets("conditions")
-
+conditions = Conditions()
+#: Friction laws with their constants, for ``friction``.
+friction = Friction()
+#: Layers between the surfaces, for ``layer``.
+layers = Layers()
+#: Materials, for ``wheel`` and ``rail``.
+materials = Materials()
 #: Fast methods with their constants: ``Case(**methods.polach_dry)``.
-methods = Presets("methods")
+methods = Methods()
+#: Roughnesses, for ``contact_law={"roughness": …}``.
+roughnesses = Roughnesses()

@@ -12,7 +12,8 @@ import xarray as xr
 from . import _core
 from ._errors import NotConverged
 from ._fields import FIELDS
-from ._result import Record, Saved, restored, table, written
+from ._record import Record
+from ._result import Saved, restored, table, written
 from ._tables import along, attributes, stacked
 from .warnings import emit
 
@@ -54,6 +55,10 @@ class Report(Record):
         if warn:
             emit(result.messages, stacklevel=depth)
         return result
+
+    if TYPE_CHECKING:
+        # Their names are those of the documented JSON.
+        def __getattr__(self, name: str) -> Any: ...
 
     def _finish(self, case: Case, families: dict[str, list[tuple[str, list[Any]]]]) -> None:
         """Keeps what only the case or the request knows."""
@@ -315,8 +320,8 @@ class Calibration(Report, task="calibrate"):
     _case: Case
 
     def _finish(self, case: Case, families: dict[str, list[tuple[str, list[Any]]]]) -> None:
-        section = case.from_toml(_core.own_file(self._report, "section") or "").elasticity.given()
-        self._case = case.with_(elasticity=None).with_(elasticity=section)
+        found = case.from_toml(_core.own_file(self._report, "section") or "")
+        self._case = case.with_(elasticity=None).with_(elasticity=found.elasticity)
 
     @property
     def case(self) -> Case:

@@ -9,12 +9,14 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ._errors import NotConverged, UnknownName, no_such
+from ._errors import NotConverged
+from ._record import Record
+from ._records import Solved
 from ._tables import along, attributes, on_grid
 from .warnings import emit
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
     from os import PathLike
 
     import pandas as pd
@@ -24,72 +26,7 @@ if TYPE_CHECKING:
     from ._plots import ResultPlots
 
 
-class Record:
-    """Named values of a result, as attributes and items; nested ones are records, too."""
-
-    def __init__(self, values: dict[str, Any]) -> None:
-        self._values: dict[str, Any] = {name: _nested(value) for name, value in values.items()}
-
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_"):
-            raise AttributeError(name)
-        try:
-            return self._values[name]
-        except KeyError:
-            raise AttributeError(no_such("result", name, self._values)) from None
-
-    def __getitem__(self, name: str) -> Any:
-        try:
-            return self._values[name]
-        except (KeyError, TypeError):
-            raise UnknownName(no_such("result", name, self._values)) from None
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._values)
-
-    def __len__(self) -> int:
-        return len(self._values)
-
-    def keys(self) -> list[str]:
-        """The names, so that ``dict(record)`` has the values."""
-        return list(self._values)
-
-    def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *self._values]
-
-    def to_dict(self) -> dict[str, Any]:
-        """The values as nested dictionaries."""
-        return {name: _plain(value) for name, value in self._values.items()}
-
-    def __repr__(self) -> str:
-        return "\n".join(self._lines(""))
-
-    def _lines(self, indent: str) -> Iterator[str]:
-        for name, value in self._values.items():
-            if isinstance(value, Record):
-                yield f"{indent}{name}"
-                yield from value._lines(indent + "  ")
-            elif isinstance(value, list) and len(value) > 4:
-                yield f"{indent}{name}: {len(value)} values"
-            else:
-                yield f"{indent}{name}: {value!r}"
-
-
-def _nested(value: Any) -> Any:
-    """Dictionaries as records, also those of a list."""
-    if isinstance(value, list):
-        return [_nested(entry) for entry in value]
-    return Record(value) if isinstance(value, dict) else value
-
-
-def _plain(value: Any) -> Any:
-    """The same back."""
-    if isinstance(value, list):
-        return [_plain(entry) for entry in value]
-    return value.to_dict() if isinstance(value, Record) else value
-
-
-class Result(Record):
+class Result(Solved):
     """A solved case.
 
     The scalars of the documented JSON are attributes, such as ``result.force.x`` (N, on the wheel),
@@ -111,7 +48,7 @@ class Result(Record):
     @property
     def converged(self) -> bool:
         """Whether the equations are satisfied to the tolerance."""
-        return bool(self._values["status"] == "converged")
+        return self.status == "converged"
 
     @property
     def messages(self) -> list[tuple[str, str, str]]:
@@ -152,7 +89,7 @@ class Result(Record):
         return dataset.assign_attrs(self._origin())
 
     def _origin(self) -> dict[str, str]:
-        return {"title": self._values["title"], "source": self._values["program"]}
+        return {"title": self.title, "source": self.program}
 
     @cached_property
     def history(self) -> xr.Dataset:

@@ -1,6 +1,6 @@
 """Tasks.
 
-Made of the tasks of the library by tests/generate_tasks.py.
+Made of the tasks of the library by tests/generate.py.
 """
 
 from __future__ import annotations
@@ -24,8 +24,9 @@ from ._report import (
 )
 
 if TYPE_CHECKING:
-    from ._ask import Data, Family, File, Number, Numbers, Range, Texts
+    from ._ask import Data, Family, Numbers, Range, Texts
     from ._case import Case
+    from ._units import File, Number
 
 
 class Tasks:

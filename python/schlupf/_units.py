@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from os import PathLike
 from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
 
 from ._errors import CaseError, quoted
 
@@ -12,6 +17,28 @@ class Measured(Protocol):
 
     @property
     def units(self) -> str: ...
+
+
+class Quantity(Protocol):
+    """One of pint, or like one."""
+
+    @property
+    def magnitude(self) -> Any: ...
+    def to(self, *arguments: Any, **options: Any) -> Any: ...
+
+
+#: A number without unit.
+Plain = float | np.floating[Any] | np.integer[Any] | Quantity
+#: A number in SI units, or text with its unit, or a quantity of pint.
+Number = Plain | str
+#: Several of them.
+Series = Sequence[Number] | NDArray[Any] | Quantity
+#: A whole number.
+Count = int | np.integer[Any]
+#: Yes or no.
+Flag = bool | np.bool_
+#: A path.
+File = str | PathLike[str]
 
 
 def refused(field: str, message: str) -> CaseError:

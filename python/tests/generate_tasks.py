@@ -10,14 +10,14 @@ from textwrap import fill
 from typing import Any
 
 import schlupf
-from schlupf import _core
+from schlupf import _core, _units
 from schlupf._report import Report
 
 FILE = Path(__file__).parents[1] / "schlupf/_tasks.py"
 
 HEAD = '''"""Tasks.
 
-Made of the tasks of the library by tests/generate_tasks.py.
+Made of the tasks of the library by tests/generate.py.
 """
 
 from __future__ import annotations
@@ -30,8 +30,9 @@ from ._report import (
 )
 
 if TYPE_CHECKING:
-    from ._ask import {types}
+    from ._ask import {asked}
     from ._case import Case
+    from ._units import {units}
 
 
 class Tasks:
@@ -177,9 +178,8 @@ def source() -> str:
     results = sorted({result_of(task).__name__ for task in tasks})
     types = sorted({kind for kind, _ in TYPES.values() if re.search(rf"\b{kind}\b", text)})
     types = [kind for kind in types if kind[0].isupper()]
+    units = [kind for kind in types if kind in vars(_units)]
+    asked = [kind for kind in types if kind not in units]
     head = HEAD.replace("{results}", ",\n    ".join(results))
-    return head.replace("{types}", ", ".join(types)) + "\n" + text
-
-
-if __name__ == "__main__":
-    FILE.write_text(source(), encoding="utf-8")
+    head = head.replace("{asked}", ", ".join(asked)).replace("{units}", ", ".join(units))
+    return f"{head}\n{text}"

@@ -1,13 +1,15 @@
-"""What is made of the tasks of the library is up to date."""
+"""What is made of the library is up to date."""
 
-from generate_tasks import FILE, source
+import pytest
+from generate import SOURCES
 
 import schlupf
 from schlupf import _core
 
 
-def test_the_methods_of_tasks_are_those_of_the_library():
-    assert FILE.read_text(encoding="utf-8") == source()
+@pytest.mark.parametrize("file", SOURCES, ids=lambda file: file.name)
+def test_modules_follow_from_the_library(file):
+    assert file.read_text(encoding="utf-8") == SOURCES[file]()
 
 
 def test_every_task_is_at_hand():

@@ -20,6 +20,8 @@ def test_scalars_are_those_of_the_json(result):
     assert "force" in dir(result) and list(result.force) == ["x", "y", "moment_z"]
     with pytest.raises(AttributeError, match="friction"):
         result.power.fricton
+    with pytest.raises(AttributeError, match="not changed"):
+        result.force.x = 0.0
 
 
 def test_fields_add_up_to_the_forces(result):

@@ -19,6 +19,8 @@ pub fn run(workspace: &Path, target: &Path) -> Result<(), String> {
     let steps = [
         "pytest --quiet --doctest-modules --pyargs schlupf",
         "mypy",
+        "mypy python/tests/typed.py",
+        "pyright",
         "mypy.stubtest schlupf._core",
     ];
     steps.iter().try_for_each(|module| environment.python(module).run(workspace))

@@ -5,7 +5,7 @@ use std::ffi::OsString;
 
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
-use schlupf_case::fields::{Field, Kind, SECTIONS};
+use schlupf_case::fields::{ALTERNATIVES, Field, Kind, SECTIONS};
 use schlupf_case::{FieldNames, Preset};
 
 /// Sections in the order of the case file; each a dictionary with `name`, `doc` and `fields`.
@@ -26,8 +26,8 @@ pub fn field_table(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
     Ok(sections)
 }
 
-/// A field: path, kind, unit (SI), whether its numbers may be text with a unit, default, choices
-/// and documentation.
+/// A field: path, kind, unit (SI), whether its numbers may be text with a unit, default, whether it
+/// may have no value, choices and documentation.
 fn entry<'py>(py: Python<'py>, field: &Field) -> PyResult<Bound<'py, PyDict>> {
     let entry = PyDict::new(py);
     entry.set_item("path", field.path.as_str())?;
@@ -38,12 +38,21 @@ fn entry<'py>(py: Python<'py>, field: &Field) -> PyResult<Bound<'py, PyDict>> {
     let requirement = if is_number(field.kind) { requirement } else { String::new() };
     entry.set_item("requirement", requirement)?;
     entry.set_item("default", field.default.text().or(field.default.in_words()))?;
+    entry.set_item("is_optional", is_optional(field))?;
     let choices = field.kind.choices().iter().map(|choice| (choice.name, choice.doc));
     entry.set_item("choices", choices.collect::<Vec<_>>())?;
     let uses = field.uses().map(|(path, names)| (path.as_str(), names.to_vec()));
     entry.set_item("used_with", uses.collect::<Vec<_>>())?;
     entry.set_item("doc", field.doc)?;
     Ok(entry)
+}
+
+/// Whether there are cases in which it has no value.
+fn is_optional(field: &Field) -> bool {
+    let mut pairs = ALTERNATIVES.iter().flat_map(|pair| [pair.first, pair.second]);
+    field.default.text().is_none()
+        || field.default_with.is_some()
+        || pairs.any(|paths| paths.contains(&field.path))
 }
 
 fn is_number(kind: Kind) -> bool {

@@ -36,6 +36,8 @@ mod _core {
     #[pymodule_export]
     use super::look_up_table::LookUpTable;
     #[pymodule_export]
+    use super::records::column_table;
+    #[pymodule_export]
     use super::report::{Report, own_file, stresses_at};
     #[pymodule_export]
     use super::solution::Solution;

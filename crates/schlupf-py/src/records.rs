@@ -4,12 +4,34 @@ use numpy::{Element, PyArray1, PyArrayMethods};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
-use schlupf::Quantity;
 use schlupf::reporting::{Record, Value};
-use schlupf::solution::Fields;
+use schlupf::solution::{Fields, Instant};
+use schlupf::wheel_rail::{Contact, WheelSolution};
+use schlupf::{Quantity, Solution};
 use schlupf_tasks::output::Summary;
 use schlupf_tasks::output::summary::Line;
 use schlupf_tasks::output::table::{ColumnValues, Values};
+
+/// Name, unit and meaning of columns.
+type Described = Vec<(&'static str, &'static str, &'static str)>;
+
+/// The columns of a solution, of a wheel, of its contacts, of cells and of instants, each under the
+/// name of its record.
+#[pyfunction]
+pub fn column_table() -> Vec<(&'static str, Described)> {
+    vec![
+        ("solution", of_record::<Solution>()),
+        ("wheel", of_record::<WheelSolution>()),
+        ("contact", of_record::<Contact>()),
+        ("cells", of_record::<Fields>()),
+        ("instants", of_record::<[Instant]>()),
+    ]
+}
+
+fn of_record<R: Record + ?Sized>() -> Described {
+    let columns = R::COLUMNS.iter();
+    columns.map(|of| (of.name, of.quantity.unit(), of.quantity.description())).collect()
+}
 
 /// Columns by name: each a dictionary with `values` (an array, or a list of names), and what
 /// [`described`] adds.

@@ -1,0 +1,202 @@
+"""Makes schlupf/sections.py of the table of fields, and schlupf/_presets.py of the presets."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from textwrap import fill
+
+from schlupf import _core
+from schlupf._fields import FIELDS, SECTIONS, Field, SectionTable
+from schlupf._forces import NUMBERS
+from schlupf._tasks import Tasks
+
+PACKAGE = Path(__file__).parents[1] / "schlupf"
+
+HEAD = '''"""Sections of a case as classes, and what they are given as dictionaries.
+
+>>> import schlupf
+>>> load: schlupf.sections.NormalFields = {"load": "80 kN"}
+>>> case = schlupf.Case(normal=load)
+>>> isinstance(case.normal, schlupf.sections.Normal)
+True
+
+Made of the fields of the library by tests/generate.py.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Literal, TypedDict
+
+from ._section import Entry, Section, SolverSection
+
+if TYPE_CHECKING:
+    from typing import Generic, TypeVar
+
+    from ._preset import Preset
+    from ._units import Count, File, Flag, Number, Plain, Series
+'''
+
+PRESETS = '''"""Constants to start with, each with its source.
+
+Made of the presets of the library by tests/generate.py.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ._preset import Preset, Presets
+from ._section import Entry
+
+if TYPE_CHECKING:
+    from typing_extensions import Never
+'''
+
+#: What the groups of presets are.
+GROUPS = {
+    "materials": "Materials, for ``wheel`` and ``rail``.",
+    "roughnesses": 'Roughnesses, for ``contact_law={"roughness": …}``.',
+    "friction": "Friction laws with their constants, for ``friction``.",
+    "layers": "Layers between the surfaces, for ``layer``.",
+    "conditions": "Conditions of the rail, for a first guess: ``Case(**conditions.wet)``.",
+    "methods": "Fast methods with their constants: ``Case(**methods.polach_dry)``.",
+}
+
+#: Sections that can do more than others.
+BASES = {"solver": "SolverSection"}
+
+#: What the value of a field of each kind is, and what may be given.
+TYPES = {
+    "quantity": ("float", "Number"),
+    "number": ("float", "Plain"),
+    "number-or-choice": ("float", "Plain"),
+    "count": ("int", "Count"),
+    "flag": ("bool", "Flag"),
+    "text": ("str", "str"),
+    "path": ("str", "File"),
+    "quantities": ("list[float]", "Series"),
+    "numbers": ("list[float]", "Series"),
+}
+
+
+def camel(path: str) -> str:
+    return "".join(part.capitalize() for part in re.split(r"[._]", path))
+
+
+def name_of(section: str) -> str:
+    """The class of a section."""
+    return camel(section.rpartition(".")[2])
+
+
+def types(field: Field) -> tuple[str, str]:
+    """What its value is, and what may be given."""
+    value, given = TYPES.get(field.kind, ("", ""))
+    if field.choices:
+        names = camel(field.path)
+        value, given = (f"{kind} | {names}" if kind else names for kind in (value, given))
+    return (f"{value} | None" if field.is_optional else value), f"{given} | None"
+
+
+def docstring(text: str, indent: str = "    ") -> list[str]:
+    text = re.sub(r"\s+", " ", text).strip().removesuffix(".")
+    text = fill(f'"""{text}."""', 99, initial_indent=indent, subsequent_indent=indent)
+    return text.splitlines()
+
+
+def documentation(field: Field) -> list[str]:
+    default = f"; default: {field.default}" if field.default else ""
+    choices = "; ".join(f'"{name}": {doc}' for name, doc in field.choices)
+    choices = f" ({choices})" if choices else ""
+    return docstring(f"{field.doc}{field.unit_text}{default}{choices}")
+
+
+def literal(name: str, values: list[str]) -> list[str]:
+    if len(values) == 1:
+        return [f'{name} = Literal["{values[0]}"]']
+    return [f"{name} = Literal[", *(f'    "{value}",' for value in values), "]"]
+
+
+def inner(section: str) -> list[str]:
+    """The sections within a section; of none those of the case."""
+    of = f"{section}." if section else ""
+    names = (name[len(of) :] for name in SECTIONS if name and name.startswith(of))
+    return [of + name for name in names if "." not in name]
+
+
+def given_for(path: str) -> str:
+    name = name_of(path)
+    text = "str | " if "." in path else ""
+    return f"{text}{name}Fields | {name} | Preset | None"
+
+
+def members(
+    fields: Sequence[Field], section: str | None
+) -> Iterator[tuple[str, tuple[str, str], list[str]]]:
+    """Fields, and what is in a section: name, value and what may be given, documentation."""
+    for field in fields:
+        yield field.name, types(field), documentation(field)
+    for path in [] if section is None else inner(section):
+        name = path.rpartition(".")[2]
+        yield name, (name_of(path), given_for(path)), docstring(SECTIONS[path].doc)
+
+
+def dictionary(head: str, about: str, fields: Sequence[Field], section: str | None) -> list[str]:
+    lines = [f"class {head}, total=False):", *docstring(about), ""]
+    for name, (_, given), doc in members(fields, section):
+        lines += [f"    {name}: {given}", *doc]
+    return lines
+
+
+def owner(head: str, about: str, section: SectionTable) -> list[str]:
+    lines = [f"class {head}:", *docstring(about), "", "    __slots__ = ()"]
+    for name, (value, given), doc in members(section.fields, section.name):
+        if not section.name and hasattr(Tasks, name):
+            # It is a method of a case, and the section an item alone.
+            continue
+        lines += [f"    {name}: Entry[{value}, {given}] = Entry()", *doc]
+    return lines
+
+
+def conditions() -> list[str]:
+    short = dict(_core.conditions())
+    numbers = {path.replace(".", "__"): path for path in FIELDS if FIELDS[path].kind in NUMBERS}
+    lines = ["if TYPE_CHECKING:", '    V = TypeVar("V")', ""]
+    lines += ["    class Conditions(TypedDict, Generic[V], total=False):"]
+    lines += docstring("Conditions of `schlupf.forces`, with numbers or arrays", "        ")
+    lines.append("")
+    for name, path in (short | numbers).items():
+        lines += [f"        {name}: V", *docstring(FIELDS[path].doc, "        ")]
+    return lines
+
+
+def sections() -> str:
+    aliases = {camel(f.path): [n for n, _ in f.choices] for f in FIELDS.values() if f.choices}
+    parts = [[line for name in aliases for line in literal(name, aliases[name])]]
+    parts[0] += ["", "#: Dotted paths of all fields.", *literal("FieldPath", list(FIELDS))]
+    for path, section in SECTIONS.items():
+        if path:
+            name, base = name_of(path), BASES.get(path, "Section")
+            about = f"Fields of the section `{path}`"
+            parts += [dictionary(f"{name}Fields(TypedDict", about, section.fields, path)]
+            parts += [owner(f'{name}({base}, path="{path}")', section.doc, section)]
+    title = SECTIONS[""].fields
+    parts += [dictionary("SectionFields(TypedDict", "Sections with their fields", (), "")]
+    parts += [dictionary("CaseFields(SectionFields", "Title and sections", title, None)]
+    parts += [owner("Sections", "The title of a case, and its sections", SECTIONS[""])]
+    parts += [conditions()]
+    return HEAD + "\n" + "\n\n".join("\n".join(lines) + "\n" for lines in parts)
+
+
+def presets() -> str:
+    groups: dict[str, list[str]] = {}
+    for group, name, doc, source, _ in _core.presets():
+        lines = [f"    {name}: Entry[Preset, Never] = Entry()"]
+        groups.setdefault(group, []).extend(lines + docstring(f"{doc} ({source})"))
+    text = PRESETS
+    for group, lines in groups.items():
+        head = [f'class {camel(group)}(Presets, group="{group}"):', *docstring(GROUPS[group]), ""]
+        text += "\n\n" + "\n".join([*head, *lines]) + "\n"
+    made = [f"#: {GROUPS[group]}\n{group} = {camel(group)}()" for group in groups]
+    return text + "\n\n" + "\n".join(made) + "\n"

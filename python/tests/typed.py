@@ -1,0 +1,79 @@
+"""What type checkers know of a case and its results, and what they refuse.
+
+Nothing of it runs: an error that is expected is ignored, and an error that is lacking is one.
+"""
+
+from typing import Literal
+
+import numpy as np
+from typing_extensions import assert_type
+
+import schlupf
+from schlupf import Case
+
+
+def sections_are_dictionaries_or_sections(case: Case) -> None:
+    Case("braking", normal={"load": "80 kN"}, kinematics={"creepage_x": 0.008, "speed": 30})
+    Case(normal={"lod": 80e3})  # type: ignore[arg-type]
+    Case(nrmal={"load": 80e3})  # type: ignore[call-arg]
+    Case(normal={"load": [1.0]})  # type: ignore[arg-type]
+    Case(normal={"model": "herz"})  # type: ignore[arg-type]
+    Case(kinematics={"creepage_x": "0.01"})  # type: ignore[arg-type]
+    Case(history={"time": ["0 s", "1 ms"], "creepage_x": np.array([0.0, 0.002])})
+    Case(contact_law={"roughness": {"rms_height": "1 um"}})
+    Case(contact_law={"roughness": {"rms_hight": "1 um"}})  # type: ignore[arg-type]
+    case.with_(normal=case.normal, wheel=None, grid={"cells_x": np.int64(8), "cells_y": None})
+    case.with_(title="other", solver={"extrapolate": True})
+    case.with_(titel="other")  # type: ignore[call-arg]
+    grid: schlupf.sections.GridFields = {"cells_x": 8}
+    case.with_(grid=grid)
+
+
+def fields_are_attributes(case: Case) -> None:
+    assert_type(case.title, str)
+    assert_type(case.normal, schlupf.sections.Normal)
+    assert_type(case.normal.load, float | None)
+    assert_type(case.grid.cells_x, int)
+    assert_type(case.heat.partition, float | Literal["velocity"])
+    assert_type(case.history.time, list[float] | None)
+    assert_type(case.contact_law.roughness.rms_height, float | None)
+    case.normal.load = "80 kN"
+    case.normal = {"load": 80e3}
+    case.normal.load = [1.0]  # type: ignore[assignment]
+    case.normal.lod  # type: ignore[attr-defined]
+    case.normal.lod = 1.0  # type: ignore[attr-defined]
+    case.nrmal  # type: ignore[attr-defined]
+    case.solver().solve(creepage_x=0.01, friction__coefficient=0.3)
+    case.solver().solve(creepage_x=[0.01])  # type: ignore[arg-type]
+
+
+def conditions_are_fields(case: Case) -> None:
+    schlupf.forces(case, creepage_x=np.linspace(0, 0.01, 5), load=["60 kN", "80 kN"])
+    schlupf.forces(case, wheel__radius_x=0.5)
+    schlupf.forces(case, creepage=0.1)  # type: ignore[call-arg]
+    case.curve(creepage_x=(0, 0.05), over={"kinematics.speed": [10, 20]})
+    case.curve(over={"kinematics.sped": [10, 20]})  # type: ignore[dict-item]
+
+
+def presets_are_sections() -> None:
+    Case(wheel=schlupf.materials.steel, friction=schlupf.friction.polach_wet)
+    Case(contact_law={"roughness": schlupf.roughnesses.ground_rail})
+    Case(**schlupf.methods.polach_dry)
+    schlupf.materials.stel  # type: ignore[attr-defined]
+    assert_type(schlupf.materials.steel.source, str)
+
+
+def results_are_records(result: schlupf.Result) -> None:
+    assert_type(result.force.x, float)
+    assert_type(result.force.moment_z, float | None)
+    assert_type(result.temperature.max_rise, float | None)
+    assert_type(result.contacts[0].normal.load, float)
+    assert_type(result.work.newton_iterations, int)
+    assert_type(result.power.friction, float | None)
+    result.forse  # type: ignore[attr-defined]
+    result.force.z  # type: ignore[attr-defined]
+    result.force.x = 1.0  # type: ignore[assignment]
+    result.plot.surface("pressure")
+    result.plot.surface("presure")  # type: ignore[arg-type]
+    schlupf.plot_comparison([result], "slip_x")
+    schlupf.animate(result, "slip")  # type: ignore[arg-type]
