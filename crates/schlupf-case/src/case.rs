@@ -361,7 +361,7 @@ impl Case {
             return Ok(Rolling::Steady);
         }
         let what = if self.history.is_some() { "a history" } else { "an initial state" };
-        match (self.method, self.driver) {
+        match (self.method.clone(), self.driver) {
             (Method::Fast(method), _) => {
                 let name = method.name();
                 let reason = format!("{name:?} solves steady rolling only, but there is {what}");
@@ -433,7 +433,7 @@ impl Case {
     }
 
     fn any_solver(&self, options: &Options) -> Box<dyn Solver> {
-        read::any_solver(self.method, self.driver, options)
+        read::any_solver(&self.method, self.driver, options)
     }
 
     /// An error at the place of a field, with the reason why it cannot be.

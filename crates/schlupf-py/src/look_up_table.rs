@@ -1,6 +1,7 @@
 //! Look-up tables of creep forces for arrays of states.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
@@ -19,7 +20,7 @@ type Found<'py> =
 
 /// A table.
 #[pyclass(frozen, module = "schlupf._core")]
-pub struct LookUpTable(&'static StoredTable);
+pub struct LookUpTable(Arc<StoredTable>);
 
 #[pymethods]
 impl LookUpTable {

@@ -195,7 +195,7 @@ impl Solved {
         let Case { problem, options, method, .. } = &self.case;
         match method {
             Method::Fast(method) if problem.prescribed.is_none() => {
-                forces_again(FastContact::new(problem, *method, options)?, problem)
+                forces_again(FastContact::new(problem, method.clone(), options)?, problem)
             }
             _ => {
                 self.solver.forget();

@@ -102,7 +102,7 @@ impl Posed {
     fn model(&self) -> Result<Model, TaskError> {
         let model = Model::new(&self.case, &self.parameters, self.request.gamma);
         let model = model.map_err(|error| self.explain(&error))?;
-        model.ok_or_else(|| no_model(self.case.method))
+        model.ok_or_else(|| no_model(self.case.method.clone()))
     }
 
     /// The fit; the case with its values is going to lie at a path, if it is wanted.

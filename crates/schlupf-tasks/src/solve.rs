@@ -42,7 +42,7 @@ impl Task for Solve {
     ) -> Result<Found<SolutionReport>, TaskError> {
         let state = request.initial_state.as_ref().map(|file| request.state(file)).transpose()?;
         let case = of.case.pose(watch)?;
-        request.refuse_state(case.method, wanted)?;
+        request.refuse_state(&case.method, wanted)?;
         let rolling = case.rolling(state)?;
         let report = solve(&case, rolling, watch);
         let mut report = report.map_err(|error| request.explain(&case, &error))?;
@@ -92,11 +92,11 @@ impl Request {
     }
 
     /// Only the full method has a state.
-    fn refuse_state(&self, method: Method, wanted: &Wanted) -> Result<(), TaskError> {
+    fn refuse_state(&self, method: &Method, wanted: &Wanted) -> Result<(), TaskError> {
         let final_state = wanted.file(SolutionReport::STATE).map(|_| "the final state".to_owned());
         let initial = self.initial_state.as_ref().map(|_| self.asked.name(INITIAL_STATE));
         match initial.or(final_state) {
-            Some(name) if method != Method::Full => Err(TaskError::Request(format!(
+            Some(name) if *method != Method::Full => Err(TaskError::Request(format!(
                 "{name} goes with solver.method = \"full\" only, but that is {:?}, which has no state",
                 method.name()
             ))),

@@ -185,7 +185,7 @@ impl StateSolver {
                 case: posed.case.clone(),
                 solver: solver(&posed.case, self.as_asked),
                 loaded: None,
-                of_forces: posed.of_forces,
+                of_forces: posed.of_forces.clone(),
                 fast: None,
             })
         });
@@ -256,7 +256,7 @@ impl StateSolver {
         watch: Watch,
     ) -> Result<Acting<'_>, NoState> {
         let posed = self.pose(entries, name, watch)?;
-        if let Some(method) = posed.of_forces {
+        if let Some(method) = posed.of_forces.clone() {
             let (force, load) = posed.force(method, entries, warn)?;
             return Ok(Acting { force, load, status: Status::Converged, wheel: None });
         }
@@ -318,12 +318,11 @@ impl StateSolver {
         case.require_steady("states are those").map_err(CaseErrors::from)?;
         let conditions = self.fields.iter().map(|field| file.condition(field.path)).collect();
         let solver = solver(&case, self.as_asked);
-        let of_forces = match case.method {
-            Method::Fast(method) => Some(method),
-            Method::Full => None,
+        let is_free = case.problem.prescribed.is_none() && case.wheel.is_none();
+        let of_forces = match &case.method {
+            Method::Fast(method) if is_free => Some(method.clone()),
+            Method::Fast(_) | Method::Full => None,
         };
-        let of_forces =
-            of_forces.filter(|_| case.problem.prescribed.is_none() && case.wheel.is_none());
         let entries = entries.to_vec();
         Ok(Box::new(Posed {
             entries,
@@ -358,7 +357,7 @@ impl Posed {
     fn take_over(&mut self, before: Self, fields: &[&'static Field]) {
         let is_same = |k: usize| self.entries[k].is(&before.entries[k]);
         let is_alike = (0..fields.len()).all(|k| is_same(k) || !fields[k].shapes_contact);
-        let how = |case: &Case| (case.method, case.driver);
+        let how = |case: &Case| (case.method.clone(), case.driver);
         let is_like = self.case.wheel.is_none() && how(&self.case) == how(&before.case);
         if is_alike && is_like && self.case.options == before.case.options {
             self.case.problem.normal = Arc::clone(&before.case.problem.normal);

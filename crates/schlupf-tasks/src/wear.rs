@@ -57,7 +57,7 @@ fn gap(solution: &Solution) -> Option<Message> {
         solution.warnings.iter().any(|warning| matches!(warning, Warning::PowerGap { .. }));
     let is_open = (friction - creep).abs() > LARGEST_GAP * creep.abs();
     let gap = Warning::PowerGap { friction, creep, part: LARGEST_GAP };
-    let is_fastsim = matches!(solution.method, Method::Fast(method) if method.has_fields());
+    let is_fastsim = matches!(&solution.method, Method::Fast(method) if method.has_fields());
     (is_open && is_fastsim && !is_told).then(|| gap.message(&FieldNames::CASE))
 }
 

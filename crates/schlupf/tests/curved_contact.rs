@@ -155,7 +155,7 @@ fn rows_that_add_nothing_change_nothing() {
     for (name, problem) in kinds() {
         let plane = Problem { normal: hertz(LOAD), ..problem.clone() };
         let rows = Problem { normal: on_rows(&nothing, LOAD), ..problem };
-        for method in [Method::Full, fastsim] {
+        for method in [Method::Full, fastsim.clone()] {
             let solve =
                 |problem: &Problem| method.solver(&cells(12)).solve(problem, &unwatched).unwrap();
             let [one, other] = [solve(&plane), solve(&rows)];

@@ -191,7 +191,7 @@ fn fast_methods_are_proportional() {
     for method in methods {
         for direction in DIRECTIONS {
             let force = |size: f64| {
-                let mut solver = FastSolver::new(method, &cells(20));
+                let mut solver = FastSolver::new(method.clone(), &cells(20));
                 let problem = problem(moving(direction, size));
                 let solution = solver.solve(&problem, &unwatched).unwrap();
                 let [x, y, moment] = per_size(&solution.force, size);

@@ -42,8 +42,8 @@ fn roots(method: Method, problem: &Problem, target: f64) -> Vec<f64> {
         let share = f64::from(k) / 40.0;
         0.95 * share.abs().powi(4) * share.signum()
     };
-    let off = |creepage: f64| lateral(method, problem, creepage) - target;
-    let values: Vec<(f64, f64)> = (-40..=40).map(|k| (place(k), off(place(k)))).collect();
+    let off = |creepage: f64| lateral(method.clone(), problem, creepage) - target;
+    let values: Vec<(f64, f64)> = (-40..=40).map(|k| (place(k), off.clone()(place(k)))).collect();
     let mut found = Vec::new();
     for pair in values.windows(2) {
         let [mut low, mut high] = [pair[0], pair[1]];
@@ -83,14 +83,14 @@ fn both_motions_of_a_lateral_force_with_spin() {
     ] {
         for spin in spins {
             let problem = problem(0.0, *spin);
-            let rest = lateral(method, &problem, 0.0);
+            let rest = lateral(method.clone(), &problem, 0.0);
             for target in targets {
-                let roots = roots(method, &problem, *target);
+                let roots = roots(method.clone(), &problem, *target);
                 let force =
                     PrescribedForces { y: Some(target * limit(&problem)), ..Default::default() };
                 let name = format!("{method:?} φ = {spin}, F_y = {target}, at rest {rest:.3}");
                 let [low, high] = [Branch::LowSlip, Branch::HighSlip]
-                    .map(|branch| found(method, &problem, force, branch));
+                    .map(|branch| found(method.clone(), &problem, force, branch));
                 let [low_at, high_at] =
                     [&low, &high].map(|solution| solution.kinematics.creepage_y);
                 let near = |one: f64, other: f64| (one - other).abs() < 1e-3 * other.abs() + 1e-6;

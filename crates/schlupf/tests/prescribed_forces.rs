@@ -268,7 +268,7 @@ fn polach_falling_friction_has_two_creepages() {
     };
     let peak = (1..4000)
         .map(|k| f64::from(k) * 1e-4)
-        .max_by(|a, b| force(*a).total_cmp(&force(*b)))
+        .max_by(|a, b| force.clone()(*a).total_cmp(&force.clone()(*b)))
         .unwrap();
     let root = |mut below: f64, mut above: f64, wanted: f64| {
         for _ in 0..60 {

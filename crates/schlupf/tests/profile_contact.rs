@@ -294,7 +294,7 @@ fn a_fast_contact_follows_the_load_of_a_profile() {
     let brush = Brush { bound: TractionBound::Elliptic, ..Brush::KALKER };
     for method in [FastMethod::KalkerLinear, FastMethod::Fastsim(brush)] {
         let of = |load: f64| {
-            FastContact::new(&problem(pressed(shape(), load)), method, &cells(20)).unwrap()
+            FastContact::new(&problem(pressed(shape(), load)), method.clone(), &cells(20)).unwrap()
         };
         let mut contact = of(60e3);
         contact.set_load(30e3).unwrap();

@@ -168,7 +168,7 @@ fn a_displaced_table_is_the_same_contact() {
             problem.interface.heat =
                 Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
         }
-        for method in methods {
+        for method in &methods {
             let [patch, file] = pair
                 .each_ref()
                 .map(|problem| method.solver(&EXACT).solve(problem, &unwatched).unwrap());
@@ -179,7 +179,7 @@ fn a_displaced_table_is_the_same_contact() {
             }
             if let Method::Fast(method) = method {
                 let [still, displaced] = pair.each_ref().map(|problem| {
-                    let mut contact = FastContact::new(problem, method, &EXACT).unwrap();
+                    let mut contact = FastContact::new(problem, method.clone(), &EXACT).unwrap();
                     contact.force(&problem.kinematics).unwrap()
                 });
                 assert_displaced(&displaced, &still, 1e-7 * 0.4 * patch.normal.load);

@@ -71,7 +71,7 @@ fn rolling_stops() {
     stops("marching", |watch| march(&Transient::to_steady_state(&hot), &options, watch));
     stops("shift", |watch| shift(&hot, [1e-6, 0.0], &options, watch));
     let fast = Method::Fast(FastMethod::ShenHedrickElkins);
-    stops("fast", |watch| fast.solver(&options).solve(&hot, watch));
+    stops("fast", |watch| fast.clone().solver(&options).solve(&hot, watch));
 }
 
 /// On large grids whoever watches is asked before each product, also of the derivatives.

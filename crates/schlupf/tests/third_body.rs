@@ -97,7 +97,7 @@ fn vollebregt_2022_eurosprinter_clean() {
     let full = |xi| found_by(Method::Full, &coulomb(xi), &cells(40)).force.x;
     assert!(farthest("kalker", 0.33, full) < 0.013);
     let method = Method::Fast(FastMethod::Fastsim(Brush::KALKER));
-    let fast = |xi| found_by(method, &coulomb(xi), &cells(40)).force.x;
+    let fast = |xi| found_by(method.clone(), &coulomb(xi), &cells(40)).force.x;
     assert!(farthest("fastsim", 0.33, fast) < 0.013);
 }
 
@@ -139,7 +139,9 @@ fn spiryagin_polach_cole_2013_eurosprinter() {
     let law = Arc::new(Exponential(SlipTerms::new(0.36, 0.1368, 0.99, None).unwrap()));
     let method = FastMethod::ModifiedFastsim(Brush::KALKER, SlopeReduction::LOCOMOTIVE);
     let off = farthest("modified-fastsim", 0.36, |creepage| {
-        found_by(Method::Fast(method), &locomotive(law.clone(), creepage), &cells(40)).force.x
+        found_by(Method::Fast(method.clone()), &locomotive(law.clone(), creepage), &cells(40))
+            .force
+            .x
     });
     assert!(off < 0.013, "{off}");
 }
@@ -188,7 +190,7 @@ fn the_fast_methods_know_the_layer() {
             contact.interface.layer = Some(ThirdBodyLayer::new(thickness, modulus).unwrap());
             let full = found_by(Method::Full, &contact, &cells(40)).force;
             for method in [FastMethod::KalkerLinear, FastMethod::Fastsim(Brush::KALKER)] {
-                let fast = found_by(Method::Fast(method), &contact, &cells(40)).force;
+                let fast = found_by(Method::Fast(method.clone()), &contact, &cells(40)).force;
                 let off = (fast.x - full.x).hypot(fast.y - full.y) / full.x.hypot(full.y);
                 println!("{thickness} {motion:?} {method:?}: {off:.4}");
                 assert!(off < 0.057, "{thickness} {motion:?} {method:?}: {off}");

@@ -91,7 +91,7 @@ fn every_point_follows_the_law_of_the_layer() {
             assert_eq!(marched.status, Status::Converged, "{:?}", marched.warnings);
             let soft = contact(limit, half_space(), creepage);
             let on_half_space = found_by(Method::Full, &soft, &cells(40));
-            let fast = found_by(fastsim, &soft, &cells(40));
+            let fast = found_by(fastsim.clone(), &soft, &cells(40));
             let all = [&steady, &marched, &on_half_space, &fast].map(|found| off(found.force.x));
             println!(
                 "{limit:?} {creepage}: {exact:.1} {all:.4?} products {} {} newton {} {}",
@@ -343,7 +343,7 @@ fn marching_goes_on_from_a_steady_state_with_flow() {
 fn methods_without_fields_tell_that_they_do_not_know_the_limit() {
     let contact = contact([1e8, 0.0], half_space(), 0.1);
     for method in [FastMethod::KalkerLinear, FastMethod::ShenHedrickElkins] {
-        let warnings = found_by(Method::Fast(method), &contact, &cells(20)).warnings;
+        let warnings = found_by(Method::Fast(method.clone()), &contact, &cells(20)).warnings;
         assert!(warnings.contains(&Warning::NoYield { method: method.name() }), "{warnings:?}");
     }
     let elastic = ThirdBodyLayer::new(1e-3, 1e8).unwrap();

@@ -1,6 +1,7 @@
 //! A table as a `.npz` archive.
 
 use std::io::{Cursor, Read, Write};
+use std::sync::Arc;
 
 use schlupf::analysis::table_building::{BuiltTable, TableOptions};
 use schlupf::problem::look_up_table::{LookUpTable, TableNodes};
@@ -15,7 +16,7 @@ use crate::look_up_table::npy;
 #[derive(Debug, Clone, PartialEq)]
 pub struct StoredTable {
     /// The table.
-    pub table: LookUpTable,
+    pub table: Arc<LookUpTable>,
     /// What its file says.
     pub metadata: Metadata,
 }
@@ -58,7 +59,7 @@ impl StoredTable {
     pub fn new(built: BuiltTable, options: &TableOptions) -> Self {
         let digest = digest(&arrays(built.table.nodes()));
         let metadata = Metadata::new(&built, options, digest);
-        Self { table: built.table, metadata }
+        Self { table: Arc::new(built.table), metadata }
     }
 
     /// The file.
@@ -104,7 +105,7 @@ impl StoredTable {
         }
         let nodes = nodes(&metadata, &arrays)?;
         let table = LookUpTable::new(nodes).map_err(TableFileError::Unusable)?;
-        Ok(Self { table, metadata })
+        Ok(Self { table: Arc::new(table), metadata })
     }
 }
 

@@ -311,7 +311,7 @@ impl Parts {
 }
 
 /// What finds steady states by a method, and by a driver that was asked for.
-pub fn any_solver(method: Method, driver: Option<Driver>, options: &Options) -> Box<dyn Solver> {
+pub fn any_solver(method: &Method, driver: Option<Driver>, options: &Options) -> Box<dyn Solver> {
     match (method, driver) {
         (Method::Full, Some(Driver::Marching)) => {
             Box::new(ForceSolver::new(Box::new(MarchingSolver::new(options))))

@@ -1,10 +1,11 @@
 //! `[grid]`, `[solver]` and `[fastsim]`.
 
 use crate::FieldPath;
-use crate::look_up_table::StoredTable;
+use std::sync::Arc;
+
+use schlupf::problem::look_up_table::LookUpTable;
 use schlupf::problem::{
-    AreaReduction, Branch, Brush, FastMethod, Flexibilities, SharedTable, SlopeReduction,
-    TractionBound,
+    AreaReduction, Branch, Brush, FastMethod, Flexibilities, SlopeReduction, TractionBound,
 };
 use schlupf::{Method, Options};
 
@@ -52,7 +53,7 @@ pub fn method(settings: &Settings) -> Result<Method, CaseError> {
             area_adhesion: settings.number(field!("solver.polach_area_adhesion"))?,
             area_slip: settings.number(field!("solver.polach_area_slip"))?,
         }),
-        MethodChoice::Table => FastMethod::Table(SharedTable(&look_up_table(settings)?.table)),
+        MethodChoice::Table => FastMethod::Table(look_up_table(settings)?),
         MethodChoice::Fastsim => FastMethod::Fastsim(brush(settings)?),
         MethodChoice::ModifiedFastsim => {
             let reduction = SlopeReduction {
@@ -68,15 +69,17 @@ pub fn method(settings: &Settings) -> Result<Method, CaseError> {
 }
 
 /// The table that was given, or the standard one.
-fn look_up_table(settings: &Settings) -> Result<&'static StoredTable, CaseError> {
-    if !settings.is_given(TABLE) {
-        return crate::look_up_table::standard().map_err(|error| {
+fn look_up_table(settings: &Settings) -> Result<Arc<LookUpTable>, CaseError> {
+    let stored = if settings.is_given(TABLE) {
+        let (name, bytes) = settings.read_file(TABLE)?;
+        crate::look_up_table::shared(&bytes)
+            .map_err(|error| settings.error(TABLE, format!("{TABLE}: {name} {error}")))
+    } else {
+        crate::look_up_table::standard().map_err(|error| {
             settings.error(field!("solver.method"), format!("the standard table {error}"))
-        });
-    }
-    let (name, bytes) = settings.read_file(TABLE)?;
-    crate::look_up_table::shared(&bytes)
-        .map_err(|error| settings.error(TABLE, format!("{TABLE}: {name} {error}")))
+        })
+    };
+    Ok(Arc::clone(&stored?.table))
 }
 
 /// The bound of FASTSIM.

@@ -37,7 +37,7 @@ impl WheelSolver {
     /// The contacts of the wheel, or with another lateral position as `place` (in m) those of the
     /// left and of the right wheel resting on both rails.
     pub fn find(&self, place: Option<f64>, watch: Watch) -> Result<Vec<WheelSolution>, Error> {
-        let solver = |options: &Options| any_solver(self.method, self.driver, options);
+        let solver = |options: &Options| any_solver(&self.method, self.driver, options);
         let tangential =
             Tangential { interface: &self.interface, solver: &solver, options: &self.options };
         self.request.solve(place, &tangential, watch)
@@ -82,7 +82,7 @@ impl WheelSolver {
 
 impl Solver for WheelSolver {
     fn method(&self) -> Method {
-        self.method
+        self.method.clone()
     }
 
     fn options(&self) -> &Options {

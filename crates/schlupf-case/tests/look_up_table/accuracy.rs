@@ -2,13 +2,14 @@
 
 use std::f64::consts::PI;
 use std::path::Path;
+use std::sync::Arc;
 
 use schlupf::bodies::{Kinematics, Material};
 use schlupf::elasticity::half_space::HalfSpace;
 use schlupf::interface::ContactLaw;
 use schlupf::interface::friction::constant::Constant;
 use schlupf::normal::Ellipse;
-use schlupf::problem::{AreaReduction, Brush, FastMethod, SharedTable};
+use schlupf::problem::{AreaReduction, Brush, FastMethod};
 use schlupf::solution::Resultant;
 use schlupf::solver::simplified::FastContact;
 use schlupf::{Options, Problem, Status, unwatched};
@@ -17,7 +18,7 @@ use schlupf_case::look_up_table::standard;
 const FRICTION: f64 = 0.3;
 
 fn table() -> FastMethod {
-    FastMethod::Table(SharedTable(&standard().unwrap().table))
+    FastMethod::Table(Arc::clone(&standard().unwrap().table))
 }
 
 /// A steel contact with Coulomb's law on the half-space and these semi-axes (in m) and load (in N).
@@ -79,7 +80,7 @@ fn vollebregt_2022_creep_forces_from_the_table() {
         let n: Vec<f64> = row.split(',').skip(2).map(|field| field.parse().unwrap()).collect();
         let mut case = problem([n[0], n[1]], 52_359.878, 0.28);
         case.kinematics = rolling([n[2], n[3], n[4]]);
-        for (k, method) in methods.into_iter().enumerate() {
+        for (k, method) in methods.clone().into_iter().enumerate() {
             let [x, y, moment] = fast(&case, method);
             let aside = if k == 0 { (moment - n[7]).abs() } else { 0.0 };
             let error = (x - n[5]).hypot(y - n[6]).max(aside) - n[8];

@@ -1,15 +1,18 @@
 //! Properties of the forces from the standard table.
 
+use std::sync::Arc;
+
 use schlupf::bodies::Kinematics;
 use schlupf::normal::Ellipse;
-use schlupf::problem::{FastMethod, SharedTable};
+use schlupf::problem::FastMethod;
+use schlupf::problem::look_up_table::LookUpTable;
 use schlupf::solution::{Resultant, Sensitivity};
 use schlupf::solver::simplified::{EllipticContact, FastContact, FastSolver, TableContact};
 use schlupf::{Options, Problem, Solver, unwatched};
 use schlupf_case::look_up_table::standard;
 
-fn table() -> &'static schlupf::problem::look_up_table::LookUpTable {
-    &standard().unwrap().table
+fn table() -> Arc<LookUpTable> {
+    Arc::clone(&standard().unwrap().table)
 }
 
 /// Normalised creepages in all octants, from nearly none to nearly all sliding.
@@ -163,7 +166,8 @@ fn what_the_table_does_not_cover_is_flagged() {
 #[test]
 fn standstill_has_finite_derivatives() {
     let problem = Problem::builder().build().unwrap();
-    let contact = TableContact::new(table(), EllipticContact::new(&problem).unwrap());
+    let table = table();
+    let contact = TableContact::new(&table, EllipticContact::new(&problem).unwrap());
     let limit = 24e3;
     for slip in [[0.0; 3], [1e-9, 0.0, 0.0], [0.1, -0.2, 3.0]] {
         for speed in [0.0, 1e-6, 0.01, 20.0] {
@@ -199,7 +203,7 @@ fn standstill_has_finite_derivatives() {
 /// The derivatives of a solution, by creepages, load and friction, against central differences.
 #[test]
 fn a_solution_has_derivatives() {
-    let method = FastMethod::Table(SharedTable(table()));
+    let method = FastMethod::Table(table());
     let options = Options { sensitivity: true, ..Options::default() };
     let force = |motion: [f64; 3], load: f64, friction: f64| -> (Resultant, Option<Sensitivity>) {
         let [xi, eta, spin] = motion;
@@ -212,7 +216,8 @@ fn a_solution_has_derivatives() {
             .friction(schlupf::interface::friction::constant::Constant::new(friction).unwrap())
             .build()
             .unwrap();
-        let solution = FastSolver::new(method, &options).solve(&problem, &unwatched).unwrap();
+        let solution =
+            FastSolver::new(method.clone(), &options).solve(&problem, &unwatched).unwrap();
         (solution.force, solution.sensitivity)
     };
     let (at, load, friction) = ([1e-3, -6e-4, 0.3], 80e3, 0.35);
@@ -253,11 +258,11 @@ fn a_solution_has_derivatives() {
 /// A patch more slender than those of the table is told.
 #[test]
 fn a_slender_patch_is_warned_of() {
-    let method = FastMethod::Table(SharedTable(table()));
+    let method = FastMethod::Table(table());
     for (semi_axes, is_told) in [([6e-3, 5e-3], false), ([20e-3, 1.5e-3], true)] {
         let ellipse = Ellipse::from_load(semi_axes[0], semi_axes[1], 10e3).unwrap();
         let problem = Problem::builder().normal(ellipse).creepage_x(1e-3).build().unwrap();
-        let mut contact = FastContact::new(&problem, method, &Options::default()).unwrap();
+        let mut contact = FastContact::new(&problem, method.clone(), &Options::default()).unwrap();
         let warnings = contact.solution().warnings;
         let told = warnings.iter().any(|warning| warning.code() == "outside-table");
         assert_eq!(told, is_told, "{warnings:?}");

@@ -147,7 +147,7 @@ impl<'a> Document<'a> {
         Self {
             program: PROGRAM,
             title,
-            method: solution.method,
+            method: solution.method.clone(),
             status: solution.status,
             normal: &solution.normal,
             kinematics: &solution.kinematics,

@@ -4,13 +4,13 @@
 //! The fast methods describe steady rolling of an elastic half-space: elasticity and contact law of
 //! the problem are ignored; only the elastic constants of the bodies are used.
 
-use std::fmt;
+use std::sync::Arc;
 
 use crate::problem::look_up_table::LookUpTable;
 use crate::reporting::{Error, Quantity, Requirement, require};
 
 /// A method.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub enum Method {
     /// The full coupled equations.
     #[default]
@@ -20,7 +20,7 @@ pub enum Method {
 }
 
 /// A fast method.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum FastMethod {
     /// Kalker's linear theory: forces and moment for small creepages.
@@ -34,12 +34,8 @@ pub enum FastMethod {
     /// FASTSIM with a slope that decreases with creepage (Spiryagin, Polach and Cole 2013).
     ModifiedFastsim(Brush, SlopeReduction),
     /// A look-up table of the half-space with Coulomb's law: forces, moment, derivatives.
-    Table(SharedTable),
+    Table(Arc<LookUpTable>),
 }
-
-/// A look-up table that lasts as long as the program, so that methods can be copied.
-#[derive(Clone, Copy)]
-pub struct SharedTable(pub &'static LookUpTable);
 
 /// Reduction of the initial slope of the creep curve by Polach (2005).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -89,20 +85,6 @@ pub struct SlopeReduction {
     pub decay: f64,
 }
 
-/// The same table, not one with the same values.
-impl PartialEq for SharedTable {
-    fn eq(&self, other: &Self) -> bool {
-        std::ptr::eq(self.0, other.0)
-    }
-}
-
-/// Without its values.
-impl fmt::Debug for SharedTable {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(formatter, "SharedTable({:?})", self.0)
-    }
-}
-
 impl AreaReduction {
     /// Typical of dry rails: k_A = 1, k_S = 0.4 (Polach 2005).
     pub const DRY: Self = Self { area_adhesion: 1.0, area_slip: 0.4 };
@@ -130,7 +112,7 @@ impl SlopeReduction {
 
 impl Method {
     /// Name in case files and results.
-    pub fn name(self) -> &'static str {
+    pub fn name(&self) -> &'static str {
         match self {
             Self::Full => "full",
             Self::Fast(method) => method.name(),
@@ -140,7 +122,7 @@ impl Method {
     /// Whether it computes the traction at every point, with temperatures, rather than forces only.
     /// If so, it takes the motion of every row ([`crate::bodies::RowMotion`]), else that of the
     /// plane.
-    pub fn has_fields(self) -> bool {
+    pub fn has_fields(&self) -> bool {
         match self {
             Self::Full => true,
             Self::Fast(method) => method.has_fields(),
@@ -150,7 +132,7 @@ impl Method {
 
 impl FastMethod {
     /// Name in case files and results.
-    pub fn name(self) -> &'static str {
+    pub fn name(&self) -> &'static str {
         match self {
             Self::KalkerLinear => "kalker-linear",
             Self::ShenHedrickElkins => "shen-hedrick-elkins",
@@ -162,7 +144,7 @@ impl FastMethod {
     }
 
     /// Whether it computes the traction at every point, with temperatures, rather than forces only.
-    pub fn has_fields(self) -> bool {
+    pub fn has_fields(&self) -> bool {
         matches!(self, Self::Fastsim(_) | Self::ModifiedFastsim(..))
     }
 

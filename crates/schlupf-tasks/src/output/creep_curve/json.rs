@@ -141,7 +141,7 @@ impl<'a> Curve<'a> {
         let curve = &member.curve;
         Self {
             value: OneOrMore::of(member.values.iter().map(|value| value.text.as_str())),
-            method: curve.method,
+            method: curve.method.clone(),
             normal: &curve.normal,
             reference: curve.reference,
             initial_slope: curve.initial_slope,

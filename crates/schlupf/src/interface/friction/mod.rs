@@ -37,28 +37,6 @@ pub struct FrictionState {
     pub y: f64,
 }
 
-/// Four of them side by side, in the same units.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct FourStates {
-    /// See [`FrictionState::temperature`], in K.
-    pub temperature: [f64; 4],
-    /// See [`FrictionState::slip_speed`], in m/s.
-    pub slip_speed: [f64; 4],
-    /// See [`FrictionState::y`], in m.
-    pub y: [f64; 4],
-}
-
-/// Coefficients of friction and their derivatives for [`FourStates`].
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct FourResponses {
-    /// Coefficients of friction μ ≥ 0, dimensionless.
-    pub coefficient: [f64; 4],
-    /// ∂μ/∂T, in 1/K.
-    pub by_temperature: [f64; 4],
-    /// Derivatives with respect to the slip speed, in s/m.
-    pub by_slip_speed: [f64; 4],
-}
-
 /// A coefficient of friction and its derivatives.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct FrictionResponse {
@@ -80,23 +58,6 @@ pub trait FrictionLaw: Debug + Send + Sync {
     /// The coefficient of friction; at the default state (no slip, reference temperature, y = 0) it
     /// is μ0. At a kink of the law the derivatives are one-sided.
     fn respond(&self, state: &FrictionState) -> FrictionResponse;
-
-    /// The coefficients of four cells at once: the law is then chosen once for all of them.
-    fn respond_to_four(&self, states: &FourStates) -> FourResponses {
-        let mut responses = FourResponses::default();
-        for n in 0..4 {
-            let FrictionResponse { coefficient, by_temperature, by_slip_speed, .. } =
-                self.respond(&FrictionState {
-                    temperature: states.temperature[n],
-                    slip_speed: states.slip_speed[n],
-                    y: states.y[n],
-                });
-            responses.coefficient[n] = coefficient;
-            responses.by_temperature[n] = by_temperature;
-            responses.by_slip_speed[n] = by_slip_speed;
-        }
-        responses
-    }
 
     /// Whether the coefficient depends on neither temperature nor slip speed.
     fn is_constant(&self) -> bool {

@@ -24,10 +24,10 @@ impl Method {
     /// assert!((solver.solve(&twice, &unwatched)?.force.x / force.x - 2.0).abs() < 1e-12);
     /// # Ok::<(), schlupf::Error>(())
     /// ```
-    pub fn solver(self, options: &Options) -> Box<dyn Solver> {
+    pub fn solver(&self, options: &Options) -> Box<dyn Solver> {
         match self {
             Self::Full => Box::new(SteadySolver::new(options)),
-            Self::Fast(method) => Box::new(FastSolver::new(method, options)),
+            Self::Fast(method) => Box::new(FastSolver::new(method.clone(), options)),
         }
     }
 }

@@ -25,8 +25,8 @@ use std::sync::Arc;
 use crate::bodies::{Kinematics, ReferencePoint};
 use crate::interface::heat::peclet::semi_axes;
 use crate::normal::{Grid, NormalContact};
-use crate::problem::look_up_table::AtShape;
-use crate::problem::{AreaReduction, FastMethod, Method, Options, Problem, SharedTable, State};
+use crate::problem::look_up_table::{AtShape, LookUpTable};
+use crate::problem::{AreaReduction, FastMethod, Method, Options, Problem, State};
 use crate::reporting::{Error, Progress, Stage, Warning, Watch, tell, unwatched};
 use crate::solution::{Area, Fields, Instant, Power, Resultant, Solution, Status, Work};
 use crate::solver::Solver;
@@ -59,12 +59,12 @@ enum Kernel {
     ShenHedrickElkins,
     Polach(AreaReduction),
     Fastsim(Box<Fastsim>),
-    Table(SharedTable, Box<AtShape>),
+    Table(Arc<LookUpTable>, Box<AtShape>),
 }
 
 impl Kernel {
     fn new(
-        method: FastMethod,
+        method: &FastMethod,
         problem: &Problem,
         options: &Options,
         normal: &NormalContact,
@@ -73,7 +73,7 @@ impl Kernel {
             let fastsim = Fastsim::new(problem, options, kind, normal)?;
             Ok(Self::Fastsim(Box::new(fastsim)))
         };
-        match method {
+        match *method {
             FastMethod::KalkerLinear => Ok(Self::KalkerLinear),
             FastMethod::ShenHedrickElkins => Ok(Self::ShenHedrickElkins),
             FastMethod::Polach(reduction) => Ok(Self::Polach(reduction)),
@@ -82,9 +82,10 @@ impl Kernel {
             FastMethod::Table(_) if problem.interface.layer.is_some() => {
                 Err(Error::LayerWithTable {})
             }
-            FastMethod::Table(table) => {
+            FastMethod::Table(ref table) => {
                 let contact = EllipticContact::of(problem, normal.summary)?;
-                Ok(Self::Table(table, Box::new(TableContact::shape(table.0, &contact))))
+                let shape = Box::new(TableContact::shape(table, &contact));
+                Ok(Self::Table(Arc::clone(table), shape))
             }
         }
     }
@@ -115,7 +116,7 @@ impl FastContact {
         method.check()?;
         let at = AtPatch::new(problem, &unwatched)?;
         let normal = at.problem.normal.normal_contact(None)?;
-        let kernel = Kernel::new(method, &at.problem, options, &normal)?;
+        let kernel = Kernel::new(&method, &at.problem, options, &normal)?;
         let contact = EllipticContact::of(&at.problem, normal.summary)?;
         Ok(Self { at, method, options: options.clone(), contact, kernel, limit: f64::INFINITY })
     }
@@ -134,7 +135,7 @@ impl FastContact {
             && self.at.problem.interface.layer == problem.interface.layer
             && bodies(&self.at.problem) == bodies(problem);
         if !fits {
-            *self = Self::new(problem, self.method, &self.options)?;
+            *self = Self::new(problem, self.method.clone(), &self.options)?;
             return Ok(());
         }
         self.at = AtPatch::new(problem, &unwatched)?;
@@ -151,7 +152,7 @@ impl FastContact {
         let contact = problem.normal.normal_contact(Some(load))?;
         if problem.normal.load_exponent().is_none() {
             self.contact = EllipticContact::of(problem, contact.summary)?;
-            self.kernel = Kernel::new(self.method, problem, &self.options, &contact)?;
+            self.kernel = Kernel::new(&self.method, problem, &self.options, &contact)?;
             return Ok(());
         }
         let (normal, before) = (contact.summary, self.contact.normal);
@@ -179,13 +180,13 @@ impl FastContact {
 
     /// What the method neglects whatever the motion is.
     pub fn warnings(&self) -> Vec<Warning> {
-        warnings::of_any_motion(&self.at.problem, &self.contact.normal, self.method)
+        warnings::of_any_motion(&self.at.problem, &self.contact.normal, &self.method)
     }
 
     /// The warning about a force that [`Self::force`] has just found, if it exceeds friction.
     /// Allocates nothing.
     pub fn beyond_friction(&self, force: &Resultant) -> Option<Warning> {
-        warnings::beyond_friction(self.method, force, self.limit)
+        warnings::beyond_friction(&self.method, force, self.limit)
     }
 
     fn present_force(&mut self) -> Resultant {
@@ -204,7 +205,7 @@ impl FastContact {
             Kernel::Polach(reduction) => polach::force(contact, motion, limit(), *reduction),
             Kernel::Fastsim(fastsim) => fastsim.force(problem, contact),
             Kernel::Table(table, at) => {
-                TableContact::at(table.0, **at, *contact).force(motion, limit()).force
+                TableContact::at(table, **at, *contact).force(motion, limit()).force
             }
         }
     }
@@ -226,9 +227,9 @@ impl FastContact {
         let force = self.present_force();
         let (problem, normal) = (&self.at.problem, &self.contact.normal);
         let limit = friction_limit(problem, normal.load);
-        let warnings = warnings::of(problem, normal, self.method, &force, limit);
+        let warnings = warnings::of(problem, normal, &self.method, &force, limit);
         let mut account = summary::SolverReport {
-            method: Method::Fast(self.method),
+            method: Method::Fast(self.method.clone()),
             status: Status::Converged,
             residual: 0.0,
             history: Vec::new(),
@@ -271,7 +272,7 @@ impl FastContact {
         }
         account.history = vec![instant];
         if let (Kernel::Table(table, at), true) = (&self.kernel, has_derivatives) {
-            let contact = TableContact::at(table.0, **at, self.contact);
+            let contact = TableContact::at(table, **at, self.contact);
             account.sensitivity = Some(contact.sensitivity(&self.at.problem));
         }
         self.without_fields(force, account)
@@ -331,7 +332,7 @@ impl FastSolver {
 
 impl Solver for FastSolver {
     fn method(&self) -> Method {
-        Method::Fast(self.method)
+        Method::Fast(self.method.clone())
     }
 
     fn options(&self) -> &Options {
@@ -369,7 +370,7 @@ impl FastSolver {
         }
         match &mut self.contact {
             Some(contact) => Ok(contact),
-            none => Ok(none.insert(FastContact::new(problem, self.method, &self.options)?)),
+            none => Ok(none.insert(FastContact::new(problem, self.method.clone(), &self.options)?)),
         }
     }
 }

@@ -15,7 +15,7 @@ const ROUNDING: f64 = 1e-9;
 pub(super) fn of(
     problem: &Problem,
     normal: &NormalSummary,
-    method: FastMethod,
+    method: &FastMethod,
     force: &Resultant,
     limit: f64,
 ) -> Vec<Warning> {
@@ -28,11 +28,11 @@ pub(super) fn of(
 pub(super) fn of_any_motion(
     problem: &Problem,
     normal: &NormalSummary,
-    method: FastMethod,
+    method: &FastMethod,
 ) -> Vec<Warning> {
     let name = method.name();
     let mut warnings = Vec::from_iter(match method {
-        FastMethod::Table(table) => of_table(table.0, normal),
+        FastMethod::Table(table) => of_table(table, normal),
         _ => of_slender_patch(normal, name),
     });
     warnings.extend(of_shape(problem, name));
@@ -44,7 +44,7 @@ pub(super) fn of_any_motion(
     if may_yield && !method.has_fields() {
         warnings.push(Warning::NoYield { method: name });
     }
-    let is_cold = !method.has_fields() && method != FastMethod::KalkerLinear;
+    let is_cold = !method.has_fields() && *method != FastMethod::KalkerLinear;
     if is_cold && depends_on_temperature(problem) {
         warnings.push(Warning::ColdFriction { method: name });
     }
@@ -53,7 +53,7 @@ pub(super) fn of_any_motion(
 
 /// A force beyond `limit` = μN, in N.
 pub(super) fn beyond_friction(
-    method: FastMethod,
+    method: &FastMethod,
     force: &Resultant,
     limit: f64,
 ) -> Option<Warning> {

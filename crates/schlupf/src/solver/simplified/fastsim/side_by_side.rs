@@ -10,7 +10,7 @@
 use wide::f64x4;
 
 use crate::bodies::Kinematics;
-use crate::interface::friction::FourStates;
+use crate::interface::friction::FrictionState;
 use crate::interface::heat::strip_heat::StripHeat;
 use crate::normal::patch::{Cell, Patch, Strip};
 use crate::numerics::lanes::{FOUR, Lanes, scaled};
@@ -312,16 +312,18 @@ impl<'a> WithFriction<'a> {
             [f64x4::from(0.0); 2]
         };
         let rise = *inherited + station.own_weight * heat;
-        let responses = self.problem.interface.friction.law.respond_to_four(&FourStates {
-            temperature: (self.unheated + self.by_rise * rise).to_array(),
-            slip_speed: speed.to_array(),
-            y: station.y,
+        let temperature = (self.unheated + self.by_rise * rise).to_array();
+        let slip_speed = speed.to_array();
+        let responses = [0, 1, 2, 3].map(|n| {
+            let (temperature, slip_speed) = (temperature[n], slip_speed[n]);
+            let state = FrictionState { temperature, slip_speed, y: station.y[n] };
+            self.problem.interface.friction.law.respond(&state)
         });
-        let by_temperature = f64x4::from(responses.by_temperature);
-        let by_speed = f64x4::from(responses.by_slip_speed);
+        let by_temperature = f64x4::from(responses.map(|response| response.by_temperature));
+        let by_speed = f64x4::from(responses.map(|response| response.by_slip_speed));
         let hotter = self.by_rise * station.own_weight * heat_by_mu;
         Tried {
-            asked: f64x4::from(responses.coefficient),
+            asked: f64x4::from(responses.map(|response| response.coefficient)),
             slope: by_temperature * hotter + by_speed * faster,
             next,
             by_mu,
