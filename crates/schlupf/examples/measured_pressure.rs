@@ -34,8 +34,5 @@ fn main() -> Result<(), schlupf::Error> {
     println!("largest pressure   {:.0} MPa", solution.normal.peak_pressure / 1e6);
     println!("longitudinal       {:.2} kN", solution.force.x / 1e3);
     println!("lateral            {:.2} kN", solution.force.y / 1e3);
-    if let Some(moment) = solution.force.moment_z {
-        println!("moment             {moment:.2} N m");
-    }
     Ok(())
 }

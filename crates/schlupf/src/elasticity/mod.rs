@@ -21,6 +21,45 @@ use crate::normal::{Grid, VectorField};
 use crate::reporting::{Error, Warning};
 
 /// A model of elasticity. Extension point.
+///
+/// ```
+/// use schlupf::elasticity::{Compliance, Elasticity};
+/// use schlupf::normal::{Grid, VectorField};
+/// use schlupf::{Error, Options, Problem, solver, unwatched};
+///
+/// /// Springs whose compliance (in m³/N) is the same along and across.
+/// #[derive(Debug, Clone)]
+/// struct Springs(f64);
+///
+/// impl Elasticity for Springs {
+///     fn compliance(&self, _grid: &Grid) -> Result<Box<dyn Compliance>, Error> {
+///         Ok(Box::new(self.clone()))
+///     }
+/// }
+///
+/// impl Compliance for Springs {
+///     fn displacement(&mut self, traction: &VectorField, displacement: &mut VectorField) {
+///         for (u, t) in displacement.x.iter_mut().zip(&traction.x) {
+///             *u = self.0 * t;
+///         }
+///         for (u, t) in displacement.y.iter_mut().zip(&traction.y) {
+///             *u = self.0 * t;
+///         }
+///     }
+///
+///     fn couples_cells(&self) -> bool {
+///         false
+///     }
+/// }
+///
+/// let options = Options { cells_x: 10, cells_y: 10, ..Options::default() };
+/// let force = |springs| {
+///     let problem = Problem::builder().elasticity(springs).creepage_x(2e-4).build()?;
+///     Ok::<_, Error>(solver::solve(&problem, &options, &unwatched)?.force.x.abs())
+/// };
+/// assert!(force(Springs(5e-14))? > force(Springs(1e-13))?);
+/// # Ok::<(), Error>(())
+/// ```
 pub trait Elasticity: Debug + Send + Sync {
     /// The compliance on the cells of a grid.
     fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error>;

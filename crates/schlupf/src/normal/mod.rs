@@ -22,6 +22,45 @@ use crate::bodies::RowMotion;
 use crate::reporting::{Error, Warning, Watch};
 
 /// A source of the normal pressure. Extension point.
+///
+/// ```
+/// use std::f64::consts::PI;
+///
+/// use schlupf::normal::{NormalContact, NormalSummary, Pressure, PressureSource};
+/// use schlupf::{Error, Options, Problem, solver, unwatched};
+///
+/// /// A patch that widens with the load like those of worn profiles, its length fixed.
+/// #[derive(Debug)]
+/// struct Worn;
+///
+/// impl PressureSource for Worn {
+///     fn normal_contact(&self, load: Option<f64>) -> Result<NormalContact, Error> {
+///         let load = load.unwrap_or(80e3);
+///         let (a, b) = (5e-3, 10e-3 * (load / 80e3).sqrt());
+///         let summary = NormalSummary {
+///             load,
+///             semi_axis_x: a,
+///             semi_axis_y: b,
+///             peak_pressure: 1.5 * load / (PI * a * b),
+///             approach: None,
+///             origin: None,
+///             parts: 1,
+///         };
+///         Ok(NormalContact { summary, pressure: Pressure::Elliptic, rows: None })
+///     }
+///
+///     // It changes its shape with the load.
+///     fn load_exponent(&self) -> Option<f64> {
+///         None
+///     }
+/// }
+///
+/// let problem = Problem::builder().normal(Worn).creepage_y(0.02).build()?;
+/// let options = Options { cells_x: 10, cells_y: 10, ..Options::default() };
+/// let solution = solver::solve(&problem, &options, &unwatched)?;
+/// assert!((solution.normal.load - 80e3).abs() < 1e-9);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 pub trait PressureSource: Debug + Send + Sync {
     /// The normal contact under `load` (in N), or under the source's own load.
     fn normal_contact(&self, load: Option<f64>) -> Result<NormalContact, Error>;

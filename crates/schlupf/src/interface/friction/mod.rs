@@ -54,6 +54,42 @@ pub struct FrictionResponse {
 }
 
 /// A law for the coefficient of friction. Extension point.
+///
+/// ```
+/// use schlupf::interface::friction::{FrictionLaw, FrictionResponse, FrictionState};
+/// use schlupf::{Options, Problem, solver, unwatched};
+///
+/// /// μ = μ0/(1 + (s/s0)²), which falls with the slip speed s.
+/// #[derive(Debug)]
+/// struct Falling {
+///     /// μ0, dimensionless.
+///     coefficient: f64,
+///     /// s0, in m/s.
+///     half_speed: f64,
+/// }
+///
+/// impl FrictionLaw for Falling {
+///     fn respond(&self, state: &FrictionState) -> FrictionResponse {
+///         let ratio = state.slip_speed / self.half_speed;
+///         let part = 1.0 / (1.0 + ratio * ratio);
+///         FrictionResponse {
+///             coefficient: self.coefficient * part,
+///             by_slip_speed: -2.0 * self.coefficient * part * part * ratio / self.half_speed,
+///             by_cold_coefficient: part,
+///             ..FrictionResponse::default()
+///         }
+///     }
+/// }
+///
+/// let options = Options { cells_x: 10, cells_y: 10, ..Options::default() };
+/// let coefficient = |creepage| {
+///     let law = Falling { coefficient: 0.4, half_speed: 3.0 };
+///     let problem = Problem::builder().creepage_x(creepage).friction(law).build()?;
+///     Ok::<_, schlupf::Error>(solver::solve(&problem, &options, &unwatched)?.traction_coefficient)
+/// };
+/// assert!(coefficient(0.05)? < coefficient(0.005)?);
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 pub trait FrictionLaw: Debug + Send + Sync {
     /// The coefficient of friction; at the default state (no slip, reference temperature, y = 0) it
     /// is μ0. At a kink of the law the derivatives are one-sided.

@@ -32,6 +32,49 @@ pub struct HeatStep {
 }
 
 /// A model of the temperature of a heated surface. Extension point.
+///
+/// ```
+/// use std::sync::Arc;
+///
+/// use schlupf::interface::heat::{Heat, HeatModel, HeatStep};
+/// use schlupf::{Options, Problem, solver, unwatched};
+///
+/// /// All heat so far as if it had come at once, halfway back in time: with E in J/m² and t in s,
+/// /// β ΔT = E/√(π t/2).
+/// #[derive(Debug)]
+/// struct Burst;
+///
+/// impl Burst {
+///     fn per_energy(record: &[HeatStep]) -> f64 {
+///         let time: f64 = record.iter().map(|step| step.duration).sum();
+///         1.0 / (0.5 * std::f64::consts::PI * time).sqrt()
+///     }
+/// }
+///
+/// impl HeatModel for Burst {
+///     fn rise_times_effusivity(&self, record: &[HeatStep]) -> f64 {
+///         let energy: f64 = record.iter().map(|step| step.flux * step.duration).sum();
+///         if record.is_empty() { 0.0 } else { energy * Self::per_energy(record) }
+///     }
+///
+///     fn derivatives(&self, record: &[HeatStep], by_flux: &mut [f64]) {
+///         for (by_flux, step) in by_flux.iter_mut().zip(record) {
+///             *by_flux = step.duration * Self::per_energy(record);
+///         }
+///     }
+///
+///     fn is_linear(&self) -> bool {
+///         true
+///     }
+/// }
+///
+/// let heat = Heat { model: Some(Arc::new(Burst)), ..Heat::default() };
+/// let problem = Problem::builder().creepage_x(0.01).heat(heat).build()?;
+/// let options = Options { cells_x: 10, cells_y: 10, ..Options::default() };
+/// let solution = solver::solve(&problem, &options, &unwatched)?;
+/// assert!(solution.temperature.is_some_and(|found| found.max_rise > 50.0));
+/// # Ok::<(), schlupf::Error>(())
+/// ```
 pub trait HeatModel: Debug + Send + Sync {
     /// Temperature rise times the effusivity β = √(λρc) (in W √s/m²) of a half-space that received
     /// all the heat in `record`, the latest step first.

@@ -6,6 +6,26 @@ use std::sync::Arc;
 use crate::bodies::{Body, Kinematics};
 
 /// A law for the share of the wheel in the frictional heat. Extension point.
+///
+/// ```
+/// use std::sync::Arc;
+///
+/// use schlupf::interface::heat::Heat;
+/// use schlupf::interface::heat::partition::{Partition, PartitionLaw};
+///
+/// /// In proportion to the speeds at which the surfaces pass.
+/// #[derive(Debug)]
+/// struct BySpeed;
+///
+/// impl PartitionLaw for BySpeed {
+///     fn share(&self, [wheel, rail]: [f64; 2]) -> f64 {
+///         wheel / (wheel + rail)
+///     }
+/// }
+///
+/// let heat = Heat { partition: Partition::Law(Arc::new(BySpeed)), ..Heat::default() };
+/// assert!(schlupf::Problem::builder().heat(heat).build().is_ok());
+/// ```
 pub trait PartitionLaw: Debug + Send + Sync {
     /// The share, dimensionless, between 0 and 1, at the circumferential speed of the wheel and the
     /// speed v0, in m/s.
