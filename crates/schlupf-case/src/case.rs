@@ -394,15 +394,19 @@ impl Case {
         Err(self.contradiction(field.unwrap_or(field!("history.time")), &reason))
     }
 
-    /// The steady state of its contact, as its options ask for it; that of a wheel was found with
-    /// all its contacts.
+    /// The steady state of its contact, by one of its solvers; that of a wheel was found with all
+    /// its contacts.
     ///
     /// # Errors
     /// As [`Solver::solve`].
-    pub fn steady_state(&self, watch: Watch) -> Result<Solution, Error> {
+    pub fn steady_state(
+        &self,
+        mut solver: Box<dyn Solver>,
+        watch: Watch,
+    ) -> Result<Solution, Error> {
         match self.wheel.as_ref().and_then(|wheel| wheel.contacts.first()) {
             Some(main) => Ok(main.solution.clone()),
-            None => self.full_solver().solve(&self.problem, watch),
+            None => solver.solve(&self.problem, watch),
         }
     }
 

@@ -90,7 +90,7 @@ impl Patch {
         let materials = case.materials();
         let bodies = HalfSpace::new(&materials[0], &materials[1]);
         let bodies = bodies.map_err(|error| case.explain(&error))?;
-        let [a, b] = [normal.summary.semi_axis_x, normal.summary.semi_axis_y];
+        let [a, b] = normal.summary.semi_axes();
         Ok(Self {
             title: case.title()?,
             normal,

@@ -305,7 +305,8 @@ impl Parts {
         watch: Watch,
     ) -> Result<Vec<WheelSolution>, CaseError> {
         let request = self.wheel_request().ok_or_else(|| wheel_rail::no_profiles(settings))?;
-        let found = self.wheel_solver(request, settings)?.find(Some(lateral), watch);
+        let solver = self.wheel_solver(request, settings)?.of_forces();
+        let found = solver.find(Some(lateral), watch);
         found.map_err(|error| settings.explain(&error))
     }
 }

@@ -79,7 +79,7 @@ fn look_up_table(settings: &Settings) -> Result<Arc<LookUpTable>, CaseError> {
             settings.error(field!("solver.method"), format!("the standard table {error}"))
         })
     };
-    Ok(Arc::clone(&stored?.table))
+    Ok(stored?.table)
 }
 
 /// The bound of FASTSIM.

@@ -12,7 +12,7 @@ use schlupf::{Options, Problem, Solver, unwatched};
 use schlupf_case::look_up_table::standard;
 
 fn table() -> Arc<LookUpTable> {
-    Arc::clone(&standard().unwrap().table)
+    standard().unwrap().table
 }
 
 /// Normalised creepages in all octants, from nearly none to nearly all sliding.

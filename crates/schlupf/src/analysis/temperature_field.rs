@@ -15,7 +15,6 @@ use std::f64::consts::{FRAC_2_PI, PI};
 
 use crate::bodies::{Body, ReferencePoint};
 use crate::interface::heat::HeatStep;
-use crate::interface::heat::peclet::semi_axes;
 use crate::normal::patch::{Patch, Strip};
 use crate::problem::{Method, Problem};
 use crate::reporting::{Error, MethodPurpose, Warning};
@@ -71,7 +70,7 @@ struct Conductor {
 impl TemperatureField {
     /// A warning for whoever uses the temperatures, if there is one.
     pub fn caveat(problem: &Problem, solution: &Solution) -> Vec<Warning> {
-        let peclet = problem.interface.peclet(&solution.kinematics, semi_axes(&solution.normal));
+        let peclet = problem.interface.peclet(&solution.kinematics, solution.normal.semi_axes());
         let slow = peclet.caveat(true);
         Self::caveat_of_model(problem).into_iter().chain(slow).collect()
     }

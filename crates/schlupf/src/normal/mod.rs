@@ -129,6 +129,13 @@ pub enum Pressure {
     Tabulated(Arc<PressureTable>, f64),
 }
 
+impl NormalSummary {
+    /// Semi-axes along and across rolling, in m.
+    pub fn semi_axes(&self) -> [f64; 2] {
+        [self.semi_axis_x, self.semi_axis_y]
+    }
+}
+
 impl NormalContact {
     /// The bounding rectangle of the patch.
     pub fn extent(&self) -> Extent {

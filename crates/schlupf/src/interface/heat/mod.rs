@@ -138,12 +138,7 @@ impl Heat {
 
     /// Whether model and partition are known to be the same.
     pub(crate) fn is_same(&self, other: &Self) -> bool {
-        let is_divided_alike = match (&self.partition, &other.partition) {
-            (Partition::Given(one), Partition::Given(other)) => one == other,
-            (Partition::Law(one), Partition::Law(other)) => Arc::ptr_eq(one, other),
-            (one, other) => std::mem::discriminant(one) == std::mem::discriminant(other),
-        };
-        is_divided_alike && is_same(self.model.as_ref(), other.model.as_ref())
+        self.partition == other.partition && is_same(self.model.as_ref(), other.model.as_ref())
     }
 
     /// Checks the partition.

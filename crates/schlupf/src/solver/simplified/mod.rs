@@ -23,7 +23,6 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use crate::bodies::{Kinematics, ReferencePoint};
-use crate::interface::heat::peclet::semi_axes;
 use crate::normal::{Grid, NormalContact};
 use crate::problem::look_up_table::{AtShape, LookUpTable};
 use crate::problem::{AreaReduction, FastMethod, Method, Options, Problem, State};
@@ -301,7 +300,7 @@ impl FastContact {
             power,
             t_gamma: summary::t_gamma(&motion, &force, [0.0; 2]),
             temperature: None,
-            peclet: problem.interface.peclet(&motion, semi_axes(&normal)).numbers,
+            peclet: problem.interface.peclet(&motion, normal.semi_axes()).numbers,
             area: Area { contact: contact_area, stick: None, slip: None },
             fields: Fields::default(),
             history: account.history,
