@@ -143,7 +143,7 @@ settings! {
     /// Force over μ0 N up to which Kalker's theory with a saturation gives the first guess.
     largest_guess: f64 = 0.97;
 
-    /// Step of central differences where a method has no derivatives, over the creepage or one.
+    /// Step of central differences where a method has no derivatives.
     difference: f64 = 1e-5;
 
     /// Difference of two motions above which they are distinct, over their size.

@@ -64,6 +64,8 @@ struct Point {
     share: f64,
     /// Unit tangent (creepages and share).
     tangent: DVector<f64>,
+    /// Corrections that it took.
+    corrections: usize,
 }
 
 impl Point {
@@ -77,7 +79,6 @@ struct Step {
     end: Point,
     /// A state with the forces of the goal before it.
     state: Option<Response>,
-    corrections: usize,
     /// Whether it ends at the peak.
     is_top: bool,
 }
@@ -135,7 +136,7 @@ impl<'a> Search<'a> {
         let mut path = Path { largest: Some(at_rest.clone()), ..Path::default() };
         let onwards = if course == Course::Backwards { -1.0 } else { 1.0 };
         let tangent = self.tangent(at_rest, &(self.along_share() * onwards));
-        let mut here = Point { response: at_rest.clone(), share: 0.0, tangent };
+        let mut here = Point { response: at_rest.clone(), share: 0.0, tangent, corrections: 0 };
         let (mut length, mut largest, mut stagnant) = (settings::first_step(), 0.0, 0);
         let mut has_turned = false;
         for _ in 0..settings::steps_of_path() {
@@ -151,7 +152,7 @@ impl<'a> Search<'a> {
                 }
                 continue;
             };
-            let Step { end, state, corrections, is_top } = step;
+            let Step { end, state, is_top } = step;
             has_turned |= is_top;
             path.states.extend(state);
             if end.share > largest {
@@ -171,7 +172,7 @@ impl<'a> Search<'a> {
             if path.is_complete {
                 break;
             }
-            if corrections <= settings::few_corrections() {
+            if end.corrections <= settings::few_corrections() {
                 length *= 2.0;
             }
             here = end;
@@ -182,12 +183,12 @@ impl<'a> Search<'a> {
     /// A step along the path, or to its peak if that is on the way; `None` if its end, or a state
     /// with the forces of the goal before it, is not found.
     fn step(&mut self, here: &Point, length: f64, seeks_top: bool) -> Result<Option<Step>, Error> {
-        let Some((mut end, corrections)) = self.onwards(here, length)? else { return Ok(None) };
+        let Some(mut end) = self.onwards(here, length)? else { return Ok(None) };
         let is_top = seeks_top && here.slope() > 0.0 && end.slope() <= 0.0;
         if is_top {
             end = self.top(here, (length, end))?;
         }
-        let mut step = Step { end, state: None, corrections, is_top };
+        let mut step = Step { end, state: None, is_top };
         let end = &step.end;
         if (here.share < 1.0) == (end.share < 1.0) {
             return Ok(Some(step));
@@ -211,7 +212,7 @@ impl<'a> Search<'a> {
         for _ in 0..settings::most_corrections() {
             let [(low, rising), (high, falling)] = ends;
             let place = low + (high - low) * rising / (rising - falling);
-            let Some((point, _)) = self.onwards(here, place)? else { break };
+            let Some(point) = self.onwards(here, place)? else { break };
             let (slope, falls) = (point.slope(), usize::from(point.slope() <= 0.0));
             ends[falls] = (place, slope);
             if last.replace(falls) == Some(falls) {
@@ -227,8 +228,8 @@ impl<'a> Search<'a> {
         Ok(best)
     }
 
-    /// The point so much further along the path, with the number of corrections.
-    fn onwards(&mut self, here: &Point, length: f64) -> Result<Option<(Point, usize)>, Error> {
+    /// The point so much further along the path.
+    fn onwards(&mut self, here: &Point, length: f64) -> Result<Option<Point>, Error> {
         let ahead = here.tangent.rows(0, self.way.len()) * length;
         let from = (&here.response.creepages + ahead, here.share + here.slope() * length);
         let accuracy = settings::off_path() * self.way.norm().min(1.0);
@@ -245,17 +246,17 @@ impl<'a> Search<'a> {
     fn land(&mut self, start: DVector<f64>, reach: f64) -> Result<Option<Response>, Error> {
         let accuracy = self.tolerance * self.way.norm().min(1.0);
         let found = self.correct((start, 1.0), &self.along_share(), (accuracy, reach))?;
-        Ok(found.map(|(point, _)| point.response))
+        Ok(found.map(|point| point.response))
     }
 
     /// Newton's method for a point of the path where it meets a plane across a row, from creepages
-    /// and share: to an accuracy, and no farther away than `reach`. With the number of corrections.
+    /// and share: to an accuracy, and no farther away than `reach`.
     fn correct(
         &mut self,
         (mut creepages, mut share): (DVector<f64>, f64),
         row: &DVector<f64>,
         (accuracy, reach): (f64, f64),
-    ) -> Result<Option<(Point, usize)>, Error> {
+    ) -> Result<Option<Point>, Error> {
         let (count, from) = (self.way.len(), creepages.clone());
         let mut last = f64::INFINITY;
         for corrections in 0..=settings::most_corrections() {
@@ -265,9 +266,9 @@ impl<'a> Search<'a> {
             let stays = off.norm() > 0.5 * last && off.norm() <= 10.0 * self.tolerance;
             if off.norm() <= accuracy || stays {
                 let tangent = self.tangent(&response, row);
-                let share = self.way.dot(&(&response.forces - &self.start));
-                let share = share / self.way.norm_squared();
-                return Ok(Some((Point { response, share, tangent }, corrections)));
+                let gone = self.way.dot(&(&response.forces - &self.start));
+                let share = gone / self.way.norm_squared();
+                return Ok(Some(Point { response, share, tangent, corrections }));
             }
             last = off.norm();
             let matrix = self.bordered(&response.jacobian, row);
