@@ -81,7 +81,7 @@ impl<'a, E: MovedEquilibrium> Bordered<'a, E> {
         let unit = goal.unit_of_traction(norm(&pressures));
         let (count, size) = (goal.count(), system.size());
         Self {
-            at: (goal.creepages_of_centre(motion) * unit).as_slice().to_vec(),
+            at: (goal.creepages(motion) * unit).as_slice().to_vec(),
             system,
             goal,
             given: *motion,
@@ -96,13 +96,15 @@ impl<'a, E: MovedEquilibrium> Bordered<'a, E> {
     /// The motion at the centre of the patch with free creepages in Pa.
     fn motion(&self, unknowns: &[f64]) -> Kinematics {
         let creepages: Vec<f64> = unknowns.iter().map(|unknown| unknown / self.unit).collect();
-        self.goal.motion_at_centre(&self.given, &creepages)
+        self.goal.motion(&self.given, &creepages)
     }
 
     /// The forces of tractions, in Pa.
     fn forces(&self, traction: &[f64]) -> DVector<f64> {
         let force = summary::resultant(self.system.patch(), traction);
-        self.goal.forces_of_centre(&force) * self.unit
+        self.goal
+            .forces(&force)
+            .map_or_else(|| &self.goal.target * 0.0, |forces| forces * self.unit)
     }
 
     /// What belongs to the cells, and what to the creepages.
@@ -129,7 +131,7 @@ impl<'a, E: MovedEquilibrium> Bordered<'a, E> {
             return;
         }
         for (change, column) in self.goal.changes().iter().zip(&mut self.columns) {
-            self.system.change_by_motion(&self.goal.to_centre(change), column);
+            self.system.change_by_motion(change, column);
             for entry in column.iter_mut() {
                 *entry /= self.unit;
             }

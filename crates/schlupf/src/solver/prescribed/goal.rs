@@ -23,7 +23,8 @@ pub(crate) struct ForceGoal {
     /// The forces that are wanted, dimensionless.
     pub target: DVector<f64>,
     free: Vec<FreeCreepage>,
-    /// Position of the reference point of creepages and moment in the contact frame, x and y in m.
+    /// Position of the reference point of creepages and moment from where motions and forces are
+    /// given, x and y in m.
     place: [f64; 2],
     /// Normal load, in N.
     load: f64,
@@ -42,7 +43,8 @@ struct FreeCreepage {
 }
 
 impl ForceGoal {
-    /// That of a normal contact of a problem, whose reference point is at `place` (x and y in m).
+    /// That of a normal contact of a problem, whose reference point is at `place` (x and y in m) from
+    /// where motions and forces are given.
     ///
     /// # Errors
     /// Those of Kalker's coefficients.
@@ -94,55 +96,36 @@ impl ForceGoal {
 
     /// The motion that has the given creepages where they are free.
     pub fn motion(&self, given: &Kinematics, creepages: &[f64]) -> Kinematics {
-        let mut motion = *given;
+        let mut motion = given.at(self.place);
         for (free, creepage) in self.free.iter().zip(creepages) {
             *free.direction.creepage_of(&mut motion) = creepage * free.creepage_unit;
         }
-        motion
-    }
-
-    /// The same of a motion at the centre of the patch.
-    pub fn motion_at_centre(&self, given: &Kinematics, creepages: &[f64]) -> Kinematics {
-        self.to_centre(&self.motion(&given.at(self.place), creepages))
+        motion.at(self.place.map(|part| -part))
     }
 
     /// The free creepages of a motion.
     pub fn creepages(&self, motion: &Kinematics) -> DVector<f64> {
-        let creepage = |free: &FreeCreepage| free.direction.creepage(motion) / free.creepage_unit;
+        let motion = motion.at(self.place);
+        let creepage = |free: &FreeCreepage| free.direction.creepage(&motion) / free.creepage_unit;
         DVector::from_iterator(self.count(), self.free.iter().map(creepage))
     }
 
     /// The changes of the motion by one unit of each free creepage.
     pub fn changes(&self) -> Vec<Kinematics> {
-        let change = |free: &FreeCreepage| {
-            let mut change = Kinematics::free_rolling(0.0);
-            *free.direction.creepage_of(&mut change) = free.creepage_unit;
-            change
+        let change = |number: usize| {
+            let unit = |k: usize| if k == number { 1.0 } else { 0.0 };
+            let units: Vec<f64> = (0..self.count()).map(unit).collect();
+            self.motion(&Kinematics::free_rolling(0.0), &units)
         };
-        self.free.iter().map(change).collect()
-    }
-
-    /// A motion at the centre of the patch, given at the reference point.
-    pub fn to_centre(&self, motion: &Kinematics) -> Kinematics {
-        motion.at(self.place.map(|part| -part))
-    }
-
-    /// The free creepages of a motion at the centre of the patch.
-    pub fn creepages_of_centre(&self, motion: &Kinematics) -> DVector<f64> {
-        self.creepages(&motion.at(self.place))
+        (0..self.count()).map(change).collect()
     }
 
     /// The forces that belong to free creepages; `None` where a method lacks one.
     pub fn forces(&self, force: &Resultant) -> Option<DVector<f64>> {
+        let force = force.about(self.place);
         let along = |free: &FreeCreepage| Some(-force.along(free.direction)? / free.force_unit);
         let all = self.free.iter().map(along).collect::<Option<Vec<f64>>>()?;
         Some(DVector::from_vec(all))
-    }
-
-    /// The same of a force and its moment about the centre of the patch.
-    pub fn forces_of_centre(&self, force: &Resultant) -> DVector<f64> {
-        let force = self.forces(&force.about(self.place));
-        force.unwrap_or_else(|| DVector::zeros(self.count()))
     }
 
     /// ∂(forces)/∂(free creepages) from the derivatives by [`Self::changes`].
@@ -158,11 +141,16 @@ impl ForceGoal {
     }
 
     /// A first guess of the motion, with the creepages that are given, by Kalker's linear theory
-    /// with a saturation.
-    pub fn guess(&self, problem: &Problem, normal: &NormalSummary) -> Result<Kinematics, Error> {
+    /// with a saturation. Motions and forces are at a place in the contact frame, x and y in m.
+    pub fn guess(
+        &self,
+        problem: &Problem,
+        (normal, place): (&NormalSummary, [f64; 2]),
+    ) -> Result<Kinematics, Error> {
         let contact = EllipticContact::of(problem, *normal)?;
         let linear = |motion: &Kinematics| {
-            self.forces_of_centre(&contact.linear_force(&self.to_centre(motion)))
+            let force = contact.linear_force(&motion.at(place.map(|part| -part)));
+            self.forces(&force.about(place)).unwrap_or_else(|| &self.target * 0.0)
         };
         let at_rest = self.motion(&problem.kinematics, &vec![0.0; self.count()]);
         let ratio = self.target.norm();

@@ -35,7 +35,7 @@ pub(crate) fn find<S: Solver + ?Sized>(
     let normal = problem.normal.normal_contact(None)?.summary;
     let place = reference_point::place(problem.reference, &normal)?;
     let sought = Sought {
-        goal: ForceGoal::new(problem, &problem.prescribed, (&normal, place))?,
+        goal: ForceGoal::new(problem, &problem.prescribed, (&normal, [0.0; 2]))?,
         problem: problem.without_forces(),
         is_single: problem.interface.has_constant_bound(),
         has_limit: problem.uniform_friction(normal.semi_axis_y).is_some(),
@@ -47,7 +47,7 @@ pub(crate) fn find<S: Solver + ?Sized>(
         sought.goal.refuse_beyond_friction()?;
     }
     if sought.is_single {
-        let guess = sought.goal.guess(problem, &normal)?;
+        let guess = sought.goal.guess(problem, (&normal, place))?;
         if let Some(found) = solver.solve_for_forces(&sought.from(guess), watch)? {
             return Ok(found);
         }

@@ -64,7 +64,7 @@ impl ForcesOverTime {
     /// without the forces, with the last creepages that had them.
     pub fn starts(&self, given: &Kinematics) -> Vec<Start> {
         let start = |goal: &ForceGoal, creepages: &DVector<f64>, goes_on| {
-            let motion = self.goal.motion_at_centre(given, creepages.as_slice());
+            let motion = self.goal.motion(given, creepages.as_slice());
             Start { motion, goal: goal.clone(), goes_on }
         };
         let mut ahead = start(&self.goal, &(&self.reached + &self.trend), true);
@@ -79,7 +79,7 @@ impl ForcesOverTime {
     /// Notes the motion of a step at the centre of the patch, whether it has missed its forces, and
     /// whether it is to go on to change.
     pub fn note(&mut self, motion: &Kinematics, (is_missed, goes_on): (bool, bool)) {
-        let found = self.goal.creepages_of_centre(motion);
+        let found = self.goal.creepages(motion);
         self.trend = &found - &self.reached;
         if !goes_on || !self.has_reached {
             self.trend.fill(0.0);

@@ -48,9 +48,8 @@ impl March<'_> {
                 break;
             }
         }
-        let creepages = forces.goal.creepages_of_centre(&self.now.over_step);
-        self.now.kinematics =
-            forces.goal.motion_at_centre(&self.now.kinematics, creepages.as_slice());
+        let creepages = forces.goal.creepages(&self.now.over_step);
+        self.now.kinematics = forces.goal.motion(&self.now.kinematics, creepages.as_slice());
         self.now.conduction = self.problem.interface.conduction(&self.now.over_step);
         self.displace();
         self.largest_traction = self.largest_traction.max(norm(&self.now.traction));
@@ -72,8 +71,8 @@ impl March<'_> {
         }
         if is_missed {
             let force = summary::resultant(&self.contact.patch, &self.now.traction);
-            let missing = (&forces.goal.target - forces.goal.forces_of_centre(&force)).norm();
-            self.outcome.residual = self.outcome.residual.max(missing);
+            let missing = forces.goal.forces(&force).map(|has| (has - &forces.goal.target).norm());
+            self.outcome.residual = self.outcome.residual.max(missing.unwrap_or(0.0));
             let quantity = forces.goal.prescribed().first();
             self.missed = self.missed.or(quantity.map(|force| (force, self.time)));
         }
