@@ -32,12 +32,12 @@ pub trait Solver: Send + Sync {
     /// The options of the solver.
     fn options(&self) -> &Options;
 
-    /// Solves for the steady state of a problem, with the creepages that it gives, or with those that
-    /// the forces cause that it prescribes: the motion of the solution is the one found.
+    /// Solves for the steady state of a problem, with the creepages that it gives, or with those
+    /// that the forces cause that it prescribes: the motion of the solution is the one found.
     ///
     /// With falling friction two motions may have the same forces. [`Options::branch`] asks for the
-    /// one on the rising branch of the creep curve or for the other, and a warning has the creepages
-    /// of the one that was not asked for.
+    /// one on the rising branch of the creep curve or for the other, and a warning has the
+    /// creepages of the one that was not asked for.
     ///
     /// ```
     /// use schlupf::problem::{LongitudinalForce, PrescribedForces};
@@ -104,8 +104,8 @@ pub trait Solver: Send + Sync {
     }
 
     /// The state at given creepages with the derivatives of forces and moment (in N and N m) along
-    /// some changes of the creepages, whatever their speed, for a search: to about a thousandth. `None` where the
-    /// state or one nearby is not found.
+    /// some changes of the creepages, whatever their speed, for a search: to about a thousandth.
+    /// `None` where the state or one nearby is not found.
     ///
     /// # Errors
     /// As [`Self::solve`].

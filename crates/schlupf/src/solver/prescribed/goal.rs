@@ -43,8 +43,8 @@ struct FreeCreepage {
 }
 
 impl ForceGoal {
-    /// That of a normal contact of a problem, whose reference point is at `place` (x and y in m) from
-    /// where motions and forces are given.
+    /// That of a normal contact of a problem, whose reference point is at `place` (x and y in m)
+    /// from where motions and forces are given.
     ///
     /// # Errors
     /// Those of Kalker's coefficients.
@@ -103,7 +103,7 @@ impl ForceGoal {
         motion.at(self.place.map(|part| -part))
     }
 
-    /// The free creepages of a motion.
+    /// The free creepages of a motion, dimensionless.
     pub fn creepages(&self, motion: &Kinematics) -> DVector<f64> {
         let motion = motion.at(self.place);
         let creepage = |free: &FreeCreepage| free.direction.creepage(&motion) / free.creepage_unit;
@@ -120,7 +120,7 @@ impl ForceGoal {
         (0..self.count()).map(change).collect()
     }
 
-    /// The forces that belong to free creepages; `None` where a method lacks one.
+    /// The forces that belong to free creepages, dimensionless; `None` where a method lacks one.
     pub fn forces(&self, force: &Resultant) -> Option<DVector<f64>> {
         let force = force.about(self.place);
         let along = |free: &FreeCreepage| Some(-force.along(free.direction)? / free.force_unit);
@@ -128,7 +128,7 @@ impl ForceGoal {
         Some(DVector::from_vec(all))
     }
 
-    /// ∂(forces)/∂(free creepages) from the derivatives by [`Self::changes`].
+    /// ∂(forces)/∂(free creepages), dimensionless, from the derivatives by [`Self::changes`].
     pub fn jacobian(&self, slopes: &[Resultant]) -> Option<DMatrix<f64>> {
         let columns = slopes.iter().map(|slope| self.forces(slope)).collect::<Option<Vec<_>>>()?;
         Some(DMatrix::from_columns(&columns))

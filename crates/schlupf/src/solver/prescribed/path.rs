@@ -17,12 +17,14 @@ pub(crate) trait Responds {
     fn rolls(&self, creepages: &DVector<f64>) -> bool;
 }
 
-/// The state at some creepages, dimensionless.
+/// The state at some creepages.
 #[derive(Clone)]
 pub(crate) struct Response {
+    /// Dimensionless.
     pub creepages: DVector<f64>,
+    /// Dimensionless.
     pub forces: DVector<f64>,
-    /// ∂(forces)/∂(creepages).
+    /// ∂(forces)/∂(creepages), dimensionless.
     pub jacobian: DMatrix<f64>,
 }
 

@@ -89,8 +89,8 @@ impl NestedGrids {
         Ok(outcome)
     }
 
-    /// Newton's method on one level, for the tractions and the free creepages of the present problem,
-    /// from its initial guess.
+    /// Newton's method on one level, for the tractions and the free creepages of the present
+    /// problem, from its initial guess.
     fn solve_level(
         &mut self,
         depth: usize,
