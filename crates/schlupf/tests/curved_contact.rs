@@ -27,8 +27,7 @@ use schlupf::problem::{
     Brush, FastMethod, Flexibilities, LongitudinalForce, PrescribedForces, TractionBound,
 };
 use schlupf::solution::Resultant;
-use schlupf::solver::ForceSolver;
-use schlupf::{Error, Method, Options, Problem, Solution, Solver, Status, Transient, unwatched};
+use schlupf::{Error, Method, Options, Problem, Solution, Status, Transient, unwatched};
 
 const RADIUS: f64 = 13e-3;
 const LEAN: f64 = 0.5;
@@ -362,7 +361,7 @@ fn prescribed_forces_find_their_creepages() {
         };
         let free = Kinematics { creepage_x: 0.0, creepage_y: 0.0, ..problem.kinematics };
         let problem = Problem { kinematics: free, prescribed, ..problem };
-        let mut solver = ForceSolver::new(Method::Full.solver(&cells(16)));
+        let mut solver = Method::Full.solver(&cells(16));
         let found = solver.solve(&problem, &unwatched).unwrap();
         assert_eq!(found.status, Status::Converged, "{name}");
         assert_alike(name, &found.force, &given.force, 1e-4);

@@ -9,8 +9,7 @@ use schlupf::bodies::Kinematics;
 use schlupf::interface::friction::Friction;
 use schlupf::interface::friction::polach::Polach;
 use schlupf::problem::{AreaReduction, Branch, Brush, FastMethod, Method, PrescribedForces};
-use schlupf::solver::ForceSolver;
-use schlupf::{Options, Problem, Solution, Solver, Status, Warning, unwatched};
+use schlupf::{Options, Problem, Solution, Status, Warning, unwatched};
 
 fn options(branch: Branch) -> Options {
     Options { cells_x: 12, cells_y: 12, branch, ..Options::default() }
@@ -63,8 +62,7 @@ fn roots(method: Method, problem: &Problem, target: f64) -> Vec<f64> {
 
 fn found(method: Method, problem: &Problem, force: PrescribedForces, branch: Branch) -> Solution {
     let prescribed = Problem { prescribed: force, ..problem.clone() };
-    let solution =
-        ForceSolver::new(method.solver(&options(branch))).solve(&prescribed, &unwatched).unwrap();
+    let solution = method.solver(&options(branch)).solve(&prescribed, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged);
     solution
 }

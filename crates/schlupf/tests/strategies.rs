@@ -18,7 +18,6 @@ use schlupf::interface::{ContactLaw, Incremental, ThirdBodyLayer};
 use schlupf::normal::Ellipse;
 use schlupf::problem::{FastMethod, LongitudinalForce, PrescribedForces};
 use schlupf::solution::{Strategy, Work};
-use schlupf::solver::ForceSolver;
 use schlupf::solver::SteadySolver;
 use schlupf::{Method, Options, Problem, Solution, Solver, Status, Warning, unwatched};
 
@@ -107,14 +106,14 @@ fn prescribed_forces_say_what_led_to_them() {
         Problem { prescribed: PrescribedForces { x, ..Default::default() }, ..coulomb() }
     };
     let base = forced(-8e3);
-    let mut solver = ForceSolver::new(Method::Full.solver(&cells(16)));
-    assert_eq!(strategy(&mut solver, &base), Some(Strategy::Cold));
+    let mut solver = Method::Full.solver(&cells(16));
+    assert_eq!(strategy(&mut *solver, &base), Some(Strategy::Cold));
     let x = Some(LongitudinalForce::Force(-8.2e3));
     let next = Problem { prescribed: PrescribedForces { x, ..Default::default() }, ..base.clone() };
-    assert_eq!(strategy(&mut solver, &next), Some(Strategy::Warm));
+    assert_eq!(strategy(&mut *solver, &next), Some(Strategy::Warm));
     let mut falling = base;
     falling.interface.friction.law = Arc::new(Polach::new(0.4, 0.4, 0.5).unwrap());
-    assert_eq!(strategy(&mut solver, &falling), Some(Strategy::Continuation));
+    assert_eq!(strategy(&mut *solver, &falling), Some(Strategy::Continuation));
 }
 
 /// What Newton's method does not find is marched to, with the residual at which it stopped. It is

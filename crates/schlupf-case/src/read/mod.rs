@@ -24,10 +24,8 @@ use schlupf::interface::heat::partition::Partition;
 use schlupf::interface::{ContactLaw, Interface};
 use schlupf::normal::{NormalContact, PressureSource};
 use schlupf::problem::{History, PrescribedForces};
-use schlupf::solver::ForceSolver;
-use schlupf::solver::MarchingSolver;
 use schlupf::wheel_rail::{WheelOnRail, WheelSolution};
-use schlupf::{Error, Method, Options, Problem, Solver, Watch};
+use schlupf::{Error, Options, Problem, Watch};
 
 pub use cooling::{cooling, missing as missing_cooling};
 pub use damage::damage;
@@ -36,7 +34,7 @@ pub use options::{driver, method};
 pub use subsurface::subsurface;
 
 use crate::error::CaseError;
-use crate::fields::choice::{Driver, NormalModel};
+use crate::fields::choice::NormalModel;
 use crate::law_stiffness::{LawStiffness, MicroContact};
 use crate::laws::Laws;
 use crate::notice::Notice;
@@ -308,16 +306,6 @@ impl Parts {
         let solver = self.wheel_solver(request, settings)?.of_forces();
         let found = solver.find(Some(lateral), watch);
         found.map_err(|error| settings.explain(&error))
-    }
-}
-
-/// What finds steady states by a method, and by a driver that was asked for.
-pub fn any_solver(method: &Method, driver: Option<Driver>, options: &Options) -> Box<dyn Solver> {
-    match (method, driver) {
-        (Method::Full, Some(Driver::Marching)) => {
-            Box::new(ForceSolver::new(Box::new(MarchingSolver::new(options))))
-        }
-        (method, _) => Box::new(ForceSolver::new(method.solver(options))),
     }
 }
 

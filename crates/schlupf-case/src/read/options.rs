@@ -5,12 +5,14 @@ use std::sync::Arc;
 
 use schlupf::problem::look_up_table::LookUpTable;
 use schlupf::problem::{
-    AreaReduction, Branch, Brush, FastMethod, Flexibilities, SlopeReduction, TractionBound,
+    AreaReduction, Branch, Brush, Driver, FastMethod, Flexibilities, SlopeReduction, TractionBound,
 };
 use schlupf::{Method, Options};
 
 use crate::error::CaseError;
-use crate::fields::choice::{BoundChoice, BranchChoice, Driver, FlexibilitiesChoice, MethodChoice};
+use crate::fields::choice::{
+    BoundChoice, BranchChoice, DriverChoice, FlexibilitiesChoice, MethodChoice,
+};
 use crate::settings::Settings;
 
 const TABLE: FieldPath = field!("solver.table");
@@ -37,10 +39,13 @@ pub fn options(settings: &Settings) -> Result<Options, CaseError> {
 
 /// The driver that was asked for.
 pub fn driver(settings: &Settings) -> Result<Option<Driver>, CaseError> {
-    settings
-        .is_given(field!("solver.driver"))
-        .then(|| settings.chosen(field!("solver.driver")))
-        .transpose()
+    if !settings.is_given(field!("solver.driver")) {
+        return Ok(None);
+    }
+    Ok(Some(match settings.chosen(field!("solver.driver"))? {
+        DriverChoice::Steady => Driver::Steady,
+        DriverChoice::Marching => Driver::Marching,
+    }))
 }
 
 /// What is solved, with the parameters of a fast method.

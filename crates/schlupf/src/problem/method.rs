@@ -19,6 +19,16 @@ pub enum Method {
     Fast(FastMethod),
 }
 
+/// How a steady state of the full equations is found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Driver {
+    /// Directly.
+    #[default]
+    Steady,
+    /// Step by step in time.
+    Marching,
+}
+
 /// A fast method.
 #[derive(Debug, Clone)]
 #[non_exhaustive]

@@ -11,7 +11,7 @@ mod transient;
 pub use builder::ProblemBuilder;
 pub use history::History;
 pub use method::{
-    AreaReduction, Brush, FastMethod, Flexibilities, Method, SlopeReduction, TractionBound,
+    AreaReduction, Brush, Driver, FastMethod, Flexibilities, Method, SlopeReduction, TractionBound,
 };
 pub use prescribed_forces::{Direction, LongitudinalForce, PrescribedForces};
 pub(crate) use state::MOST_PLACES;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::driven::Drive;
+use super::drive::Drive;
 use super::gap::Gap;
 use super::pair::Pair;
 use super::pose::Attitude;

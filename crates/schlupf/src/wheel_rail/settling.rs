@@ -9,7 +9,8 @@
 
 use super::equilibrium::{DEEPEST, FrictionRatio, Guess, Lowered, Lowering};
 use super::pressed::Accuracy;
-use super::sliding::{Tangential, Turning};
+use super::sliding::Tangential;
+use super::turning::Turning;
 use super::wheel::{NEARLY_SETTLED, SETTLED, WheelOnRail, WheelSolution, first_guess};
 use crate::numerics::root::Bracket;
 use crate::problem::Options;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::contact_plane::Joining;
 use super::creepage::Motion;
-use super::driven::Drive;
+use super::drive::Drive;
 use super::equilibrium::{FrictionRatio, Guess, Lowered, Lowering};
 use super::gap::Gap;
 use super::holes;
@@ -13,7 +13,8 @@ use super::pose::{Attitude, minus};
 use super::pressed::Accuracy;
 use super::rows::{CONFORMAL, RowsMove};
 use super::side::Side;
-use super::sliding::{Slid, Sliding, Tangential, Turning, turn};
+use super::sliding::{Slid, Sliding, Tangential, turn};
+use super::turning::Turning;
 use crate::problem::{Options, Problem};
 use crate::reporting::{
     Error, Quantity, Requirement, Warning, Watch, WheelRailError, require, require_finite,

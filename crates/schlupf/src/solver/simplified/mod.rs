@@ -338,7 +338,7 @@ impl Solver for FastSolver {
         &self.options
     }
 
-    fn solve(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
+    fn solve_given(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
         let has_derivatives = self.options.sensitivity;
         Ok(self.contact(problem, watch)?.solution_with(has_derivatives))
     }
@@ -347,7 +347,7 @@ impl Solver for FastSolver {
         self.method.has_derivatives()
     }
 
-    fn solve_with_derivatives(
+    fn solve_given_with_derivatives(
         &mut self,
         problem: &Problem,
         watch: Watch,
