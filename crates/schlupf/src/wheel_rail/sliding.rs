@@ -30,6 +30,11 @@ pub struct Tangential<'a> {
 }
 
 impl Tangential<'_> {
+    pub(super) fn check(&self, speed: f64) -> Result<(), Error> {
+        self.options.check()?;
+        self.interface.check(&Kinematics::free_rolling(speed))
+    }
+
     /// Options with which the motion is sought: derivatives and extrapolation are of the result.
     pub(super) fn searching(&self) -> Options {
         Options { sensitivity: false, extrapolate: false, ..self.options.clone() }

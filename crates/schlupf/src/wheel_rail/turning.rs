@@ -15,14 +15,16 @@ use crate::problem::Direction;
 use crate::reporting::{Error, ForceError, Quantity, WheelRailError};
 use crate::solution::{Resultant, Solution};
 use crate::solver::prescribed::{Responds, Response, Search, linear_share};
-use crate::solver::settings;
 use crate::solver::simplified::EllipticContact;
+use crate::solver::{Solver, settings};
 
 /// A wheel that turns, with its contacts.
 pub(super) struct Turning {
     /// About the axle, in rad/s.
     pub angular_velocity: f64,
     pub contacts: Vec<Slid>,
+    /// What has solved each contact.
+    pub solvers: Vec<Box<dyn Solver>>,
     /// Why it does not have the prescribed force, if so; it is then the nearest one found.
     pub missed: Option<ForceError>,
 }
@@ -44,13 +46,14 @@ impl Sliding<'_> {
         let (quantity, value) = match self.drive {
             Drive::AngularVelocity => {
                 let angular_velocity = self.motion.angular_velocity;
-                let mut contacts = Vec::new();
+                let (mut contacts, mut solvers) = (Vec::new(), Vec::new());
                 for (pressed, mut solver) in self.contacts() {
                     let problem = solver.problem(self, pressed, angular_velocity)?;
                     let solution = solver.solver.solve(&problem, self.watch)?;
                     contacts.push((pressed.clone(), problem, solution));
+                    solvers.push(solver.solver);
                 }
-                return Ok(Turning { angular_velocity, contacts, missed: None });
+                return Ok(Turning { angular_velocity, contacts, solvers, missed: None });
             }
             Drive::Force { force, .. } => (Quantity::ForceX, force),
             Drive::OverLoad(coefficient) => (Quantity::ForceOverLoad, coefficient),
@@ -91,7 +94,8 @@ impl Sliding<'_> {
             _ => states.at(creepage)?.0,
         };
         let angular_velocity = states.angular_velocity(creepage);
-        Ok(Turning { angular_velocity, contacts, missed })
+        let solvers = states.contacts.into_iter().map(|(_, solver)| solver.solver).collect();
+        Ok(Turning { angular_velocity, contacts, solvers, missed })
     }
 }
 
