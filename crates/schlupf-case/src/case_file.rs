@@ -148,7 +148,7 @@ impl CaseFile {
     /// ```
     /// use std::sync::Arc;
     ///
-    /// use schlupf::interface::friction::constant::Constant;
+    /// use schlupf::interface::friction::Constant;
     /// use schlupf_case::{CaseFile, Folder, Laws, Overrides};
     ///
     /// let file = CaseFile::from_str("", "a case", Folder::new(""), Overrides::NONE)?;

@@ -8,8 +8,9 @@ use schlupf::analysis::calibration::{
 };
 use schlupf::bodies::Material;
 use schlupf::elasticity::elastic_layer::LayerStiffness;
-use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::elasticity::{CalibratedLayer, Elasticity, RelativeStiffness, tabulated_stiffness};
+use schlupf::elasticity::{
+    CalibratedLayer, Elasticity, HalfSpace, RelativeStiffness, tabulated_stiffness,
+};
 use schlupf::normal::{NormalContact, Pressure};
 use schlupf::reporting::Message;
 use schlupf::{Error, Quantity, Status, Warning, Watch};

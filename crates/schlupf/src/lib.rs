@@ -17,9 +17,9 @@
 //! state.
 //!
 //! ```
-//! use schlupf::elasticity::half_space::HalfSpace;
+//! use schlupf::elasticity::HalfSpace;
 //! use schlupf::bodies::Material;
-//! use schlupf::interface::friction::temperature_linear::TemperatureLinear;
+//! use schlupf::interface::friction::TemperatureLinear;
 //! use schlupf::{Options, Problem, Status, solver, unwatched};
 //!
 //! let problem = Problem::builder()

@@ -8,12 +8,9 @@ use std::sync::Arc;
 
 use common::{problem, rolling};
 use schlupf::bodies::Material;
-use schlupf::elasticity::Winkler;
-use schlupf::elasticity::half_space::HalfSpace;
+use schlupf::elasticity::{HalfSpace, Winkler};
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::exponential::Exponential;
-use schlupf::interface::friction::linear::Linear;
-use schlupf::interface::friction::slip_terms::SlipTerms;
+use schlupf::interface::friction::{Exponential, Linear, SlipTerms};
 use schlupf::interface::heat::Heat;
 use schlupf::normal::patch::{Interpolation, Patch};
 use schlupf::normal::{Grid, VectorField};

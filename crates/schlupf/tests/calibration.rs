@@ -15,12 +15,10 @@ use schlupf::analysis::calibration::{
 };
 use schlupf::bodies::Material;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
-use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::elasticity::{CalibratedLayer, Elasticity, tabulated_stiffness};
+use schlupf::elasticity::{CalibratedLayer, Elasticity, HalfSpace, tabulated_stiffness};
 use schlupf::interface::Incremental;
 use schlupf::normal::{Ellipse, Extent, Grid, VectorField};
-use schlupf::solver;
-use schlupf::unwatched;
+use schlupf::{solver, unwatched};
 
 /// The goal: forces within 2 % of μN, with spin 4 %.
 fn assert_near(deviation: &Deviation, what: &str) {

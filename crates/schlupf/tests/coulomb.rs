@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use common::{cells, half_space, problem, quantiles, rolling};
-use schlupf::interface::friction::constant::Constant;
+use schlupf::interface::friction::Constant;
 use schlupf::interface::{ContactLaw, Incremental};
 use schlupf::normal::Ellipse;
 use schlupf::solution::Resultant;

@@ -9,17 +9,11 @@ use common::{cells, half_space, layer, problem, rolling};
 use schlupf::analysis::creep_curve::{Creepages, Path, Sampling, Spacing, trace};
 use schlupf::bodies::Material;
 use schlupf::elasticity::{Rigid, Winkler};
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::friction::exponential::Exponential;
-use schlupf::interface::friction::memory::FrictionMemory;
-use schlupf::interface::friction::polach::Polach;
-use schlupf::interface::friction::product::Product;
-use schlupf::interface::friction::slip_terms::SlipTerms;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::friction::{Friction, FrictionLaw};
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::{
+    Constant, Exponential, Friction, FrictionLaw, FrictionMemory, Polach, Product, SlipTerms,
+    TemperatureLinear,
+};
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::interface::{ContactLaw, Incremental};
 use schlupf::normal::{Ellipse, PressureTable, Tabulated};
 use schlupf::solution::Resultant;

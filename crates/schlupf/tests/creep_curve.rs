@@ -8,19 +8,15 @@ use schlupf::analysis::creep_curve::{
     Abscissa, CreepCurve, Creepages, PLATEAU, Path, Sampling, Spacing, VariedForce, trace,
 };
 use schlupf::bodies::Material;
-use schlupf::elasticity::Winkler;
-use schlupf::elasticity::half_space::HalfSpace;
+use schlupf::elasticity::{HalfSpace, Winkler};
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::TemperatureLinear;
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::normal::Ellipse;
 use schlupf::reporting::Stage;
-use schlupf::solver::MarchingSolver;
-use schlupf::solver::SteadySolver;
 use schlupf::solver::kalker_coefficients::creep_coefficients;
 use schlupf::solver::reference::winkler_strip;
+use schlupf::solver::{MarchingSolver, SteadySolver};
 use schlupf::{Error, Method, Options, Problem, Quantity, Solver, Status, unwatched};
 use std::ops::ControlFlow;
 use std::sync::Arc;

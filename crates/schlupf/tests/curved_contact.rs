@@ -15,14 +15,10 @@ use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
 use schlupf::bodies::{Kinematics, Material, RowMotion, RowSlip, contact_modulus};
 use schlupf::elasticity::{Elasticity, Winkler};
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::{Constant, TemperatureLinear};
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::interface::{ContactLaw, Incremental};
-use schlupf::normal::hertz::{Hertz, Radii};
-use schlupf::normal::{NormalContact, PressureSource};
+use schlupf::normal::{Hertz, NormalContact, PressureSource, Radii};
 use schlupf::problem::{
     Brush, FastMethod, Flexibilities, LongitudinalForce, PrescribedForces, TractionBound,
 };

@@ -8,14 +8,13 @@ use schlupf::analysis::damage::{
     WearMap, of_passage, of_run,
 };
 use schlupf::bodies::Material;
-use schlupf::elasticity::half_space::HalfSpace;
+use schlupf::elasticity::HalfSpace;
 use schlupf::interface::ContactLaw;
-use schlupf::interface::friction::constant::Constant;
+use schlupf::interface::friction::Constant;
 use schlupf::interface::heat::Heat;
 use schlupf::normal::Ellipse;
 use schlupf::problem::{Brush, FastMethod, Method, TractionBound};
-use schlupf::solver;
-use schlupf::{Error, Options, Problem, Quantity, unwatched};
+use schlupf::{Error, Options, Problem, Quantity, solver, unwatched};
 
 const RADIUS: f64 = 0.46;
 

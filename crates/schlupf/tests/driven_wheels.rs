@@ -3,10 +3,8 @@
 use std::sync::Arc;
 
 use schlupf::bodies::{Body, Material};
-use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::interface::friction::Friction;
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::friction::polach::Polach;
+use schlupf::elasticity::HalfSpace;
+use schlupf::interface::friction::{Constant, Friction, Polach};
 use schlupf::interface::{ContactLaw, Interface};
 use schlupf::reporting::ForceError;
 use schlupf::wheel_rail::{

@@ -13,8 +13,7 @@ use schlupf::elasticity::Elasticity;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness, Springs};
 use schlupf::interface::{ContactLaw, Incremental, TotalDisplacement};
 use schlupf::normal::{Extent, Grid, VectorField};
-use schlupf::solver;
-use schlupf::{Options, Problem, Status, unwatched};
+use schlupf::{Options, Problem, Status, solver, unwatched};
 
 /// ξ, η, φ in 1/m; Fx/μN, Fy/μN, Mz/μN√(ab).
 const CONVERGED: [([f64; 3], [f64; 3]); 6] = [

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use common::{Random, cells, half_space, problem, quantiles, rolling};
 use schlupf::bodies::Kinematics;
 use schlupf::interface::ContactLaw;
-use schlupf::interface::friction::constant::Constant;
+use schlupf::interface::friction::Constant;
 use schlupf::normal::{PressureTable, Tabulated};
 use schlupf::solution::Strategy;
 use schlupf::wheel_rail::{

@@ -6,8 +6,7 @@ mod common;
 use std::sync::Arc;
 
 use schlupf::bodies::Kinematics;
-use schlupf::interface::friction::Friction;
-use schlupf::interface::friction::polach::Polach;
+use schlupf::interface::friction::{Friction, Polach};
 use schlupf::problem::{AreaReduction, Branch, Brush, FastMethod, Method, PrescribedForces};
 use schlupf::{Options, Problem, Solution, Status, Warning, unwatched};
 

@@ -7,13 +7,8 @@ use std::sync::Arc;
 use schlupf::analysis::creep_curve::{Creepages, Path, Sampling, trace};
 use schlupf::bodies::Kinematics;
 use schlupf::elasticity::Rigid;
-use schlupf::interface::friction::Friction;
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::friction::polach::Polach;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::{Constant, Friction, Polach, TemperatureLinear};
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::interface::{ContactLaw, Incremental, TotalDisplacement};
 use schlupf::normal::Ellipse;
 use schlupf::problem::{
@@ -21,8 +16,7 @@ use schlupf::problem::{
     PrescribedForces, TractionBound,
 };
 use schlupf::reporting::{ForceError, Names};
-use schlupf::solver::SteadySolver;
-use schlupf::solver::march;
+use schlupf::solver::{SteadySolver, march};
 use schlupf::{
     Error, Options, Problem, Quantity, Solution, Solver, Status, Transient, Warning, unwatched,
 };

@@ -12,9 +12,7 @@ use schlupf::analysis::identification::{
 };
 use schlupf::bodies::Kinematics;
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::Friction;
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::friction::constants::FrictionConstant;
+use schlupf::interface::friction::{Constant, Friction, FrictionConstant};
 use schlupf::problem::{AreaReduction, Method, PrescribedForces};
 use schlupf::{Options, Problem, Status, unwatched};
 

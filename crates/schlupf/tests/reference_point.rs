@@ -9,19 +9,16 @@ use schlupf::analysis::bulk_temperature::{Cooling, bulk_temperature};
 use schlupf::analysis::creep_curve::{Creepages, Path, Sampling, Spacing, trace};
 use schlupf::bodies::{Kinematics, ReferencePoint};
 use schlupf::interface::InterfaceConstant;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::normal::profile::{Profile, UndeformedDistance};
 use schlupf::normal::{PressureSource, PressureTable, Tabulated};
 use schlupf::problem::{
     AreaReduction, Brush, FastMethod, Flexibilities, History, SlopeReduction, TractionBound,
 };
 use schlupf::solution::Resultant;
-use schlupf::solver;
 use schlupf::solver::SteadySolver;
 use schlupf::solver::simplified::FastContact;
-use schlupf::{Method, Options, Problem, Solution, Status, unwatched};
+use schlupf::{Method, Options, Problem, Solution, Status, solver, unwatched};
 use std::sync::Arc;
 
 /// Where the middle of the patch lies in the file, in m.

@@ -10,7 +10,7 @@
 use std::sync::Arc;
 
 use schlupf::elasticity::Rigid;
-use schlupf::interface::friction::constant::Constant;
+use schlupf::interface::friction::Constant;
 use schlupf::interface::heat::Heat;
 use schlupf::reporting::Error;
 use schlupf::wheel_rail::{

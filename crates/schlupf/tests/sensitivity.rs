@@ -8,25 +8,14 @@ use common::{half_space, problem, rolling};
 use schlupf::analysis::calibration::KalkerBed;
 use schlupf::bodies::{Material, contact_modulus};
 use schlupf::elasticity::elastic_layer::{ElasticLayer, Springs};
-use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::elasticity::{CalibratedLayer, Winkler};
-use schlupf::interface::friction::across::Across;
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::friction::constants::Changes;
-use schlupf::interface::friction::exponential::Exponential;
-use schlupf::interface::friction::memory::FrictionMemory;
-use schlupf::interface::friction::polach::Polach;
-use schlupf::interface::friction::product::Product;
-use schlupf::interface::friction::slip_terms::{SecondTerm, SlipTerms};
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::friction::{Friction, FrictionLaw};
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::constant_source::ConstantSource;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::elasticity::{CalibratedLayer, HalfSpace, Winkler};
+use schlupf::interface::friction::{
+    Across, Changes, Constant, Exponential, Friction, FrictionLaw, FrictionMemory, Polach, Product,
+    SecondTerm, SlipTerms, TemperatureLinear,
+};
+use schlupf::interface::heat::{ConstantSource, Duhamel, Heat, Partition};
 use schlupf::interface::{Incremental, InterfaceConstant, TotalDisplacement};
-use schlupf::normal::PressureSource;
-use schlupf::normal::hertz::{Hertz, Radii};
+use schlupf::normal::{Hertz, PressureSource, Radii};
 use schlupf::solution::{Resultant, Sensitivity};
 use schlupf::solver::SteadySolver;
 use schlupf::{Options, Problem, Solution, Status, unwatched};

@@ -12,14 +12,10 @@ use schlupf::analysis::temperature_field::TemperatureField;
 use schlupf::bodies::{Kinematics, Material};
 use schlupf::elasticity::Winkler;
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::FrictionLaw;
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::friction::polach::Polach;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::{
+    Constant, FrictionLaw, Polach, TemperatureLinear, TemperaturePiecewiseLinear,
+};
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::normal::{Ellipse, PressureTable, Tabulated};
 use schlupf::problem::{
     AreaReduction, Brush, FastMethod, Flexibilities, SlopeReduction, TractionBound,

@@ -12,18 +12,12 @@ use schlupf::analysis::identification::{
     Component, Condition, DataPoint, Parameter, RollingContactModel, fit,
 };
 use schlupf::bodies::{Kinematics, Material};
-use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::elasticity::{Elasticity, Rigid};
-use schlupf::interface::friction::FrictionLaw;
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::friction::constants::FrictionConstant;
-use schlupf::interface::friction::exponential::Exponential;
-use schlupf::interface::friction::memory::FrictionMemory;
-use schlupf::interface::friction::slip_terms::SlipTerms;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::elasticity::{Elasticity, HalfSpace, Rigid};
+use schlupf::interface::friction::{
+    Constant, Exponential, FrictionConstant, FrictionLaw, FrictionMemory, SlipTerms,
+    TemperatureLinear,
+};
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::interface::{ContactLaw, Incremental, InterfaceConstant, ThirdBodyLayer, YieldLimit};
 use schlupf::normal::Ellipse;
 use schlupf::problem::{Brush, FastMethod, Method, SlopeReduction};

@@ -13,10 +13,8 @@ use common::{cells, half_space, layer, problem, rolling, solve_over};
 use schlupf::bodies::{Kinematics, Material};
 use schlupf::elasticity::{CalibratedLayer, Winkler};
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::TemperatureLinear;
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::problem::History;
 use schlupf::{Problem, Solution, Warning, unwatched};
 

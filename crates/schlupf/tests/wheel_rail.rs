@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use schlupf::bodies::{Body, Material, contact_modulus};
-use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::interface::friction::constant::Constant;
+use schlupf::elasticity::HalfSpace;
+use schlupf::interface::friction::Constant;
 use schlupf::interface::{ContactLaw, Incremental};
 use schlupf::reporting::WheelRailError;
 use schlupf::wheel_rail::{

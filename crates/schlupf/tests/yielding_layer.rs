@@ -12,10 +12,8 @@ use schlupf::analysis::identification::{
 };
 use schlupf::bodies::Kinematics;
 use schlupf::elasticity::{Elasticity, Rigid};
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::TemperatureLinear;
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::interface::{ContactLaw, Incremental, ThirdBodyLayer, YieldLimit};
 use schlupf::problem::{Brush, FastMethod, Flexibilities, History, Method, TractionBound};
 use schlupf::reporting::Warning;

@@ -20,7 +20,7 @@ mod wheel_solver;
 use std::sync::Arc;
 
 use schlupf::bodies::{Kinematics, Material, ReferencePoint};
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::heat::Partition;
 use schlupf::interface::{ContactLaw, Interface};
 use schlupf::normal::{NormalContact, PressureSource};
 use schlupf::problem::{History, PrescribedForces};

@@ -4,9 +4,9 @@ use std::f64::consts::PI;
 use std::path::Path;
 
 use schlupf::bodies::{Kinematics, Material};
-use schlupf::elasticity::half_space::HalfSpace;
+use schlupf::elasticity::HalfSpace;
 use schlupf::interface::ContactLaw;
-use schlupf::interface::friction::constant::Constant;
+use schlupf::interface::friction::Constant;
 use schlupf::normal::Ellipse;
 use schlupf::problem::{AreaReduction, Brush, FastMethod};
 use schlupf::solution::Resultant;

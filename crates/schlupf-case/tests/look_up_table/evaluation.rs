@@ -213,7 +213,7 @@ fn a_solution_has_derivatives() {
             .creepage_y(eta)
             .spin(spin)
             .load(load)
-            .friction(schlupf::interface::friction::constant::Constant::new(friction).unwrap())
+            .friction(schlupf::interface::friction::Constant::new(friction).unwrap())
             .build()
             .unwrap();
         let solution =

@@ -4,8 +4,8 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use schlupf::bodies::{Body, Kinematics, ReferencePoint, contact_modulus};
-use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::interface::friction::constant::Constant;
+use schlupf::elasticity::HalfSpace;
+use schlupf::interface::friction::Constant;
 use schlupf::interface::heat::Heat;
 use schlupf::interface::{ContactLaw, Incremental};
 use schlupf::normal::PressureSource;

@@ -86,8 +86,7 @@ impl TemperatureField {
     ///
     /// ```
     /// use schlupf::analysis::temperature_field::{Side, TemperatureField};
-    /// use schlupf::solver;
-    /// use schlupf::{Options, Problem, unwatched};
+    /// use schlupf::{solver, Options, Problem, unwatched};
     ///
     /// let problem = Problem::builder().creepage_x(0.008).build()?;
     /// let options = Options { cells_x: 10, cells_y: 10, ..Options::default() };

@@ -17,12 +17,8 @@ use crate::elasticity::Elasticity;
 use crate::normal::patch::Cell;
 use crate::reporting::{Error, Warning};
 
-use friction::constants::FrictionConstant;
-use friction::memory::FrictionMemory;
-use friction::{Friction, FrictionResponse, FrictionState};
-use heat::Heat;
-use heat::partition::Conduction;
-use heat::peclet::Peclet;
+use friction::{Friction, FrictionConstant, FrictionMemory, FrictionResponse, FrictionState};
+use heat::{Conduction, Heat, Peclet};
 
 /// A constant of the interface with respect to which forces can be differentiated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,10 +4,12 @@ mod grid;
 pub mod patch;
 mod at_load;
 mod ellipse;
-pub mod hertz;
+mod hertz;
 pub mod profile;
 pub mod rough_contact;
 mod tabulated;
+
+pub use hertz::{Hertz, Radii};
 
 pub use at_load::AtLoad;
 pub use ellipse::Ellipse;

@@ -4,12 +4,10 @@ use std::sync::Arc;
 
 use crate::bodies::{Body, Kinematics, ReferencePoint, contact_modulus};
 use crate::elasticity::{CalibratedLayer, Elasticity};
-use crate::interface::friction::temperature_linear::TemperatureLinear;
-use crate::interface::friction::{Friction, FrictionLaw};
+use crate::interface::friction::{Friction, FrictionLaw, TemperatureLinear};
 use crate::interface::heat::Heat;
 use crate::interface::{ContactLaw, Interface, ThirdBodyLayer};
-use crate::normal::hertz::{Hertz, Radii};
-use crate::normal::{AtLoad, PressureSource};
+use crate::normal::{AtLoad, Hertz, PressureSource, Radii};
 use crate::problem::{PrescribedForces, Problem};
 use crate::reporting::Error;
 
@@ -20,8 +18,7 @@ impl Problem {
     /// A steel wheel in free rolling on a steel rail; every method changes one property.
     ///
     /// ```
-    /// use schlupf::solver;
-    /// use schlupf::{Options, Problem, unwatched};
+    /// use schlupf::{solver, Options, Problem, unwatched};
     ///
     /// let problem = Problem::builder().load(80e3).speed(30.0).creepage_x(0.008).build()?;
     /// let solution = solver::solve(&problem, &Options::default(), &unwatched)?;

@@ -250,11 +250,8 @@ mod tests {
 
     use super::NAMES;
     use crate::bodies::{Kinematics, Material};
-    use crate::elasticity::CalibratedLayer;
-    use crate::elasticity::half_space::HalfSpace;
-    use crate::interface::friction::Friction;
-    use crate::interface::friction::polach::Polach;
-    use crate::interface::friction::temperature_linear::TemperatureLinear;
+    use crate::elasticity::{CalibratedLayer, HalfSpace};
+    use crate::interface::friction::{Friction, Polach, TemperatureLinear};
     use crate::interface::{ContactLaw, Incremental};
     use crate::normal::{PressureSource, PressureTable, Tabulated};
     use crate::problem::{History, PrescribedForces, Transient};

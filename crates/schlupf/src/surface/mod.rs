@@ -5,13 +5,17 @@
 
 pub mod filter;
 pub mod form;
-pub mod holes;
-pub mod profile;
+mod holes;
+mod profile;
 pub mod resampling;
 pub mod ring_spectrum;
 pub mod spectrum;
-pub mod statistics;
+mod statistics;
 pub mod synthesis;
+
+pub use holes::{Holes, require_few};
+pub use profile::Profile;
+pub use statistics::Statistics;
 
 use crate::reporting::{
     Error, Place, Quantity, Requirement, SurfaceError, require, require_at, require_positive,
@@ -135,8 +139,7 @@ impl HeightMap {
     /// Heights given by a function of x and y (in m), relative to the centre of the lattice.
     ///
     /// ```
-    /// use schlupf::surface::{HeightMap, Lattice};
-    /// use schlupf::surface::statistics::Statistics;
+    /// use schlupf::surface::{HeightMap, Lattice, Statistics};
     ///
     /// let wave = |x: f64| 1e-6 * (std::f64::consts::TAU * x / 1e-3).sin();
     /// let surface = HeightMap::from_fn(Lattice::square(64, 1e-3), |x, _| wave(x))?;

@@ -7,13 +7,11 @@ pub mod transients;
 use std::sync::Arc;
 
 use schlupf::bodies::{Kinematics, Material};
-use schlupf::elasticity::Elasticity;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
-use schlupf::elasticity::half_space::HalfSpace;
+use schlupf::elasticity::{Elasticity, HalfSpace};
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::Constant;
+use schlupf::interface::heat::{Heat, Partition};
 use schlupf::normal::Ellipse;
 use schlupf::problem::{History, State};
 use schlupf::solver::march;

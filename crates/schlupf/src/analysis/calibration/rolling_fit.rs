@@ -10,8 +10,7 @@ use crate::numerics::vector::norm;
 use crate::problem::{Options, Problem};
 use crate::reporting::{Error, Progress, Stage, Watch, within};
 use crate::solution::{Solution, Status};
-use crate::solver::Solver;
-use crate::solver::SteadySolver;
+use crate::solver::{Solver, SteadySolver};
 
 use super::Deviation;
 use super::displacements::{Sample, fit};

@@ -8,8 +8,7 @@ use crate::interface::InterfaceConstant;
 use crate::problem::{Direction, Method, Options, Problem};
 use crate::reporting::{Error, ForceError, Watch};
 use crate::solution::{Resultant, Solution};
-use crate::solver::Solver;
-use crate::solver::SteadySolver;
+use crate::solver::{Solver, SteadySolver};
 
 /// Finds states and their derivatives by constants, with whatever forces a problem prescribes.
 pub(super) struct HeldForces {

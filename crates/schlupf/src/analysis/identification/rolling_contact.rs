@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::interface::InterfaceConstant;
-use crate::interface::friction::constants::FrictionConstant;
+use crate::interface::friction::FrictionConstant;
 use crate::normal::PressureSource;
 use crate::numerics::parallel;
 use crate::problem::{Options, Problem};

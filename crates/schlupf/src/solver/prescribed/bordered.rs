@@ -12,8 +12,7 @@ use crate::normal::patch::Patch;
 use crate::numerics::vector::{add_scaled, norm};
 use crate::reporting::{Error, Watch};
 use crate::solver::equilibrium::{Directions, Equilibrium, Limits, Newton, Outcome};
-use crate::solver::settings;
-use crate::solver::summary;
+use crate::solver::{settings, summary};
 
 use super::goal::ForceGoal;
 

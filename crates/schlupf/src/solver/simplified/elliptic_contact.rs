@@ -3,14 +3,14 @@
 use std::f64::consts::PI;
 
 use crate::bodies::Kinematics;
-use crate::elasticity::half_space::HalfSpace;
+use crate::elasticity::HalfSpace;
 use crate::interface::friction::FrictionState;
 use crate::normal::NormalSummary;
 use crate::problem::Problem;
 use crate::reporting::Error;
 use crate::solution::Resultant;
 use crate::solver::kalker_coefficients::interpolated_coefficients;
-use crate::solver::reference::kalker_linear::CreepCoefficients;
+use crate::solver::reference::CreepCoefficients;
 
 /// An elliptic contact of two half-spaces. A non-elliptical patch is represented by the ellipse
 /// with its length and width.

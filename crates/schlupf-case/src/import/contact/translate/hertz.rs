@@ -2,8 +2,7 @@
 
 use schlupf::Error;
 use schlupf::bodies::{Material, contact_modulus};
-use schlupf::normal::hertz::Hertz;
-use schlupf::normal::{NormalSummary, PressureSource};
+use schlupf::normal::{Hertz, NormalSummary, PressureSource};
 
 use crate::import::contact::material::Elastic;
 

@@ -7,7 +7,7 @@
 //! of two kernels.
 
 use crate::bodies::Kinematics;
-use crate::interface::friction::constants::FrictionConstant;
+use crate::interface::friction::FrictionConstant;
 use crate::interface::{InterfaceConstant, YieldLimit};
 use crate::numerics::vector::{add_scaled, norm};
 use crate::problem::{Direction, Problem};
@@ -15,8 +15,7 @@ use crate::reporting::{Error, Progress, Stage, Watch, tell};
 use crate::solution::{Resultant, Sensitivity};
 use crate::solver::equilibrium::{Directions, Equilibrium};
 use crate::solver::rolling::shared::strip::Calibrated;
-use crate::solver::settings;
-use crate::solver::summary;
+use crate::solver::{settings, summary};
 
 use super::level::Level;
 use super::steady_friction::{Scaling, SteadyFriction};

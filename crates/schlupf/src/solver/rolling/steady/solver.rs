@@ -5,11 +5,10 @@ use crate::interface::InterfaceConstant;
 use crate::problem::{Method, Options, PrescribedForces, Problem};
 use crate::reporting::{Error, Warning, Watch};
 use crate::solution::{Resultant, Solution, Work};
-use crate::solver::Solver;
 use crate::solver::equilibrium::{Directions, Newton};
 use crate::solver::prescribed::ForceGoal;
 use crate::solver::reference_point::AtPatch;
-use crate::solver::settings;
+use crate::solver::{Solver, settings};
 
 use super::goal::{Found, Goal};
 use super::level::Level;
@@ -22,8 +21,7 @@ use super::sensitivity::{by_constants, by_motions, sensitivity};
 /// marches to it, and a warning says so.
 ///
 /// ```
-/// use schlupf::solver;
-/// use schlupf::{Options, Problem, unwatched};
+/// use schlupf::{solver, Options, Problem, unwatched};
 ///
 /// let problem = Problem::builder().creepage_x(0.003).build()?;
 /// let options = Options { cells_x: 12, cells_y: 12, ..Options::default() };

@@ -16,8 +16,7 @@ use crate::solution::{Resultant, Solution, Strategy, Work};
 use crate::solver::equilibrium::Outcome;
 use crate::solver::prescribed::ForceGoal;
 use crate::solver::rolling::marching::march;
-use crate::solver::settings;
-use crate::solver::summary;
+use crate::solver::{settings, summary};
 
 use super::branches;
 use super::goal::{Found, Goal, Unsolved};
