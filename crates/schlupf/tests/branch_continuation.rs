@@ -283,8 +283,9 @@ fn falling(creepage: f64, stiffness: f64, half_speed: f64) -> Problem {
 
 fn on_branch(problem: &Problem, across: usize, branch: Branch) -> Solution {
     let options =
-        Options { branch, cells_x: across, cells_y: across, tolerance: 1e-9, ..Options::default() };
-    let solution = solver::solve(problem, &options, &unwatched).unwrap();
+        Options { cells_x: across, cells_y: across, tolerance: 1e-9, ..Options::default() };
+    let problem = Problem { branch, ..problem.clone() };
+    let solution = solver::solve(&problem, &options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     solution
 }

@@ -31,7 +31,7 @@ fn run(history: History, across: usize) -> Solution {
 }
 
 fn coulomb(elasticity: Arc<dyn Elasticity>, [xi, eta, spin]: [f64; 3]) -> Problem {
-    problem(rolling(xi, eta, spin)).with(|interface| {
+    problem(rolling(xi, eta, spin)).with_interface(|interface| {
         interface.elasticity = elasticity;
         interface.contact_law = ContactLaw::Coulomb;
     })

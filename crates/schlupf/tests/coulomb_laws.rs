@@ -25,7 +25,7 @@ use schlupf::{Error, Options, Problem, Solution, Status, Transient, unwatched};
 const MOTION: [f64; 3] = [0.0015, 0.001, 0.4];
 
 fn coulomb([xi, eta, spin]: [f64; 3]) -> Problem {
-    problem(rolling(xi, eta, spin)).with(|interface| {
+    problem(rolling(xi, eta, spin)).with_interface(|interface| {
         interface.elasticity = half_space();
         interface.contact_law = ContactLaw::Coulomb;
     })
@@ -91,8 +91,10 @@ fn friction_laws_and_heat() {
                 check_invariants(&solution);
                 assert!(solution.work.operator_products < 40.0, "{law:?} {:?}", solution.work);
                 let stiff: ContactLaw = Incremental::new(1e9).unwrap().into();
-                let stiff =
-                    solve(&warm.with(|interface| interface.contact_law = stiff), &cells(24));
+                let stiff = solve(
+                    &warm.with_interface(|interface| interface.contact_law = stiff),
+                    &cells(24),
+                );
                 let gap = gap(&solution, &stiff);
                 assert!(gap < 0.015, "{law:?} {size}: {gap}");
             }

@@ -85,14 +85,14 @@ fn on_rows(rows: &Arc<RowMotion>, load: f64) -> Arc<dyn PressureSource> {
 /// A flange root with given creepages of its plane, whose spin is that of the motion.
 fn curved(creepage_x: f64, creepage_y: f64) -> Problem {
     let motion = rolling(creepage_x, creepage_y, -OVER_V * LEAN.sin());
-    Problem { normal: on_rows(&table(root), LOAD), ..problem(motion) }.with(|interface| {
+    Problem { normal: on_rows(&table(root), LOAD), ..problem(motion) }.with_interface(|interface| {
         interface.elasticity = half_space();
         interface.contact_law = incremental(SOFT);
     })
 }
 
 fn with_law(base: &Problem, contact_law: ContactLaw) -> Problem {
-    base.clone().with(|interface| interface.contact_law = contact_law)
+    base.clone().with_interface(|interface| interface.contact_law = contact_law)
 }
 
 fn incremental(stiffness: f64) -> ContactLaw {
@@ -137,7 +137,7 @@ fn kinds() -> [(&'static str, Problem); 5] {
         ("soft bristles", base()),
         ("stiff bristles", with_law(&base(), incremental(1e8))),
         ("Coulomb", with_law(&base(), stiff)),
-        ("Winkler", base().with(|interface| interface.elasticity = uncoupled)),
+        ("Winkler", base().with_interface(|interface| interface.elasticity = uncoupled)),
         ("hot", hot(base())),
     ]
 }

@@ -262,7 +262,7 @@ fn a_sliding_passage_has_closed_forms() {
     let problem = Problem::builder().creepage_x(creepage).build().unwrap();
     let contact = Ellipse::from_peak_pressure(a, b, 0.9e9).unwrap();
     let mut problem = Problem { normal: Arc::new(contact), ..problem }
-        .with(|interface| interface.heat = Heat::none());
+        .with_interface(|interface| interface.heat = Heat::none());
     problem.interface.contact_law = ContactLaw::Coulomb;
     problem.interface.friction.law = Arc::new(Constant::new(friction).unwrap());
     let steel = Material::STEEL;
@@ -302,7 +302,7 @@ fn a_sliding_passage_has_closed_forms() {
 #[test]
 fn what_bounds_the_traction_of_fastsim_is_not_the_pressure() {
     let problem = Problem::builder().creepage_x(0.012).build().unwrap();
-    let problem = problem.with(|interface| interface.heat = Heat::none());
+    let problem = problem.with_interface(|interface| interface.heat = Heat::none());
     let options = Options { cells_x: 20, cells_y: 20, ..Options::default() };
     let wear = [TractionBound::Parabolic, TractionBound::Elliptic].map(|bound| {
         let brush = Brush { bound, ..Brush::KALKER };

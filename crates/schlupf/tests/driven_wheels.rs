@@ -6,6 +6,7 @@ use schlupf::bodies::{Body, Material};
 use schlupf::elasticity::HalfSpace;
 use schlupf::interface::friction::{Constant, Friction, Polach};
 use schlupf::interface::{ContactLaw, Interface};
+use schlupf::problem::Branch;
 use schlupf::reporting::ForceError;
 use schlupf::wheel_rail::{
     Along, Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side,
@@ -103,7 +104,7 @@ fn solve_with<R>(
     let interface = &Interface { friction, ..builder.build().unwrap().interface };
     let options = &Options { cells_x: cells, cells_y: cells, ..Options::default() };
     let solver = |options: &Options| Method::Full.solver(options);
-    work(&Tangential { interface, solver: &solver, options })
+    work(&Tangential { interface, branch: Branch::LowSlip, solver: &solver, options })
 }
 
 fn constant(coefficient: f64) -> Friction {

@@ -100,7 +100,7 @@ fn derivatives_are_those_of_central_differences() {
     let (load, mu0) = (80e3, 0.4);
     let with = |load: f64, mu0: f64| {
         Problem { normal: hertz(load), ..warm(all_at_once(mu0), 0.006) }
-            .with(|interface| interface.elasticity = half_space())
+            .with_interface(|interface| interface.elasticity = half_space())
     };
     let options = Options { tolerance: 1e-11, sensitivity: true, ..cells(14) };
     let at = |load: f64, mu0: f64| at_once(&with(load, mu0), &options);

@@ -522,9 +522,9 @@ fn impossible_requests_are_refused_with_names() {
     };
     let message = refused(&start, &[DECAY]);
     assert!(message.contains("friction law in use, which has friction_coefficient"), "{message}");
-    let cold = start
-        .clone()
-        .with(|interface| interface.heat = Heat { model: None, ..start.interface.heat.clone() });
+    let cold = start.clone().with_interface(|interface| {
+        interface.heat = Heat { model: None, ..start.interface.heat.clone() }
+    });
     let message = refused(&cold, &[VANISHES]);
     assert!(message.contains("but heat_model = \"none\""), "{message}");
     let message = refused(&start, &[STIFFNESS, Parameter::Roughness]);

@@ -13,6 +13,7 @@ use schlupf::bodies::Kinematics;
 use schlupf::interface::ContactLaw;
 use schlupf::interface::friction::Constant;
 use schlupf::normal::{PressureTable, Tabulated};
+use schlupf::problem::Branch;
 use schlupf::solution::Strategy;
 use schlupf::wheel_rail::{
     Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side, Support,
@@ -79,6 +80,7 @@ fn contacts_of_wheels_on_rails_are_found_directly() {
         let options = cells(across);
         let tangential = Tangential {
             interface: &coulomb(problem(Kinematics::free_rolling(1.0))).interface,
+            branch: Branch::LowSlip,
             solver: &|options: &Options| Method::Full.solver(options),
             options: &options,
         };
@@ -94,7 +96,7 @@ fn contacts_of_wheels_on_rails_are_found_directly() {
 }
 
 fn coulomb(given: Problem) -> Problem {
-    let mut problem = given.with(|interface| interface.elasticity = half_space());
+    let mut problem = given.with_interface(|interface| interface.elasticity = half_space());
     problem.interface.contact_law = ContactLaw::Coulomb;
     problem.interface.friction.law = Arc::new(Constant::new(0.3).unwrap());
     problem

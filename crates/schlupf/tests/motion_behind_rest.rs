@@ -10,15 +10,16 @@ use schlupf::interface::friction::{Friction, Polach};
 use schlupf::problem::{AreaReduction, Branch, Brush, FastMethod, Method, PrescribedForces};
 use schlupf::{Options, Problem, Solution, Status, Warning, unwatched};
 
-fn options(branch: Branch) -> Options {
-    Options { cells_x: 12, cells_y: 12, branch, ..Options::default() }
+fn options() -> Options {
+    Options { cells_x: 12, cells_y: 12, ..Options::default() }
 }
 
 /// Friction that falls to a fifth, with spin; speeds of 30 m/s.
 fn problem(creepage_x: f64, spin: f64) -> Problem {
     let motion = Kinematics { creepage_x, spin, ..Kinematics::free_rolling(30.0) };
     let law = Arc::new(Polach::new(0.4, 0.2, 0.3).unwrap());
-    common::problem(motion).with(|interface| interface.friction = Friction::new(law, 20.0))
+    common::problem(motion)
+        .with_interface(|interface| interface.friction = Friction::new(law, 20.0))
 }
 
 fn limit(problem: &Problem) -> f64 {
@@ -29,7 +30,7 @@ fn limit(problem: &Problem) -> f64 {
 fn lateral(method: Method, problem: &Problem, creepage_y: f64) -> f64 {
     let kinematics = Kinematics { creepage_y, ..problem.kinematics };
     let given = Problem { kinematics, ..problem.clone() };
-    let solution = method.solver(&options(Branch::LowSlip)).solve(&given, &unwatched).unwrap();
+    let solution = method.solver(&options()).solve(&given, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged);
     solution.force.y / limit(problem)
 }
@@ -60,8 +61,8 @@ fn roots(method: Method, problem: &Problem, target: f64) -> Vec<f64> {
 }
 
 fn found(method: Method, problem: &Problem, force: PrescribedForces, branch: Branch) -> Solution {
-    let prescribed = Problem { prescribed: force, ..problem.clone() };
-    let solution = method.solver(&options(branch)).solve(&prescribed, &unwatched).unwrap();
+    let prescribed = Problem { prescribed: force, branch, ..problem.clone() };
+    let solution = method.solver(&options()).solve(&prescribed, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged);
     solution
 }

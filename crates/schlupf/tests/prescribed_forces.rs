@@ -55,7 +55,7 @@ fn contact() -> Problem {
         normal: Arc::new(Ellipse::from_peak_pressure(6e-3, 6e-3, 1e9).unwrap()),
         ..common::problem(Kinematics::free_rolling(30.0))
     }
-    .with(|interface| {
+    .with_interface(|interface| {
         interface.elasticity = common::half_space();
         interface.contact_law = ContactLaw::Coulomb;
         interface.friction = Friction::new(Arc::new(Constant::new(FRICTION).unwrap()), 20.0);
@@ -132,14 +132,15 @@ fn the_motion_has_the_forces_when_it_is_given() {
     let coulomb = contact();
     let bristles = common::problem(Kinematics::free_rolling(30.0));
     let falling = Arc::new(Polach::new(0.4, 0.5, 0.6).unwrap());
-    let falling =
-        bristles.clone().with(|interface| interface.friction = Friction::new(falling, 20.0));
-    let total = bristles
+    let falling = bristles
         .clone()
-        .with(|interface| interface.contact_law = TotalDisplacement::new(5e6).unwrap().into());
+        .with_interface(|interface| interface.friction = Friction::new(falling, 20.0));
+    let total = bristles.clone().with_interface(|interface| {
+        interface.contact_law = TotalDisplacement::new(5e6).unwrap().into()
+    });
     let hot = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
     let heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
-    let hot = bristles.clone().with(|interface| {
+    let hot = bristles.clone().with_interface(|interface| {
         interface.friction = Friction::new(hot, 20.0);
         interface.heat = heat;
     });
@@ -252,7 +253,7 @@ fn small_forces_are_linear() {
 fn polach_falling_friction_has_two_creepages() {
     let law = Arc::new(Polach::new(0.55, 0.4, 0.6).unwrap());
     let problem = common::problem(Kinematics::free_rolling(10.0))
-        .with(|interface| interface.friction = Friction::new(law, 20.0));
+        .with_interface(|interface| interface.friction = Friction::new(law, 20.0));
     let method = Method::Fast(FastMethod::Polach(AreaReduction::DRY));
     let load = problem.normal.normal_contact(None).unwrap().summary.load;
     let force = |creepage_x: f64| {
@@ -275,8 +276,8 @@ fn polach_falling_friction_has_two_creepages() {
     let [low, high] = [root(0.0, peak, wanted), root(0.9, peak, wanted)];
     let problem = Problem { prescribed: forces(-wanted, None), ..problem.clone() };
     for (branch, here, there) in [(Branch::LowSlip, low, high), (Branch::HighSlip, high, low)] {
-        let options = Options { branch, ..options(16) };
-        let found = method.solver(&options).solve(&problem, &unwatched).unwrap();
+        let problem = Problem { branch, ..problem.clone() };
+        let found = method.solver(&options(16)).solve(&problem, &unwatched).unwrap();
         assert!((found.kinematics.creepage_x / here - 1.0).abs() < 1e-4);
         let other = found.warnings.iter().find_map(|warning| match warning {
             Warning::SeveralMotions { creepages, .. } => Some(creepages[0]),
@@ -297,14 +298,11 @@ fn polach_falling_friction_has_two_creepages() {
 fn both_states_of_falling_friction_have_the_force() {
     let law = Arc::new(Polach::new(0.4, 0.4, 0.3).unwrap());
     let problem = common::problem(Kinematics::free_rolling(20.0))
-        .with(|interface| interface.friction = Friction::new(law, 20.0));
+        .with_interface(|interface| interface.friction = Friction::new(law, 20.0));
     let load = problem.normal.normal_contact(None).unwrap().summary.load;
     let problem = Problem { prescribed: forces(-0.3 * load, None), ..problem };
     let low = found_by(Method::Full, &problem);
-    let high = {
-        let options = Options { branch: Branch::HighSlip, ..options(16) };
-        Method::Full.solver(&options).solve(&problem, &unwatched).unwrap()
-    };
+    let high = found_by(Method::Full, &Problem { branch: Branch::HighSlip, ..problem.clone() });
     assert!(high.kinematics.creepage_x > 4.0 * low.kinematics.creepage_x);
     for state in [&low, &high] {
         let again = found_by(Method::Full, &with_motion_of(&problem, state));
@@ -345,7 +343,8 @@ fn forces_beyond_friction_are_refused_with_the_largest() {
 #[test]
 fn both_states_next_to_the_peak() {
     let polach = Arc::new(Polach::new(0.36, 0.38, 0.7).unwrap());
-    let falling = contact().with(|interface| interface.friction = Friction::new(polach, 20.0));
+    let falling =
+        contact().with_interface(|interface| interface.friction = Friction::new(polach, 20.0));
     let brush = Brush { bound: TractionBound::Elliptic, ..Brush::KALKER };
     let fastsim = Method::Fast(FastMethod::Fastsim(brush));
     for (name, problem, method) in [
@@ -362,9 +361,8 @@ fn both_states_next_to_the_peak() {
             let force = part * peak.force.x;
             let prescribed = forces(force, None);
             let at = |branch: Branch| {
-                let options = Options { branch, ..options(12) };
-                let problem = Problem { prescribed, ..problem.clone() };
-                let solution = method.solver(&options).solve(&problem, &unwatched);
+                let problem = Problem { prescribed, branch, ..problem.clone() };
+                let solution = method.solver(&options(12)).solve(&problem, &unwatched);
                 let solution = solution.unwrap_or_else(|error| panic!("{name}, {part}: {error}"));
                 let off = (solution.force.x / force - 1.0).abs();
                 assert!(off < 1e-4, "{name}, {part}: {off:e}");
@@ -406,11 +404,12 @@ fn forces_over_time_beyond_falling_friction_are_named() {
 #[test]
 fn a_branch_that_is_not_there_is_told() {
     let law = Arc::new(Polach::new(0.4, 0.9, 0.1).unwrap());
-    let problem = contact().with(|interface| interface.friction = Friction::new(law, 20.0));
+    let problem =
+        contact().with_interface(|interface| interface.friction = Friction::new(law, 20.0));
     let load = problem.normal.normal_contact(None).unwrap().summary.load;
-    let problem = Problem { prescribed: forces(-0.2 * load, None), ..problem };
-    let options = Options { branch: Branch::HighSlip, ..options(12) };
-    let solution = Method::Full.solver(&options).solve(&problem, &unwatched);
+    let prescribed = forces(-0.2 * load, None);
+    let problem = Problem { prescribed, branch: Branch::HighSlip, ..problem };
+    let solution = Method::Full.solver(&options(12)).solve(&problem, &unwatched);
     let solution = solution.unwrap();
     assert!(solution.warnings.contains(&Warning::OneMotion {}), "{:?}", solution.warnings);
     assert!((solution.force.x / load + 0.2).abs() < 2e-5);
@@ -435,7 +434,7 @@ fn heated() -> Problem {
     let hot = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
     let heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
     let kinematics = Kinematics { spin: 0.3, ..Kinematics::free_rolling(30.0) };
-    common::problem(kinematics).with(|interface| {
+    common::problem(kinematics).with_interface(|interface| {
         interface.friction = Friction::new(hot, 20.0);
         interface.heat = heat;
     })
@@ -537,7 +536,7 @@ fn forces_over_time_end_in_the_steady_creepage() {
         ..contact()
     };
     let stiff = Incremental::new(1e8).unwrap().into();
-    let stiff = coulomb.clone().with(|interface| interface.contact_law = stiff);
+    let stiff = coulomb.clone().with_interface(|interface| interface.contact_law = stiff);
     for (name, problem) in [("bristles", bristles), ("coulomb", coulomb), ("stiff", stiff)] {
         let load = problem.normal.normal_contact(None).unwrap().summary.load;
         let wanted = [-0.12 * load, 0.06 * load];

@@ -26,7 +26,7 @@ fn drifting([coefficient, stiffness]: [f64; 2], creepage_x: f64) -> Problem {
         prescribed: PrescribedForces { y: Some(0.0), ..PrescribedForces::default() },
         ..common::problem(kinematics)
     }
-    .with(|interface| {
+    .with_interface(|interface| {
         interface.contact_law = Incremental::new(stiffness).unwrap().into();
         interface.friction = Friction::new(Arc::new(Constant::new(coefficient).unwrap()), 20.0);
     })

@@ -29,7 +29,6 @@ const MOTION: [f64; 3] = [0.0015, -0.0008, 0.35];
 
 const EXACT: Options = Options { tolerance: 1e-10, ..OPTIONS };
 const OPTIONS: Options = Options {
-    branch: schlupf::problem::Branch::LowSlip,
     cells_x: 14,
     cells_y: 14,
     tolerance: 1e-6,
@@ -72,7 +71,7 @@ fn both(motion: [f64; 3]) -> [Problem; 2] {
     let [xi, eta, spin] = motion;
     let base = problem(rolling(xi, eta, spin));
     let patch = Problem { normal: table([0.0; 2]), ..base.clone() }
-        .with(|interface| interface.elasticity = half_space());
+        .with_interface(|interface| interface.elasticity = half_space());
     let file = Problem {
         normal: table(ORIGIN),
         kinematics: at_file(motion),
@@ -317,8 +316,8 @@ fn a_displaced_profile_is_the_same_contact() {
         Arc::new(Profile::new(distance, 115e9, 80e3, 64).unwrap())
     };
     let [xi, eta, spin] = MOTION;
-    let base =
-        problem(rolling(xi, eta, spin)).with(|interface| interface.elasticity = half_space());
+    let base = problem(rolling(xi, eta, spin))
+        .with_interface(|interface| interface.elasticity = half_space());
     let patch = solve(&Problem { normal: pressed(0.0), ..base.clone() }, &cells(20));
     let file = Problem {
         normal: pressed(ORIGIN[1]),

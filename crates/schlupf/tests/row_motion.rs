@@ -12,6 +12,7 @@ use std::sync::Arc;
 use schlupf::elasticity::Rigid;
 use schlupf::interface::friction::Constant;
 use schlupf::interface::heat::Heat;
+use schlupf::problem::Branch;
 use schlupf::reporting::Error;
 use schlupf::wheel_rail::{
     Contact, Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side,
@@ -26,7 +27,10 @@ fn solve(wheel: &WheelOnRail) -> Result<WheelSolution, Error> {
     let interface = &builder.elasticity(Rigid).build()?.interface;
     let solver = |options: &Options| Method::Full.solver(options);
     let options = &Options { cells_x: 12, cells_y: 12, ..Options::default() };
-    wheel.solve(&Tangential { interface, solver: &solver, options }, &unwatched)
+    wheel.solve(
+        &Tangential { interface, branch: Branch::LowSlip, solver: &solver, options },
+        &unwatched,
+    )
 }
 
 /// Radius of the wheel and height of the rail over y, both outwards in the coordinates of their

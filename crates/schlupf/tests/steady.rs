@@ -164,7 +164,7 @@ fn the_second_solution_is_as_warm_as_the_third() {
     for (elasticity, laws) in [(common::layer(), &laws[..2]), (half_space(), &laws[..])] {
         for (law, across) in laws.iter().flat_map(|law| [(law, 20), (law, 40)]) {
             for (xi, eta, spin) in MOTIONS {
-                let base = problem(rolling(xi, eta, spin)).with(|interface| {
+                let base = problem(rolling(xi, eta, spin)).with_interface(|interface| {
                     interface.elasticity = Arc::clone(&elasticity);
                     interface.contact_law = *law;
                 });

@@ -18,7 +18,7 @@ use schlupf::solver::SteadySolver;
 use schlupf::{Method, Options, Problem, Solution, Solver, Status, Warning, unwatched};
 
 fn coulomb() -> Problem {
-    problem(rolling(1e-3, 0.0, 0.0)).with(|interface| {
+    problem(rolling(1e-3, 0.0, 0.0)).with_interface(|interface| {
         interface.contact_law = ContactLaw::Coulomb;
         interface.elasticity = half_space();
     })
@@ -49,7 +49,7 @@ fn earlier_solutions_are_used_where_they_help() {
     assert_eq!(strategy(&mut solver, &at(&base, 1.1e-3)), Some(Strategy::Warm));
     assert_eq!(strategy(&mut solver, &at(&base, 5e-2)), Some(Strategy::Warm));
     assert_eq!(strategy(&mut solver, &at(&base, 1e-6)), Some(Strategy::Cold));
-    let bed = base.with(|interface| {
+    let bed = base.with_interface(|interface| {
         interface.elasticity = Arc::new(Winkler::new(1e13, 1e13).unwrap());
         interface.contact_law = Incremental::new(5e6).unwrap().into();
     });

@@ -105,7 +105,7 @@ fn vollebregt_2022_eurosprinter_clean() {
 fn vollebregt_2022_eurosprinter_with_a_layer() {
     let layer = ThirdBodyLayer::new(1.25e-3, 8.2e9).unwrap();
     let force = |creepage: f64, across: usize| {
-        let wheel = falling(creepage).with(|interface| interface.layer = Some(layer));
+        let wheel = falling(creepage).with_interface(|interface| interface.layer = Some(layer));
         found_by(Method::Full, &wheel, &cells(across)).force.x
     };
     let limit = 0.33 * LOAD;
@@ -256,7 +256,8 @@ fn the_derivative_by_the_load_with_a_layer() {
                 let motion = Problem::builder().load(load).creepage_x(creepage).creepage_y(1e-3);
                 let bodies = HalfSpace::new(&Material::STEEL, &Material::STEEL).unwrap();
                 let built = motion.spin(0.3).layer(layer).elasticity(bodies).heat(Heat::none());
-                let problem = built.build().unwrap().with(|interface| interface.contact_law = *law);
+                let problem =
+                    built.build().unwrap().with_interface(|interface| interface.contact_law = *law);
                 found_by(Method::Full, &problem, &options)
             };
             let found = at(80e3).sensitivity.unwrap().load.unwrap();
@@ -286,7 +287,7 @@ fn the_derivative_by_the_layer() {
             let layer = Some(ThirdBodyLayer::new(1.25e-3, modulus).unwrap());
             let mut solver = SteadySolver::new(&options);
             let wanted = [InterfaceConstant::LayerShearModulus];
-            let problem = contact.clone().with(|interface| interface.layer = layer);
+            let problem = contact.clone().with_interface(|interface| interface.layer = layer);
             solver.solve_with_derivatives_by(&problem, &wanted, &unwatched).unwrap().unwrap()
         };
         let found = at(8.2e9).1[0];
@@ -358,7 +359,7 @@ fn a_layer_is_fitted() {
     let true_layer = ThirdBodyLayer::new(1.25e-3, 8.2e9).unwrap();
     let with = |layer: Option<ThirdBodyLayer>, mu: f64| {
         let law = Arc::new(Constant::new(mu).unwrap());
-        locomotive(law, 1e-3).with(|interface| interface.layer = layer)
+        locomotive(law, 1e-3).with_interface(|interface| interface.layer = layer)
     };
     let measured = [0.001, 0.002, 0.004, 0.007, 0.012, 0.02, 0.03].map(|creepage_x| {
         let mut wheel = with(Some(true_layer), 0.33);

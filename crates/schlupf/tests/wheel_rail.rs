@@ -8,6 +8,7 @@ use schlupf::bodies::{Body, Material, contact_modulus};
 use schlupf::elasticity::HalfSpace;
 use schlupf::interface::friction::Constant;
 use schlupf::interface::{ContactLaw, Incremental};
+use schlupf::problem::Branch;
 use schlupf::reporting::WheelRailError;
 use schlupf::wheel_rail::{
     Contact, Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RestingWheelset,
@@ -87,7 +88,7 @@ fn solve_with<R>(
         .elasticity(elasticity);
     let interface = &builder.build().unwrap().interface;
     let solver = |options: &Options| Method::Full.solver(options);
-    work(&Tangential { interface, solver: &solver, options })
+    work(&Tangential { interface, branch: Branch::LowSlip, solver: &solver, options })
 }
 
 fn bristles() -> ContactLaw {

@@ -282,8 +282,8 @@ fn the_constants_of_a_layer_are_fitted() {
     let parameters =
         [Parameter::LayerYieldStress, Parameter::LayerHardening, Parameter::LayerShearModulus];
     let on = |layer: Option<ThirdBodyLayer>| {
-        let start =
-            contact(LIMITS[0], Arc::new(Rigid), 0.1).with(|interface| interface.layer = layer);
+        let start = contact(LIMITS[0], Arc::new(Rigid), 0.1)
+            .with_interface(|interface| interface.layer = layer);
         RollingContactModel::new(&start, &cells(40), &parameters, 0.45)
     };
     let load = contact(LIMITS[0], Arc::new(Rigid), 0.1).normal.normal_contact(None).unwrap();
@@ -345,7 +345,7 @@ fn methods_without_fields_tell_that_they_do_not_know_the_limit() {
         assert!(warnings.contains(&Warning::NoYield { method: method.name() }), "{warnings:?}");
     }
     let elastic = ThirdBodyLayer::new(1e-3, 1e8).unwrap();
-    let contact = contact.with(|interface| interface.layer = Some(elastic));
+    let contact = contact.with_interface(|interface| interface.layer = Some(elastic));
     let warnings = found_by(Method::Fast(FastMethod::ShenHedrickElkins), &contact, &cells(20));
     assert!(!warnings.warnings.iter().any(|warning| matches!(warning, Warning::NoYield { .. })));
 }

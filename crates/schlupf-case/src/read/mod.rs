@@ -23,7 +23,7 @@ use schlupf::bodies::{Kinematics, Material, ReferencePoint};
 use schlupf::interface::heat::Partition;
 use schlupf::interface::{ContactLaw, Interface};
 use schlupf::normal::{NormalContact, PressureSource};
-use schlupf::problem::{History, PrescribedForces};
+use schlupf::problem::{Branch, History, PrescribedForces};
 use schlupf::wheel_rail::{WheelOnRail, WheelSolution};
 use schlupf::{Error, Options, Problem, Watch};
 
@@ -54,6 +54,7 @@ pub struct Parts {
     kinematics: Kinematics,
     prescribed: PrescribedForces,
     reference: ReferencePoint,
+    branch: Branch,
     contact: Contact,
     stiffness: OfRoughness,
     /// Values over time, where there are some.
@@ -119,6 +120,7 @@ impl Parts {
             kinematics,
             prescribed,
             reference,
+            branch: options::branch(settings)?,
             contact,
             stiffness,
             history: history::history(settings)?,
@@ -225,6 +227,7 @@ impl Parts {
             kinematics: self.kinematics,
             prescribed: self.prescribed,
             reference: self.reference,
+            branch: self.branch,
             normal: Arc::clone(normal),
             interface,
         };
@@ -260,6 +263,7 @@ impl Parts {
         Ok(WheelSolver {
             request: wheel.clone(),
             interface: self.interface.clone(),
+            branch: self.branch,
             method: method(settings)?,
             driver: driver(settings)?,
             options: options(settings)?,

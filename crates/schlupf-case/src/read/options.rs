@@ -22,10 +22,6 @@ pub fn options(settings: &Settings) -> Result<Options, CaseError> {
     Ok(Options {
         cells_x: settings.count(field!("grid.cells_x"))?,
         cells_y: settings.count(field!("grid.cells_y"))?,
-        branch: match settings.chosen(field!("solver.branch"))? {
-            BranchChoice::LowSlip => Branch::LowSlip,
-            BranchChoice::HighSlip => Branch::HighSlip,
-        },
         tolerance: settings.number(field!("solver.tolerance"))?,
         max_iterations: settings.count(field!("solver.max_iterations"))?,
         max_steps: settings.count(field!("solver.max_steps"))?,
@@ -46,6 +42,14 @@ pub fn driver(settings: &Settings) -> Result<Option<Driver>, CaseError> {
         DriverChoice::Steady => Driver::Steady,
         DriverChoice::Marching => Driver::Marching,
     }))
+}
+
+/// Which of several steady states.
+pub fn branch(settings: &Settings) -> Result<Branch, CaseError> {
+    Ok(match settings.chosen(field!("solver.branch"))? {
+        BranchChoice::LowSlip => Branch::LowSlip,
+        BranchChoice::HighSlip => Branch::HighSlip,
+    })
 }
 
 /// What is solved, with the parameters of a fast method.

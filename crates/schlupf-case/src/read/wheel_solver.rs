@@ -2,7 +2,7 @@
 
 use schlupf::bodies::Kinematics;
 use schlupf::interface::Interface;
-use schlupf::problem::{Driver, LongitudinalForce, PrescribedForces};
+use schlupf::problem::{Branch, Driver, LongitudinalForce, PrescribedForces};
 use schlupf::reporting::WheelRailError;
 use schlupf::solution::{Resultant, Status, Work};
 use schlupf::wheel_rail::{Along, Drive, Tangential, WheelSolution};
@@ -19,6 +19,8 @@ pub struct WheelSolver {
     pub request: WheelRequest,
     /// Both bodies and all laws.
     pub interface: Interface,
+    /// Which of several steady states.
+    pub branch: Branch,
     /// All equations, or a fast method.
     pub method: Method,
     /// The driver that was asked for.
@@ -37,8 +39,12 @@ impl WheelSolver {
     pub fn find(&self, place: Option<f64>, watch: Watch) -> Result<Vec<WheelSolution>, Error> {
         let driver = self.driver.unwrap_or_default();
         let solver = |options: &Options| self.method.solver_by(driver, options);
-        let tangential =
-            Tangential { interface: &self.interface, solver: &solver, options: &self.options };
+        let tangential = Tangential {
+            interface: &self.interface,
+            branch: self.branch,
+            solver: &solver,
+            options: &self.options,
+        };
         self.request.solve(place, &tangential, watch)
     }
 

@@ -9,6 +9,7 @@ use schlupf::interface::friction::Constant;
 use schlupf::interface::heat::Heat;
 use schlupf::interface::{ContactLaw, Incremental};
 use schlupf::normal::PressureSource;
+use schlupf::problem::Branch;
 use schlupf::wheel_rail::{
     Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side, Support,
     Tangential, Track, WheelOnRail, WheelShape,
@@ -63,6 +64,7 @@ fn solve(wheels: &[WheelOnRail], law: &ContactLaw, heat: &Heat) -> [f64; 2] {
     let options = Options::default();
     let tangential = Tangential {
         interface: &builder.build().unwrap().interface,
+        branch: Branch::LowSlip,
         solver: &|options: &Options| Method::Full.solver(options),
         options: &options,
     };

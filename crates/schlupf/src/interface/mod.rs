@@ -1,4 +1,5 @@
-//! The interface between the surfaces: the two bodies, contact law, friction, heat.
+//! What acts where wheel and rail meet: their elasticity, contact law, a layer between them,
+//! friction and heat.
 
 pub mod heat;
 mod contact_law;

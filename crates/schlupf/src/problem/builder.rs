@@ -8,7 +8,7 @@ use crate::interface::friction::{Friction, FrictionLaw, TemperatureLinear};
 use crate::interface::heat::Heat;
 use crate::interface::{ContactLaw, Interface, ThirdBodyLayer};
 use crate::normal::{AtLoad, Hertz, PressureSource, Radii};
-use crate::problem::{PrescribedForces, Problem};
+use crate::problem::{Branch, PrescribedForces, Problem};
 use crate::reporting::Error;
 
 /// Default normal load N, in N.
@@ -37,6 +37,7 @@ pub struct ProblemBuilder {
     kinematics: Kinematics,
     prescribed: PrescribedForces,
     reference: ReferencePoint,
+    branch: Branch,
     wheel: Body,
     rail: Body,
     radii: [Radii; 2],
@@ -56,6 +57,7 @@ impl Default for ProblemBuilder {
             kinematics: Kinematics::free_rolling(30.0),
             prescribed: PrescribedForces::default(),
             reference: ReferencePoint::Patch,
+            branch: Branch::LowSlip,
             wheel: Body::STEEL,
             rail: Body::STEEL,
             radii: [Radii::along(0.46), Radii::across(0.3)],
@@ -111,6 +113,12 @@ impl ProblemBuilder {
     /// Reference point of the creepages and the moment; default: the centre of the patch.
     pub fn reference(mut self, reference: ReferencePoint) -> Self {
         self.reference = reference;
+        self
+    }
+
+    /// Which of several steady states; default: the one reached from low slip.
+    pub fn branch(mut self, branch: Branch) -> Self {
+        self.branch = branch;
         self
     }
 
@@ -213,6 +221,7 @@ impl ProblemBuilder {
             kinematics: self.kinematics,
             prescribed: self.prescribed,
             reference: self.reference,
+            branch: self.branch,
             normal,
             interface: Interface {
                 wheel: self.wheel,

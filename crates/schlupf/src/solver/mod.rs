@@ -1,4 +1,4 @@
-//! The trait of solvers for steady rolling, independent of the method.
+//! What solves a problem: the full equations, directly or step by step, and fast methods.
 
 pub(crate) mod settings;
 pub(crate) mod equilibrium;
@@ -20,7 +20,6 @@ use crate::reporting::{Error, Watch};
 use crate::solution::{Resultant, Solution};
 
 /// Finds steady states, one problem after another: points of a creep curve, or families of them.
-/// Extension point.
 ///
 /// Problems that share the normal contact and the elasticity (the same `Arc`s, as in clones of a
 /// problem) share the set-up, and each may start from earlier solutions. The result depends on them

@@ -327,14 +327,14 @@ mod tests {
         let lateral = |force| PrescribedForces { y: Some(force), ..PrescribedForces::default() };
         let contacts = [
             coulomb.clone(),
-            coulomb.clone().with(|interface| interface.friction = falling(0.5, 1.0)),
+            coulomb.clone().with_interface(|interface| interface.friction = falling(0.5, 1.0)),
             on_half_space(bristles(3e7)),
             on_layer(bristles(5e6)),
-            on_layer(ContactLaw::Coulomb).with(|interface| interface.friction = hot),
-            coulomb.clone().with(|interface| interface.friction = falling(0.3, 30.0)),
+            on_layer(ContactLaw::Coulomb).with_interface(|interface| interface.friction = hot),
+            coulomb.clone().with_interface(|interface| interface.friction = falling(0.3, 30.0)),
             Problem { prescribed: lateral(2e4), ..coulomb.clone() },
             Problem { prescribed: lateral(1e4), ..coulomb }
-                .with(|interface| interface.friction = falling(0.5, 1.0)),
+                .with_interface(|interface| interface.friction = falling(0.5, 1.0)),
         ];
         let moving = |contact: &Problem| {
             let contact = contact.clone();

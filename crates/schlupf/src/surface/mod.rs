@@ -3,11 +3,11 @@
 //! Heights are positive out of the material. They are given at the centres of rectangular cells;
 //! the first row contains the cells along x with the smallest y.
 
-pub mod filter;
+mod filter;
 pub mod form;
 mod holes;
 mod profile;
-pub mod resampling;
+mod resampling;
 pub mod ring_spectrum;
 pub mod spectrum;
 mod statistics;

@@ -14,7 +14,6 @@
 //! turns), while its rows slip as the curved surface; rails
 //! are straight prisms; the friction that helps to carry the wheel is that of steady rolling.
 
-mod columns;
 mod spline;
 mod profile_curve;
 mod seen;
@@ -38,6 +37,7 @@ mod settling;
 mod resultant;
 mod resting;
 mod conicity;
+mod columns;
 
 pub use conicity::{RestingWheelset, RigidContact, Roll, RollingRadiusDifference};
 pub use contact_plane::Joining;

@@ -11,7 +11,7 @@ use super::rows::{Passing, RowsMove};
 use super::side::Side;
 use crate::bodies::{Kinematics, ReferencePoint, RowMotion};
 use crate::interface::Interface;
-use crate::problem::{Options, PrescribedForces, Problem};
+use crate::problem::{Branch, Options, PrescribedForces, Problem};
 use crate::reporting::{Error, Watch};
 use crate::solution::Solution;
 use crate::solver::Solver;
@@ -23,6 +23,8 @@ const NEGLIGIBLE: f64 = 1e-4;
 pub struct Tangential<'a> {
     /// Both bodies and all laws.
     pub interface: &'a Interface,
+    /// Which of several steady states.
+    pub branch: Branch,
     /// A solver with given options.
     pub solver: &'a dyn Fn(&Options) -> Box<dyn Solver>,
     /// Options of the results.
@@ -85,6 +87,7 @@ impl ContactSolver {
                 kinematics,
                 prescribed: PrescribedForces::default(),
                 reference: ReferencePoint::File,
+                branch: sliding.tangential.branch,
                 normal: ContactPatch::new(pressed, rows.as_ref(), sliding.side)?,
                 interface: sliding.tangential.interface.clone(),
             }

@@ -147,7 +147,7 @@ impl<'a> Motions<'a> {
             .contact
             .problem
             .clone()
-            .with(|interface| interface.elasticity = Arc::clone(elasticity));
+            .with_interface(|interface| interface.elasticity = Arc::clone(elasticity));
         let chains = self.ways.chunks(CHAIN).collect();
         let answers = parallel::try_map(chains, |ways| self.chain(&base, ways))?;
         let answers: Option<Vec<Vec<Solution>>> = answers.into_iter().collect();

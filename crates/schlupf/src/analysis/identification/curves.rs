@@ -57,7 +57,8 @@ const MOST_CONDITIONS: usize = 12;
 /// there are no curves.
 ///
 /// ```
-/// use schlupf::analysis::identification::{Component, Condition, DataPoint, Parameter, PolachModel, sample_curves};
+/// use schlupf::analysis::identification::{Component, Condition, DataPoint, Parameter};
+/// use schlupf::analysis::identification::{PolachModel, sample_curves};
 /// use schlupf::interface::friction::{Constant, FrictionConstant};
 /// use schlupf::bodies::Kinematics;
 /// use schlupf::problem::AreaReduction;

@@ -108,7 +108,8 @@ fn knows_scatter(data: &[DataPoint]) -> bool {
 /// its interval is one-sided.
 ///
 /// ```
-/// use schlupf::analysis::identification::{Component, Condition, DataPoint, Parameter, PolachModel, fit};
+/// use schlupf::analysis::identification::{Component, Condition, DataPoint, Parameter};
+/// use schlupf::analysis::identification::{PolachModel, fit};
 /// use schlupf::interface::friction::{Constant, FrictionConstant};
 /// use schlupf::bodies::Kinematics;
 /// use schlupf::problem::AreaReduction;

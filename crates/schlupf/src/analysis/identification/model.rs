@@ -19,7 +19,8 @@ pub struct ForceRatio {
 /// A model of creep forces with parameters to be fitted. Extension point.
 ///
 /// ```
-/// use schlupf::analysis::identification::{Component, Condition, CreepForceModel, DataPoint, ForceRatio, Parameter, fit};
+/// use schlupf::analysis::identification::{Component, Condition, CreepForceModel, DataPoint};
+/// use schlupf::analysis::identification::{ForceRatio, Parameter, fit};
 /// use schlupf::bodies::Kinematics;
 /// use schlupf::interface::friction::FrictionConstant;
 /// use schlupf::solution::Work;

@@ -233,7 +233,7 @@ impl CreepForceModel for RollingContactModel {
         if let Some(height) = height {
             stiffness = self.roughness_number / (coefficient * height);
         }
-        let mut problem = self.problem.clone().with(|interface| {
+        let mut problem = self.problem.clone().with_interface(|interface| {
             interface.layer = layer;
             interface.friction = friction;
         });

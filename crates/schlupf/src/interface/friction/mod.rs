@@ -1,9 +1,9 @@
 //! Coefficient of friction.
 //!
-//! Temperature laws: [`TemperatureLinear`], Eq. (23), and [`TemperaturePiecewiseLinear`]. Slip-speed
-//! laws: [`Exponential`], [`Rational`] and [`Linear`], which share the parameters of [`SlipTerms`],
-//! and [`Polach`]. One of each kind may be combined, [`Product`], and any law may vary [`Across`]
-//! the patch. Any law may lag, [`FrictionMemory`].
+//! Temperature laws: [`TemperatureLinear`], Eq. (23), and [`TemperaturePiecewiseLinear`].
+//! Slip-speed laws: [`Exponential`], [`Rational`] and [`Linear`], which share the parameters of
+//! [`SlipTerms`], and [`Polach`]. One of each kind may be combined, [`Product`], and any law may
+//! vary [`Across`] the patch. Any law may lag, [`FrictionMemory`].
 
 mod across;
 mod constant;

@@ -39,7 +39,7 @@ pub(crate) fn find<S: Solver + ?Sized>(
         problem: problem.without_forces(),
         is_single: problem.interface.has_constant_bound(),
         has_limit: problem.uniform_friction(normal.semi_axis_y).is_some(),
-        branch: solver.options().branch,
+        branch: problem.branch,
         watch,
     };
     let is_limited = solver.method() != Method::Fast(FastMethod::KalkerLinear);

@@ -40,6 +40,7 @@ impl Unsolved {
         let kinematics = &self.problem.kinematics;
         let (one, other) = (&self.problem.interface, &goal.problem.interface);
         *kinematics == goal.problem.kinematics
+            && self.problem.branch == goal.problem.branch
             && (one.contact_law, one.wheel, one.rail)
                 == (other.contact_law, other.wheel, other.rail)
             && one.friction.is_same(&other.friction)

@@ -84,7 +84,7 @@ impl NestedGrids {
             let (outcome, _) = self.follow(goal, Branch::HighSlip, search)?;
             return Ok(Found { outcome, warning: None });
         }
-        let branch = search.options.branch;
+        let branch = goal.problem.branch;
         let other = match branch {
             Branch::LowSlip => Branch::HighSlip,
             Branch::HighSlip => Branch::LowSlip,
