@@ -6,13 +6,12 @@ use schlupf::bodies::{Body, Material};
 use schlupf::elasticity::HalfSpace;
 use schlupf::interface::friction::{Constant, Friction, Polach};
 use schlupf::interface::{ContactLaw, Interface};
-use schlupf::problem::Branch;
 use schlupf::reporting::ForceError;
 use schlupf::wheel_rail::{
     Along, Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side,
     Support, Tangential, Track, WheelOnRail, WheelShape, WheelSolution,
 };
-use schlupf::{Error, Method, Options, Problem, Quantity, unwatched};
+use schlupf::{Error, Options, Problem, Quantity, unwatched};
 
 /// Rows of a table in the data folder, as text.
 fn table(name: &str) -> Vec<Vec<String>> {
@@ -103,8 +102,7 @@ fn solve_with<R>(
         .elasticity(HalfSpace::new(&material, &material).unwrap());
     let interface = &Interface { friction, ..builder.build().unwrap().interface };
     let options = &Options { cells_x: cells, cells_y: cells, ..Options::default() };
-    let solver = |options: &Options| Method::Full.solver(options);
-    work(&Tangential { interface, branch: Branch::LowSlip, solver: &solver, options })
+    work(&Tangential::new(interface, options))
 }
 
 fn constant(coefficient: f64) -> Friction {

@@ -13,13 +13,12 @@ use schlupf::bodies::Kinematics;
 use schlupf::interface::ContactLaw;
 use schlupf::interface::friction::Constant;
 use schlupf::normal::{PressureTable, Tabulated};
-use schlupf::problem::Branch;
 use schlupf::solution::Strategy;
 use schlupf::wheel_rail::{
     Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side, Support,
     Tangential, Track, WheelOnRail, WheelShape,
 };
-use schlupf::{Error, Method, Options, Problem, Quantity, Solution, unwatched};
+use schlupf::{Error, Options, Problem, Quantity, Solution, unwatched};
 
 fn is_marched(solution: &Solution) -> bool {
     solution.work.strategy == Some(Strategy::March)
@@ -78,12 +77,8 @@ fn contacts_of_wheels_on_rails_are_found_directly() {
             cells: across,
         };
         let options = cells(across);
-        let tangential = Tangential {
-            interface: &coulomb(problem(Kinematics::free_rolling(1.0))).interface,
-            branch: Branch::LowSlip,
-            solver: &|options: &Options| Method::Full.solver(options),
-            options: &options,
-        };
+        let interface = coulomb(problem(Kinematics::free_rolling(1.0))).interface;
+        let tangential = Tangential::new(&interface, &options);
         let found = wheel.solve(&tangential, &unwatched).unwrap();
         for contact in &found.contacts {
             assert!(!is_marched(&contact.solution), "{across} cells, {:?}", wheel.motion);

@@ -8,14 +8,13 @@ use schlupf::bodies::{Body, Material, contact_modulus};
 use schlupf::elasticity::HalfSpace;
 use schlupf::interface::friction::Constant;
 use schlupf::interface::{ContactLaw, Incremental};
-use schlupf::problem::Branch;
 use schlupf::reporting::WheelRailError;
 use schlupf::wheel_rail::{
     Contact, Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RestingWheelset,
     Roll, RollingRadiusDifference, RowsMove, Side, Support, Tangential, Track, WheelOnRail,
     WheelShape, WheelSolution,
 };
-use schlupf::{Error, Method, Options, Problem, Quantity, Status, unwatched};
+use schlupf::{Error, Options, Problem, Quantity, Status, unwatched};
 
 const STEEL: Material =
     Material { young_modulus: 2.0 * 82e9 * 1.28, poisson_ratio: 0.28, ..Body::STEEL.material };
@@ -87,8 +86,7 @@ fn solve_with<R>(
         .heat(schlupf::interface::heat::Heat::none())
         .elasticity(elasticity);
     let interface = &builder.build().unwrap().interface;
-    let solver = |options: &Options| Method::Full.solver(options);
-    work(&Tangential { interface, branch: Branch::LowSlip, solver: &solver, options })
+    work(&Tangential::new(interface, options))
 }
 
 fn bristles() -> ContactLaw {

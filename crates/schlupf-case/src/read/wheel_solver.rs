@@ -37,13 +37,11 @@ impl WheelSolver {
     /// The contacts of the wheel, or with another lateral position as `place` (in m) those of the
     /// left and of the right wheel resting on both rails.
     pub fn find(&self, place: Option<f64>, watch: Watch) -> Result<Vec<WheelSolution>, Error> {
-        let driver = self.driver.unwrap_or_default();
-        let solver = |options: &Options| self.method.solver_by(driver, options);
         let tangential = Tangential {
-            interface: &self.interface,
             branch: self.branch,
-            solver: &solver,
-            options: &self.options,
+            method: &self.method,
+            driver: self.driver.unwrap_or_default(),
+            ..Tangential::new(&self.interface, &self.options)
         };
         self.request.solve(place, &tangential, watch)
     }

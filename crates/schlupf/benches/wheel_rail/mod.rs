@@ -9,7 +9,6 @@ use schlupf::interface::friction::Constant;
 use schlupf::interface::heat::Heat;
 use schlupf::interface::{ContactLaw, Incremental};
 use schlupf::normal::PressureSource;
-use schlupf::problem::Branch;
 use schlupf::wheel_rail::{
     Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side, Support,
     Tangential, Track, WheelOnRail, WheelShape,
@@ -62,12 +61,7 @@ fn solve(wheels: &[WheelOnRail], law: &ContactLaw, heat: &Heat) -> [f64; 2] {
         .heat(heat.clone())
         .elasticity(elasticity);
     let options = Options::default();
-    let tangential = Tangential {
-        interface: &builder.build().unwrap().interface,
-        branch: Branch::LowSlip,
-        solver: &|options: &Options| Method::Full.solver(options),
-        options: &options,
-    };
+    let tangential = Tangential::new(&builder.build().unwrap().interface, &options);
     let mut work = [0.0; 2];
     for wheel in wheels {
         let solution = wheel.solve(&tangential, &unwatched).unwrap();

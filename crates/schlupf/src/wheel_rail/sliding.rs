@@ -11,7 +11,7 @@ use super::rows::{Passing, RowsMove};
 use super::side::Side;
 use crate::bodies::{Kinematics, ReferencePoint, RowMotion};
 use crate::interface::Interface;
-use crate::problem::{Branch, Options, PrescribedForces, Problem};
+use crate::problem::{Branch, Driver, Method, Options, PrescribedForces, Problem};
 use crate::reporting::{Error, Watch};
 use crate::solution::Solution;
 use crate::solver::Solver;
@@ -25,13 +25,25 @@ pub struct Tangential<'a> {
     pub interface: &'a Interface,
     /// Which of several steady states.
     pub branch: Branch,
-    /// A solver with given options.
-    pub solver: &'a dyn Fn(&Options) -> Box<dyn Solver>,
+    /// All equations, or a fast method.
+    pub method: &'a Method,
+    /// How the steady state is computed.
+    pub driver: Driver,
     /// Options of the results.
     pub options: &'a Options,
 }
 
-impl Tangential<'_> {
+impl<'a> Tangential<'a> {
+    /// All equations, directly, on the branch from low slip.
+    pub fn new(interface: &'a Interface, options: &'a Options) -> Self {
+        let (branch, driver) = (Branch::LowSlip, Driver::Steady);
+        Self { interface, branch, method: &Method::Full, driver, options }
+    }
+
+    pub(super) fn solver(&self, options: &Options) -> Box<dyn Solver> {
+        self.method.solver_by(self.driver, options)
+    }
+
     pub(super) fn check(&self, speed: f64) -> Result<(), Error> {
         self.options.check()?;
         self.interface.check(&Kinematics::free_rolling(speed))
@@ -104,7 +116,7 @@ impl Sliding<'_> {
         let largest = self.lowered.contacts.iter().map(|contact| contact.force).fold(0.0, f64::max);
         let counts = |contact: &&Pressed| contact.force > NEGLIGIBLE * largest;
         let with_solver = |contact| {
-            let solver = (self.tangential.solver)(self.options);
+            let solver = self.tangential.solver(self.options);
             (contact, ContactSolver { solver, problem: None })
         };
         self.lowered.contacts.iter().filter(counts).map(with_solver).collect()

@@ -157,7 +157,7 @@ impl WheelSolution {
         {
             let earlier = solution.work;
             if options.extrapolate {
-                *solution = (tangential.solver)(options).solve(problem, watch)?;
+                *solution = tangential.solver(options).solve(problem, watch)?;
             } else if options.sensitivity && earlier.steps == 0 {
                 let found = solver.solve_given_with_derivatives(problem, watch)?;
                 *solution = found.unwrap_or_else(|| solution.clone());
