@@ -62,15 +62,15 @@ pub fn half_space() -> Arc<dyn Elasticity> {
 
 /// a = 6 mm, b = 5 mm, p0 = 1 GPa, μ = 0.4, k_c = 5e6/m, no heat.
 pub fn problem(kinematics: Kinematics) -> Problem {
-    Problem::builder()
-        .kinematics(kinematics)
+    let problem = Problem::builder()
         .normal(Ellipse::from_peak_pressure(6e-3, 5e-3, 1e9).unwrap())
         .elasticity(elastic_layer())
         .contact_law(Incremental::new(5e6).unwrap())
         .friction(Constant::new(0.4).unwrap())
         .heat(Heat { model: None, partition: Partition::Given(0.5) })
         .build()
-        .unwrap()
+        .unwrap();
+    Problem { kinematics, ..problem }
 }
 
 /// A grid of `cells` in both directions.
