@@ -112,7 +112,7 @@ fn contact_creepages_of_prescribed_forces() {
     }
 }
 
-fn found_by(method: Method, problem: &Problem) -> Solution {
+fn found_by(method: &Method, problem: &Problem) -> Solution {
     let mut solver = method.solver(&options(16));
     let solution = solver.solve(problem, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged);
@@ -136,7 +136,7 @@ fn the_motion_has_the_forces_when_it_is_given() {
         .clone()
         .with_interface(|interface| interface.friction = Friction::new(falling, 20.0));
     let total = bristles.clone().with_interface(|interface| {
-        interface.contact_law = TotalDisplacement::new(5e6).unwrap().into()
+        interface.contact_law = TotalDisplacement::new(5e6).unwrap().into();
     });
     let hot = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
     let heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Given(0.5) };
@@ -159,8 +159,8 @@ fn the_motion_has_the_forces_when_it_is_given() {
             let x = given(x).map(LongitudinalForce::Force);
             let prescribed = PrescribedForces { x, y: given(y), moment_z: given(moment) };
             let problem = Problem { prescribed, ..problem.clone() };
-            let found = found_by(Method::Full, &problem);
-            let again = found_by(Method::Full, &with_motion_of(&problem, &found));
+            let found = found_by(&Method::Full, &problem);
+            let again = found_by(&Method::Full, &with_motion_of(&problem, &found));
             println!(
                 "{name} {prescribed:?}: {:?} {:.0} products",
                 found.kinematics, found.work.operator_products
@@ -219,7 +219,7 @@ fn a_traction_coefficient_and_a_torque_are_forces() {
     let braking = -0.1 * load;
     let found = |x| {
         let prescribed = PrescribedForces { x: Some(x), ..PrescribedForces::default() };
-        found_by(Method::Full, &Problem { prescribed, ..problem.clone() }).kinematics.creepage_x
+        found_by(&Method::Full, &Problem { prescribed, ..problem.clone() }).kinematics.creepage_x
     };
     let of_force = found(LongitudinalForce::Force(braking));
     assert!(of_force > 0.0, "a braking force is negative, its creepage positive");
@@ -239,7 +239,7 @@ fn small_forces_are_linear() {
     };
     assert!((creepage(1.0) / creepage(1e-6) - 1.0).abs() < 1e-4);
     let linear = Problem { prescribed: forces(1.0, None), ..problem.clone() };
-    let kalker = found_by(Method::Fast(FastMethod::KalkerLinear), &linear).kinematics.creepage_x;
+    let kalker = found_by(&Method::Fast(FastMethod::KalkerLinear), &linear).kinematics.creepage_x;
     // Errors of a contact that sticks up to its trailing edge fall as the size of its cells.
     let linear = Problem { prescribed: forces(1e-6, None), ..problem.clone() };
     let coarse = solve(&linear, &options(20)).kinematics.creepage_x / 1e-6;
@@ -263,7 +263,7 @@ fn polach_falling_friction_has_two_creepages() {
     };
     let peak = (1..4000)
         .map(|k| f64::from(k) * 1e-4)
-        .max_by(|a, b| force.clone()(*a).total_cmp(&force.clone()(*b)))
+        .max_by(|a, b| force(*a).total_cmp(&force(*b)))
         .unwrap();
     let root = |mut below: f64, mut above: f64, wanted: f64| {
         for _ in 0..60 {
@@ -301,11 +301,11 @@ fn both_states_of_falling_friction_have_the_force() {
         .with_interface(|interface| interface.friction = Friction::new(law, 20.0));
     let load = problem.normal.normal_contact(None).unwrap().summary.load;
     let problem = Problem { prescribed: forces(-0.3 * load, None), ..problem };
-    let low = found_by(Method::Full, &problem);
-    let high = found_by(Method::Full, &Problem { branch: Branch::HighSlip, ..problem.clone() });
+    let low = found_by(&Method::Full, &problem);
+    let high = found_by(&Method::Full, &Problem { branch: Branch::HighSlip, ..problem.clone() });
     assert!(high.kinematics.creepage_x > 4.0 * low.kinematics.creepage_x);
     for state in [&low, &high] {
-        let again = found_by(Method::Full, &with_motion_of(&problem, state));
+        let again = found_by(&Method::Full, &with_motion_of(&problem, state));
         assert!((again.force.x / load + 0.3).abs() < 2e-5, "{}", again.force.x / load);
     }
 }
@@ -334,7 +334,7 @@ fn forces_beyond_friction_are_refused_with_the_largest() {
     assert!((largest - limit * 0.5_f64.sqrt()).abs() < 1e-9 * limit);
     // Just short of the limit there is a creepage.
     let near = Problem { prescribed: forces(-0.995 * limit, None), ..problem.clone() };
-    let found = found_by(Method::Full, &near);
+    let found = found_by(&Method::Full, &near);
     assert!((found.force.x / limit + 0.995).abs() < 1e-5);
 }
 
@@ -505,7 +505,7 @@ fn fast_methods_find_their_own_creepages() {
         FastMethod::Polach(AreaReduction::DRY),
         FastMethod::Fastsim(Brush::KALKER),
     ] {
-        let found = found_by(Method::Fast(method), &problem);
+        let found = found_by(&Method::Fast(method), &problem);
         assert!((found.force.x + 9e3).abs() < 1.0 && (found.force.y - 4e3).abs() < 1.0);
         assert!(found.kinematics.creepage_x > 0.0 && found.kinematics.creepage_y < 0.0);
     }
@@ -558,7 +558,7 @@ fn forces_over_time_end_in_the_steady_creepage() {
             }
         }
         let prescribed = forces(wanted[0], Some(wanted[1]));
-        let steady = found_by(Method::Full, &Problem { prescribed, ..problem.clone() }).kinematics;
+        let steady = found_by(&Method::Full, &Problem { prescribed, ..problem.clone() }).kinematics;
         let end = marched.kinematics;
         println!("{name}: {end:?} {steady:?}");
         assert!((end.creepage_x / steady.creepage_x - 1.0).abs() < 1e-3);

@@ -187,7 +187,7 @@ fn assert_forces_add_up(both: Arc<dyn PressureSource>, radii: [[f64; 2]; 2], loa
     let force = |normal: Arc<dyn PressureSource>, cells_y: usize| {
         let problem = schlupf::Problem { normal, ..problem(rolling(0.001, 0.0005, 0.0)) }
             .with_interface(|interface| {
-                interface.elasticity = Arc::new(Winkler::new(2e13, 2e13).unwrap())
+                interface.elasticity = Arc::new(Winkler::new(2e13, 2e13).unwrap());
             });
         let options = Options { cells_x: 40, cells_y, ..Options::default() };
         let force = schlupf::solver::solve(&problem, &options, &unwatched).unwrap().force;

@@ -116,7 +116,7 @@ fn moved(problem: &Problem, set: impl Fn(&mut schlupf::bodies::Kinematics)) -> P
 
 fn incremental(problem: &Problem, stiffness: f64) -> Problem {
     problem.clone().with_interface(|interface| {
-        interface.contact_law = Incremental::new(stiffness).unwrap().into()
+        interface.contact_law = Incremental::new(stiffness).unwrap().into();
     })
 }
 
@@ -152,7 +152,7 @@ fn on_the_layer_and_the_half_space() {
         &incremental,
     );
     let uncoupled = base().with_interface(|interface| {
-        interface.elasticity = Arc::new(Winkler::new(2e13, 1e13).unwrap())
+        interface.elasticity = Arc::new(Winkler::new(2e13, 1e13).unwrap());
     });
     check("Winkler", &uncoupled, &constant, &incremental);
 }
@@ -249,7 +249,7 @@ fn with_friction_that_remembers() {
 fn with_the_law_in_total_displacement() {
     let total = |problem: &Problem, stiffness: f64| {
         problem.clone().with_interface(|interface| {
-            interface.contact_law = TotalDisplacement::new(stiffness).unwrap().into()
+            interface.contact_law = TotalDisplacement::new(stiffness).unwrap().into();
         })
     };
     let base = total(&base(), 5e6);

@@ -264,7 +264,7 @@ fn all_slides_at_large_creepage() {
     }
 }
 
-fn assert_close(one: &Resultant, other: &Resultant, method: FastMethod) {
+fn assert_close(one: &Resultant, other: &Resultant, method: &FastMethod) {
     assert_eq!(one.moment_z.is_some(), other.moment_z.is_some());
     let parts = |force: &Resultant| [force.x, force.y, force.moment_z.unwrap_or(0.0)];
     for (one, other) in parts(one).into_iter().zip(parts(other)) {
@@ -282,9 +282,9 @@ fn forces_are_odd_and_mirrored() {
             let Resultant { x, y, moment_z } = of(motion);
             let moment_z = moment_z.map(|moment| -moment);
             let odd = Resultant { x: -x, y: -y, moment_z };
-            assert_close(&of(rolling(-creepage_x, -creepage_y, -spin)), &odd, method.clone());
+            assert_close(&of(rolling(-creepage_x, -creepage_y, -spin)), &odd, &method);
             let mirrored = Resultant { x, y: -y, moment_z };
-            assert_close(&of(rolling(creepage_x, -creepage_y, -spin)), &mirrored, method.clone());
+            assert_close(&of(rolling(creepage_x, -creepage_y, -spin)), &mirrored, &method);
         }
     }
 }

@@ -249,7 +249,7 @@ fn a_history_starts_with_a_shift() {
     assert!((force(1) - force(0)).abs() < 0.05, "{} {}", force(0), force(1));
     for stiffness in [5e6, 1e8, 1e9] {
         let problem = reference().with_interface(|interface| {
-            interface.contact_law = Incremental::new(stiffness).unwrap().into()
+            interface.contact_law = Incremental::new(stiffness).unwrap().into();
         });
         let history = History { shift: Some([0.015e-3, 0.0]), ..constant(60e-3) };
         let end = solve_over(&problem, history, &cells(40)).normalised.x;
@@ -293,7 +293,7 @@ fn the_calibrated_layer_is_ahead_of_the_half_space() {
     rolls.interface.elasticity = half_space();
     let layer = rolls.clone().with_interface(|interface| {
         interface.elasticity =
-            Arc::new(CalibratedLayer::new(&Material::STEEL, &Material::STEEL, None).unwrap())
+            Arc::new(CalibratedLayer::new(&Material::STEEL, &Material::STEEL, None).unwrap());
     });
     let forces = |problem: &Problem| {
         let solution = solve_over(problem, constant(60e-3), &cells(20));

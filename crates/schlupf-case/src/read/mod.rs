@@ -67,7 +67,7 @@ enum Contact {
     /// In one patch under this pressure.
     Pressure(Arc<dyn PressureSource>),
     /// Where the profiles of a wheel and a rail do.
-    Wheel(WheelRequest),
+    Wheel(Box<WheelRequest>),
 }
 
 /// A problem with what was found on the way to it.
@@ -99,7 +99,7 @@ impl Parts {
         };
         let elasticity = elasticity::elasticity(settings, materials)?;
         let contact = match wheel_rail::request(settings)? {
-            Some(wheel) => Contact::Wheel(wheel),
+            Some(wheel) => Contact::Wheel(Box::new(wheel)),
             None => Contact::Pressure(normal::source(settings, materials)?),
         };
         let prescribed = match contact {
