@@ -606,8 +606,8 @@ def damage(
     Parameters
     ----------
     run : path
-        Table of `sweep` with a column distance or time (.csv or .parquet), or a study of such
-        states (.toml), which is solved.
+        Table of `sweep` with a column distance or time, or a study of such states (.toml),
+        which is solved.
     case : Case, optional
         The case with the laws in the section [damage]; by default that of the study, which its
         table keeps.

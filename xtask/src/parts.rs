@@ -108,10 +108,14 @@ impl Part {
                 let all = Step::cargo("clippy --workspace --all-targets -- -D warnings");
                 // Targets that are built only when asked for are not among all.
                 let benches =
-                    ["schlupf --bench table", "schlupf-tasks --features study --bench sweep"].map(
-                        |bench| Step::cargo(&format!("clippy --package {bench} -- -D warnings")),
-                    );
-                std::iter::once(all).chain(benches).chain(alone).collect()
+                    ["schlupf --bench table", "schlupf-tasks --features parquet --bench sweep"]
+                        .map(|bench| {
+                            Step::cargo(&format!("clippy --package {bench} -- -D warnings"))
+                        });
+                // So does the command.
+                let bare = "clippy --package schlupf-cli --no-default-features --all-targets";
+                let bare = Step::cargo(&format!("{bare} -- -D warnings"));
+                std::iter::once(all).chain(benches).chain(alone).chain([bare]).collect()
             }
             Self::Test => vec![Step::cargo("test --workspace")],
             Self::Doc => {
@@ -129,7 +133,7 @@ impl Part {
                 std::iter::once(build).chain(names.iter().map(run)).collect()
             }
             Self::Wasm => {
-                let build = "build --target wasm32-unknown-unknown";
+                let build = "build --target wasm32-unknown-unknown --features schlupf-tasks/png";
                 let packages = PORTABLE.map(|name| format!(" --package {name}")).concat();
                 vec![Step::cargo(&format!("{build}{packages}"))]
             }
@@ -150,7 +154,7 @@ impl Part {
             ],
             Self::Bench => vec![
                 Step::cargo("bench --package schlupf --bench table"),
-                Step::cargo("bench --package schlupf-tasks --features study --bench sweep"),
+                Step::cargo("bench --package schlupf-tasks --features parquet --bench sweep"),
             ],
         })
     }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, ValueHint};
 use schlupf_case::Preset;
+use schlupf_tasks::output::figures::FORMATS;
 
 /// Which case.
 #[derive(Debug, Clone, Args)]
@@ -22,10 +23,14 @@ pub struct CaseArguments {
 pub struct CheckArguments {
     #[command(flatten)]
     pub case: CaseArguments,
-    /// Draw the profiles of wheel and rail in place (PNG and SVG) into a directory, created if
-    /// missing
-    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    /// Draw the profiles of wheel and rail in place into a directory
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath,
+        help = drawn("the profiles of wheel and rail in place"))]
     pub figures: Option<PathBuf>,
+}
+
+fn drawn(what: &str) -> String {
+    format!("Draw {what} ({FORMATS}) into a directory, created if missing")
 }
 
 /// What stands for standard input or output.
@@ -40,8 +45,8 @@ pub struct OutputArguments {
     /// Write the table of the results as CSV, one row for each cell, point or method
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub csv: Option<PathBuf>,
-    /// Draw the figures (PNG and SVG) into a directory, created if missing
-    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    /// Draw the figures into a directory
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath, help = drawn("the figures"))]
     pub figures: Option<PathBuf>,
     /// Print no summary
     #[arg(short, long)]

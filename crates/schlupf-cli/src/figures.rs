@@ -85,7 +85,7 @@ pub struct Renewed {
     pub stale: Vec<PathBuf>,
 }
 
-/// Names of the files of a figure: the drawing and the picture.
+/// Names of the files that a figure may have: the drawing, and the picture of the feature `png`.
 pub fn figure_files(name: &str) -> [String; 2] {
     [format!("{name}.svg"), format!("{name}.png")]
 }

@@ -47,8 +47,7 @@ pub fn draw(arguments: &CheckArguments, file: &CaseFile, height: f64) -> Result<
     let names = figure_files(profiles::NAME);
     let mut drawn = Vec::new();
     for figure in profiles::figure(&title, wheel, height)? {
-        let [svg, png] = names.each_ref().map(|name| path.join(name));
-        drawn.extend([(svg, figure.svg.into_bytes()), (png, figure.png)]);
+        drawn.extend(figure.files().into_iter().map(|(name, bytes)| (path.join(name), bytes)));
     }
     let figures = Figures::of(path)?.renewed(&names, drawn);
     outputs::write(&figures.files, Some(path))?;

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use schlupf_tasks::study::run::Report;
+use schlupf_tasks::study::table::ENDINGS;
 use schlupf_tasks::study::{Study, merge, run};
 
 use crate::failure::{Failure, NOT_CONVERGED, SUCCESS};
@@ -18,8 +19,10 @@ const OUTPUT: &str = "--output";
 pub struct Sweep {
     /// Study file (TOML): a case and what varies over it
     pub study: PathBuf,
-    /// Where to write the table, a row for each state: .csv or .parquet; run again, it resumes
-    #[arg(long, value_name = "FILE")]
+    /// Where to write the table
+    #[arg(long, value_name = "FILE", help = format!(
+        "Where to write the table, a row for each state: {ENDINGS}; run again, it resumes"
+    ))]
     pub output: PathBuf,
     /// Solve one share of so many only, such as 1/8; `schlupf merge` puts them together
     #[arg(long, value_name = "I/N", value_parser = shard, default_value = "1/1")]
@@ -35,8 +38,9 @@ pub struct Merge {
     /// Tables of all shards of a study
     #[arg(required = true)]
     pub tables: Vec<PathBuf>,
-    /// Where to write the table of the whole study: .csv or .parquet
-    #[arg(long, value_name = "FILE")]
+    /// Where to write the table of the whole study
+    #[arg(long, value_name = "FILE",
+        help = format!("Where to write the table of the whole study: {ENDINGS}"))]
     pub output: PathBuf,
     /// Print no summary
     #[arg(long)]

@@ -276,9 +276,8 @@ impl Job<'_> {
             progress.stage("drawing figures");
             let mut drawn = Vec::new();
             for figure in report.figures()? {
-                let [svg, png] = figure_files(&figure.name).map(|name| directory.join(name));
-                drawn.push((svg, figure.svg.into_bytes()));
-                drawn.push((png, figure.png));
+                let files = figure.files().into_iter();
+                drawn.extend(files.map(|(name, bytes)| (directory.join(name), bytes)));
             }
             let figures = Figures::of(directory)?.renewed(&self.figure_files(), drawn);
             files.extend(figures.files);

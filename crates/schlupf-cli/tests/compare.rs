@@ -40,8 +40,7 @@ fn all_methods_are_compared() {
         assert!(run.stdout.contains(method["name"].as_str().unwrap()), "{}", run.stdout);
     }
     assert_eq!(bench.read("c.csv").lines().count(), 11);
-    assert!(bench.path("pictures/comparison.svg").exists());
-    assert!(bench.path("pictures/comparison.png").exists());
+    assert!(bench.has_figure("pictures/comparison"));
 }
 
 /// Rigid bodies are none of the models that every case is solved with.

@@ -3,7 +3,7 @@
 mod support;
 
 use serde_json::Value;
-use support::{Bench, Run};
+use support::{Bench, Run, TABLES};
 
 /// A curve with the patch moving over the profile; the third state locks the wheel if `fails`.
 fn bench(fails: bool) -> Bench {
@@ -81,10 +81,7 @@ fn sums_are_those_of_the_table() {
     let depths = column(&bench.read("profile.csv"), "wheel_archard");
     assert!(depths.len() > 20 && depths.iter().all(|depth| *depth >= 0.0));
     for name in ["damage_wear", "damage_run", "damage_histograms"] {
-        assert!(
-            bench.path(&format!("f/{name}.png")).exists()
-                && bench.path(&format!("f/{name}.svg")).exists()
-        );
+        assert!(bench.has_figure(&format!("f/{name}")));
     }
     let study = document(&bench, &["study.toml"]);
     near(&study["energy"], number(&found["energy"]));
@@ -131,7 +128,7 @@ fn laws_are_those_of_the_case_behind_a_table() {
                 shear_yield_stress = \"200 MPa\"\n";
     bench.write("case.toml", &format!("# a \"worn\" wheel\n{case}{laws}"));
     bench.write("along.csv", "y [mm],factor\n-10,1\n10,1\n");
-    for name in ["table.csv", "table.parquet"] {
+    for name in TABLES {
         let sweep = bench.run(&["sweep", "study.toml", "--output", name]);
         assert_eq!(sweep.code, Some(0), "{}", sweep.stderr);
     }
@@ -139,7 +136,7 @@ fn laws_are_those_of_the_case_behind_a_table() {
     for name in ["case.toml", "along.csv", "study.toml", "run.csv"] {
         std::fs::remove_file(bench.path(name)).unwrap();
     }
-    for name in ["table.csv", "table.parquet"] {
+    for name in TABLES {
         let found = document(&bench, &[name]);
         for part in ["laws", "archard", "energy_wear", "fatigue", "warnings"] {
             assert_eq!(found[part], of_study[part], "{name} {part}");

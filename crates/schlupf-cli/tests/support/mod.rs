@@ -5,6 +5,10 @@
 use std::path::PathBuf;
 use std::process::{Command, Output};
 
+/// Tables that a study can have.
+pub const TABLES: &[&str] =
+    if cfg!(feature = "parquet") { &["table.csv", "table.parquet"] } else { &["table.csv"] };
+
 /// A directory in which the command runs; removed at the end.
 pub struct Bench {
     folder: tempfile::TempDir,
@@ -25,6 +29,12 @@ impl Bench {
 
     pub fn read(&self, name: &str) -> String {
         std::fs::read_to_string(self.path(name)).unwrap()
+    }
+
+    /// Whether a figure is there with all its files: the picture needs the feature `png`.
+    pub fn has_figure(&self, name: &str) -> bool {
+        let [svg, png] = ["svg", "png"].map(|ending| self.path(&format!("{name}.{ending}")));
+        svg.exists() && png.exists() == cfg!(feature = "png")
     }
 
     /// Names of all files and directories, sorted.

@@ -31,8 +31,8 @@ const ACROSS: &str = "position_y";
 request! {
     /// Which run.
     Request {
-        /// Table of `sweep` with a column distance or time (.csv or .parquet), or a study of such
-        /// states (.toml), which is solved.
+        /// Table of `sweep` with a column distance or time, or a study of such states (.toml),
+        /// which is solved.
         run: InputFile = Kind::file(), positional();
     }
 }
@@ -82,7 +82,7 @@ struct Plan {
     is_of_table: bool,
 }
 
-/// Opens a run: the table of a study (.csv or .parquet), or a study (.toml) of states along a run.
+/// Opens a run: the table of a study, or a study (.toml) of states along a run.
 /// `case_of` tells the case with the laws, from that of the study, which its table keeps.
 ///
 /// # Errors

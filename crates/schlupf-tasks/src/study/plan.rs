@@ -20,7 +20,7 @@ use crate::study::columns::columns;
 use crate::study::design::{self, Design, Sample, Values, Varied, assignment, read_states};
 use crate::study::digest::{digest, varied_files};
 use crate::study::error::StudyError;
-use crate::study::table::{Column, Contents};
+use crate::study::table::{Column, Contents, ENDINGS, HAS_PARQUET, NEEDS_PARQUET};
 use schlupf::reporting::shortened;
 
 /// Fewest and most rows of a batch where each is solved in full, and where a fast method gives it:
@@ -393,6 +393,9 @@ impl StudyReader<'_> {
     /// Which quantities of the cells are kept.
     fn fields(&self, value: &Spanned<DeValue<'_>>) -> Result<Vec<&'static FieldColumn>, CaseError> {
         let section = self.section("fields", value)?;
+        if !HAS_PARQUET {
+            return Err(self.error(&value.span(), format!("a section [fields] {NEEDS_PARQUET}")));
+        }
         for (key, _) in section {
             self.known(key, "fields", &["columns"])?;
         }
@@ -463,7 +466,7 @@ impl StudyReader<'_> {
         }
         let file = section.get("file").and_then(|file| file.get_ref().as_str());
         let file = file.ok_or_else(|| {
-            self.error(span, "states.file must be the path of a .csv or .parquet file")
+            self.error(span, format!("states.file must be the path of a {ENDINGS} file"))
         })?;
         Ok(self.folder.join(file))
     }

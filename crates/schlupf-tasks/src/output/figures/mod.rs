@@ -1,5 +1,6 @@
 //! Figures of a solution, of creep curves, of a fit, of temperatures below the surface, of a
-//! calibration or of a rough contact, each as SVG and as PNG of the same drawing.
+//! calibration or of a rough contact, each as SVG and, with the feature `png`, as PNG of the same
+//! drawing.
 //!
 //! The surfaces and the section show the traction on the rail, −t, as in Neuhaus and Sextro (2014);
 //! so do the arrows of the maps. Quantities that are zero everywhere have no figure.
@@ -22,6 +23,7 @@ pub(crate) mod panels;
 pub(crate) mod patch;
 mod projection;
 pub(crate) mod quantity;
+#[cfg(feature = "png")]
 mod raster;
 pub(crate) mod relief;
 mod run;
@@ -39,6 +41,10 @@ pub use svg::MARK;
 use map::Arrows;
 use patch::Patch;
 
+/// What figures are drawn as.
+pub const FORMATS: &str =
+    if cfg!(feature = "png") { "PNG and SVG" } else { "SVG, without the feature png" };
+
 /// A figure.
 #[derive(Debug, Clone)]
 pub struct Figure {
@@ -47,7 +53,19 @@ pub struct Figure {
     /// The drawing, with its fonts embedded.
     pub svg: String,
     /// The same drawing rendered for print.
+    #[cfg(feature = "png")]
     pub png: Vec<u8>,
+}
+
+impl Figure {
+    /// Its files: names and contents.
+    pub fn files(self) -> Vec<(String, Vec<u8>)> {
+        vec![
+            (format!("{}.svg", self.name), self.svg.into_bytes()),
+            #[cfg(feature = "png")]
+            (format!("{}.png", self.name), self.png),
+        ]
+    }
 }
 
 /// Reason why there is no figure.
@@ -91,10 +109,15 @@ pub type Drawing = (String, String);
 
 /// Renders drawings to figures with their pictures, which takes most of the time.
 pub fn render(drawings: Vec<Drawing>) -> Result<Vec<Figure>, FigureError> {
-    let fonts = font::database();
+    #[cfg(feature = "png")]
+    let fonts = raster::fonts();
     let figure = |(name, svg): Drawing| {
-        let png = raster::png(&svg, &fonts)?;
-        Ok(Figure { name, svg, png })
+        Ok(Figure {
+            name,
+            #[cfg(feature = "png")]
+            png: raster::png(&svg, &fonts)?,
+            svg,
+        })
     };
     drawings.into_iter().map(figure).collect()
 }

@@ -288,6 +288,7 @@ mod tests {
         }
     }
 
+    #[cfg(feature = "parquet")]
     /// By pyarrow 22: `write_table(table, …, compression="zstd")`, the default of Polars.
     #[test]
     fn another_compression_is_named() {

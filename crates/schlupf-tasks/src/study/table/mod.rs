@@ -1,6 +1,7 @@
 //! The table of a study: a row for each state, in batches, as CSV or Parquet.
 
 mod csv_file;
+#[cfg_attr(not(feature = "parquet"), path = "no_parquet.rs")]
 mod parquet_file;
 
 use std::path::Path;
@@ -13,6 +14,16 @@ use parquet_file::{ParquetReader, ParquetWriter};
 
 pub(crate) use csv_file::{read_rows, write_rows};
 pub(crate) use parquet_file::read_columns as read_parquet_columns;
+
+/// Whether tables can be Parquet.
+pub(crate) const HAS_PARQUET: bool = cfg!(feature = "parquet");
+
+/// Endings of the files of tables.
+pub const ENDINGS: &str = if HAS_PARQUET { ".csv or .parquet" } else { ".csv" };
+
+/// What is said of that which needs Parquet, where there is none.
+pub(crate) const NEEDS_PARQUET: &str =
+    "needs a program built with the feature parquet, but this one is built without";
 
 /// What a column holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -156,13 +167,14 @@ impl Format {
     /// That of a file by the ending of its name.
     ///
     /// # Errors
-    /// Another ending.
+    /// Another ending, or that of Parquet without the feature `parquet`.
     pub fn of(path: &Path) -> Result<Self, StudyError> {
         let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
         match ending.to_ascii_lowercase().as_str() {
             "csv" => Ok(Self::Csv),
-            "parquet" => Ok(Self::Parquet),
-            _ => Err(StudyError::table(path, "a table must be a .csv or .parquet file")),
+            "parquet" if HAS_PARQUET => Ok(Self::Parquet),
+            "parquet" => Err(StudyError::table(path, format!("a .parquet file {NEEDS_PARQUET}"))),
+            _ => Err(StudyError::table(path, format!("a table must be a {ENDINGS} file"))),
         }
     }
 }
@@ -317,11 +329,14 @@ mod tests {
         ]
     }
 
+    const TABLES: &[&str] =
+        if HAS_PARQUET { &["table.csv", "table.parquet"] } else { &["table.csv"] };
+
     /// What is written is read back, number for number, batch for batch.
     #[test]
     fn tables_survive() {
         let folder = tempfile::tempdir().unwrap();
-        for name in ["table.csv", "table.parquet"] {
+        for name in TABLES {
             let path = folder.path().join(name);
             let format = Format::of(&path).unwrap();
             let contents = contents(3);
@@ -349,7 +364,7 @@ mod tests {
     #[test]
     fn some_columns_are_read_alone() {
         let folder = tempfile::tempdir().unwrap();
-        for name in ["table.csv", "table.parquet"] {
+        for name in TABLES {
             let path = folder.path().join(name);
             let format = Format::of(&path).unwrap();
             let mut writer = Writer::create(&path, format, &contents(3)).unwrap();
@@ -369,7 +384,7 @@ mod tests {
     #[test]
     fn missing_numbers_are_not_numbers() {
         let folder = tempfile::tempdir().unwrap();
-        for name in ["table.csv", "table.parquet"] {
+        for name in TABLES {
             let path = folder.path().join(name);
             let mut writer =
                 Writer::create(&path, Format::of(&path).unwrap(), &contents(1)).unwrap();
@@ -390,7 +405,8 @@ mod tests {
             Reader::open(&path).err().unwrap().to_string()
         };
         assert!(refused("a.csv", b"x,y\n1,2\n").contains("no table of a study"));
-        assert!(refused("a.parquet", b"PAR1").contains("Parquet"));
-        assert!(refused("a.txt", b"").contains(".csv or .parquet"));
+        let parquet = if HAS_PARQUET { "Parquet" } else { "the feature parquet" };
+        assert!(refused("a.parquet", b"PAR1").contains(parquet));
+        assert!(refused("a.txt", b"").contains(ENDINGS));
     }
 }
