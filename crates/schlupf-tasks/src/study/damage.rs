@@ -19,7 +19,7 @@ use crate::study::counts::{Counts, WARNINGS};
 use crate::study::error::StudyError;
 use crate::study::plan::Study;
 use crate::study::run;
-use crate::study::table::{Cells, Contents, Reader};
+use crate::study::table::{Cells, Contents, HAS_PARQUET, Reader};
 use crate::task::{CaseArgument, Found, Given, Scratch, Task, Wanted};
 
 /// Columns with the place of each state along the run, one of which a run needs.
@@ -145,7 +145,8 @@ impl Plan {
             Some(study) => {
                 let fail = |cause| StudyError::file(path, cause);
                 let folder = folder().map_err(fail)?;
-                let table = (*folder).as_ref().join("run.parquet");
+                let table =
+                    (*folder).as_ref().join(if HAS_PARQUET { "run.parquet" } else { "run.csv" });
                 let done = run::run(study, [1, 1], &table, watch)?;
                 (Run::read(&table, self.own_speed())?, done.warnings)
             }
