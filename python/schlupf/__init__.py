@@ -12,7 +12,7 @@ Numbers are in SI units (temperatures in °C, differences in K), text has its un
 tractions act on the wheel.
 """
 
-from . import examples, sections, warnings
+from . import examples, records, sections, warnings
 from ._case import Case
 from ._core import __version__
 from ._errors import CaseError, CaseFileError, CaseNotConverged, NotConverged, SchlupfWarning
@@ -88,6 +88,7 @@ __all__ = [
     "methods",
     "plot_comparison",
     "read_table",
+    "records",
     "roughnesses",
     "sections",
     "sweep",

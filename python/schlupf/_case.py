@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from inspect import Parameter, Signature
 from numbers import Integral
+from os import PathLike
 from pathlib import Path
 from textwrap import fill
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 from warnings import warn
 
 from . import _core
@@ -18,17 +20,9 @@ from ._laws import LARGEST, Law, checked, sampled
 from ._result import Result
 from ._section import Section
 from ._tasks import Tasks
+from ._typing import Unpack
 from ._units import is_quantity, magnitude, plain, refused
-from .sections import Sections
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-    from os import PathLike
-
-    from typing_extensions import Unpack
-
-    from .sections import CaseFields, SectionFields
-
+from .sections import CaseFields, SectionFields, Sections
 
 #: A family as the library reads it, its field, and the values as the case has them.
 _Family = tuple[str, str, list[Any]]
@@ -187,6 +181,7 @@ class Case(Sections, Tasks):
     _folder: Path
     #: Arguments of `with_laws`.
     _laws: dict[str, Any]
+    __signature__: ClassVar[Signature]
 
     def __init__(self, title: str | None = None, **sections: Unpack[SectionFields]) -> None:
         values: dict[str, Any] = dict(sections)
@@ -346,8 +341,8 @@ class Case(Sections, Tasks):
             self[name] = value
 
     def __getitem__(self, path: str) -> Any:
-        if path in Section.OF_PATHS:
-            return Section.OF_PATHS[path](self)
+        if path in Section._OF_PATHS:
+            return Section._OF_PATHS[path](self)
         if path not in FIELDS:
             raise UnknownName(no_field(path))
         return self._file.value(path)
@@ -463,4 +458,13 @@ def _documentation() -> str:
     return "\n".join(lines)
 
 
+def _signature() -> Signature:
+    """With a keyword for each section, which help and notebooks show."""
+    keywords = [name for name in SECTIONS if name and "." not in name]
+    title = Parameter("title", Parameter.POSITIONAL_OR_KEYWORD, default=None)
+    sections = (Parameter(name, Parameter.KEYWORD_ONLY, default=None) for name in keywords)
+    return Signature([title, *sections])
+
+
 Case.__doc__ = _documentation()
+Case.__signature__ = _signature()

@@ -6,24 +6,23 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
+from numpy.typing import ArrayLike
 
 from . import _core
+from ._case import Case
 from ._fields import FIELDS
 from ._laws import in_law
 from ._result import Result
 from ._tables import attributes
-from ._units import plain
+from ._typing import Unpack
+from ._units import Number, Series, plain
+from .sections import Conditions
 from .warnings import emit
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from numpy.typing import ArrayLike, NDArray
-    from typing_extensions import Unpack
-
-    from ._case import Case
-    from ._units import Number, Series
-    from .sections import Conditions
+    from numpy.typing import NDArray
 
 #: Conditions that have a short name, with their fields.
 CONDITIONS = dict(_core.conditions())

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
+from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING
 from warnings import warn
 
 from . import _core
 from ._case import Case
 from ._errors import SchlupfWarning, quoted
 from .warnings import emit
-
-if TYPE_CHECKING:
-    from os import PathLike
 
 
 def import_contact(

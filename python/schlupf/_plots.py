@@ -26,8 +26,8 @@ if TYPE_CHECKING:
     from matplotlib.path import Path
     from numpy.typing import NDArray
 
-    from ._records import CellColumn, InstantColumn, Normal
     from ._result import Result
+    from .records import CellColumn, InstantColumn, Normal
 
 #: Width of a figure of one column, in inches.
 WIDTH = 3.5
@@ -435,8 +435,8 @@ def variable(fields: xr.Dataset, name: str) -> xr.DataArray:
     KeyError
         If there is none of this name.
     """
-    if not isinstance(name, str) or name not in fields:
-        raise UnknownName(no_such("field", name, fields))
+    if not isinstance(name, str) or name not in fields.data_vars:
+        raise UnknownName(no_such("field", name, fields.data_vars))
     return fields[name]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
 
 from ._core import presets
 from ._errors import UnknownName, no_such
@@ -12,7 +12,11 @@ if TYPE_CHECKING:
     from collections.abc import ItemsView, Iterator
 
 
-class Preset(dict[str, Any]):
+#: Where a preset may stand: fields of a section, or of one of several.
+Fields = TypeVar("Fields", contravariant=True)
+
+
+class Preset(dict[str, Any], Generic[Fields]):
     """Fields of a section as a dictionary, with what they are and where they come from.
 
     Attributes
@@ -32,10 +36,10 @@ class Preset(dict[str, Any]):
         return type(self), (dict(self), self.doc, self.source)
 
 
-class Presets:
+class Presets(Generic[Fields]):
     """Presets of one kind, by name."""
 
-    _presets: ClassVar[dict[str, Preset]]
+    _presets: ClassVar[dict[str, Preset[Any]]]
 
     def __init_subclass__(cls, group: str) -> None:
         cls._presets = {
@@ -49,7 +53,7 @@ class Presets:
         def __getattr__(self, name: str) -> Any:
             raise AttributeError(no_such("preset", name, self))
 
-    def __getitem__(self, name: str) -> Preset:
+    def __getitem__(self, name: str) -> Preset[Fields]:
         try:
             return self._presets[name]
         except (KeyError, TypeError):
@@ -58,7 +62,7 @@ class Presets:
     def __contains__(self, name: object) -> bool:
         return name in self._presets
 
-    def items(self) -> ItemsView[str, Preset]:
+    def items(self) -> ItemsView[str, Preset[Fields]]:
         """Names and presets."""
         return self._presets.items()
 

@@ -73,10 +73,15 @@ class Record:
 
 
 class Found(Entry[Value, NoReturn]):
-    """A value of a record, or a record of its own."""
+    """A value of a record, or a record of its own; `None` where this one has no such key."""
 
     def __init__(self, record: type[Record] = Record) -> None:
         self.record = record
+
+    if not TYPE_CHECKING:
+
+        def __get__(self, of: Record | None, owner: type[Record]) -> Any:
+            return self if of is None else of._values.get(self._name)
 
 
 def _nested(value: Any, record: type[Record]) -> Any:

@@ -5,24 +5,24 @@ from __future__ import annotations
 import html
 import itertools
 import json
+from collections.abc import Sequence
 from functools import cached_property
+from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import xarray as xr
+
+from . import _core
 from ._errors import NotConverged
 from ._record import Record
-from ._records import Solved
 from ._tables import along, attributes, on_grid
+from .records import Solved
 from .warnings import emit
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-    from os import PathLike
-
     import pandas as pd
-    import xarray as xr
 
-    from . import _core
     from ._plots import ResultPlots
 
 

@@ -5,11 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, overload
 
 from ._fields import SECTIONS, no_field
+from ._typing import Self
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
-
-    from typing_extensions import Self
 
     from ._case import Case
     from ._forces import Solver
@@ -47,16 +46,18 @@ class Section:
     """
 
     __slots__ = ("_case",)
-    _case: Case
     _path: ClassVar[str]
+    if TYPE_CHECKING:
+        # A case is made of sections.
+        _case: Case
 
     #: All sections by their dotted paths.
-    OF_PATHS: ClassVar[dict[str, type[Section]]] = {}
+    _OF_PATHS: ClassVar[dict[str, type[Section]]] = {}
 
     def __init_subclass__(cls, path: str = "") -> None:
         if path:
             cls._path = path
-            Section.OF_PATHS[path] = cls
+            Section._OF_PATHS[path] = cls
 
     def __init__(self, case: Case) -> None:
         object.__setattr__(self, "_case", case)

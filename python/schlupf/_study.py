@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import functools
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from importlib import import_module
+from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import xarray as xr
 
@@ -16,10 +18,6 @@ from ._errors import SchlupfWarning, quoted
 from ._result import with_folder
 from ._tables import along
 from .warnings import emit
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-    from os import PathLike
 
 #: Work that a task of a cluster has at least, in s: handing it out takes milliseconds.
 LEAST_WORK = 1.0

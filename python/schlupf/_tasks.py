@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Literal
 
-from ._ask import ask
+from ._ask import Data, Family, Numbers, Range, Texts, ask
 from ._report import (
     BulkTemperature,
     Calibration,
@@ -22,11 +22,10 @@ from ._report import (
     Wear,
     Wheelset,
 )
+from ._units import File, Number
 
 if TYPE_CHECKING:
-    from ._ask import Data, Family, Numbers, Range, Texts
     from ._case import Case
-    from ._units import File, Number
 
 
 class Tasks:

@@ -11,15 +11,14 @@ Made of the fields of the library by tests/generate.py.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal, TypedDict
+from typing import Generic, Literal, TypeVar
 
+from ._preset import Preset
 from ._section import Entry, Section, SolverSection
+from ._typing import TypedDict
+from ._units import Count, File, Flag, Number, Plain, Series
 
-if TYPE_CHECKING:
-    from typing import Generic, TypeVar
-
-    from ._preset import Preset
-    from ._units import Count, File, Flag, Number, Plain, Series
+V = TypeVar("V")
 
 KinematicsReference = Literal[
     "patch",
@@ -822,7 +821,7 @@ class ContactLawFields(TypedDict, total=False):
     stiffness: Number | None
     """k_c, rate at which traction approaches the friction limit (1/m); default: 5e6 1/m where
     there is no roughness."""
-    roughness: str | RoughnessFields | Roughness | Preset | None
+    roughness: str | RoughnessFields | Roughness | Preset[RoughnessFields] | None
     """Roughness from which k_c follows, in place of stiffness: heights, a spectrum or files."""
 
 
@@ -837,7 +836,9 @@ class ContactLaw(Section, path="contact_law"):
     stiffness: Entry[float | None, Number | None] = Entry()
     """k_c, rate at which traction approaches the friction limit (1/m); default: 5e6 1/m where
     there is no roughness."""
-    roughness: Entry[Roughness, str | RoughnessFields | Roughness | Preset | None] = Entry()
+    roughness: Entry[
+        Roughness, str | RoughnessFields | Roughness | Preset[RoughnessFields] | None
+    ] = Entry()
     """Roughness from which k_c follows, in place of stiffness: heights, a spectrum or files."""
 
 
@@ -1392,43 +1393,43 @@ class History(Section, path="history"):
 class SectionFields(TypedDict, total=False):
     """Sections with their fields."""
 
-    kinematics: KinematicsFields | Kinematics | Preset | None
+    kinematics: KinematicsFields | Kinematics | Preset[KinematicsFields] | None
     """How the wheel moves over the rail. Braking has a positive creepage and a negative force."""
-    wheel: WheelFields | Wheel | Preset | None
+    wheel: WheelFields | Wheel | Preset[WheelFields] | None
     """The wheel: elastic and thermal constants, temperature, curvature radii."""
-    rail: RailFields | Rail | Preset | None
+    rail: RailFields | Rail | Preset[RailFields] | None
     """The rail: the same fields as the wheel."""
-    normal: NormalFields | Normal | Preset | None
+    normal: NormalFields | Normal | Preset[NormalFields] | None
     """Where the normal pressure comes from."""
-    track: TrackFields | Track | Preset | None
+    track: TrackFields | Track | Preset[TrackFields] | None
     """Where the profiles are, if the normal contact is that of two profiles."""
-    wheelset: WheelsetFields | Wheelset | Preset | None
+    wheelset: WheelsetFields | Wheelset | Preset[WheelsetFields] | None
     """Position and motion of the wheelset in the track (x forwards, y to the left, z up), if the
     normal contact is that of two profiles; the wheel turns at kinematics.angular_velocity."""
-    elasticity: ElasticityFields | Elasticity | Preset | None
+    elasticity: ElasticityFields | Elasticity | Preset[ElasticityFields] | None
     """How the bodies deform under tangential traction."""
-    layer: LayerFields | Layer | Preset | None
+    layer: LayerFields | Layer | Preset[LayerFields] | None
     """A third body between the surfaces, such as oxides, leaves or sand; left out: none."""
-    contact_law: ContactLawFields | ContactLaw | Preset | None
+    contact_law: ContactLawFields | ContactLaw | Preset[ContactLawFields] | None
     """How traction grows with the sliding of rough surfaces."""
-    friction: FrictionFields | Friction | Preset | None
+    friction: FrictionFields | Friction | Preset[FrictionFields] | None
     """Coefficient of friction. T is counted from the reference temperature, s is the slip
     speed."""
-    heat: HeatFields | Heat | Preset | None
+    heat: HeatFields | Heat | Preset[HeatFields] | None
     """Frictional heating of both surfaces."""
-    cooling: CoolingFields | Cooling | Preset | None
+    cooling: CoolingFields | Cooling | Preset[CoolingFields] | None
     """What cools the wheel in the long run, for `schlupf bulk`."""
-    subsurface: SubsurfaceFields | Subsurface | Preset | None
+    subsurface: SubsurfaceFields | Subsurface | Preset[SubsurfaceFields] | None
     """Where to compute stresses below the surface, for `schlupf subsurface`."""
-    damage: DamageFields | Damage | Preset | None
+    damage: DamageFields | Damage | Preset[DamageFields] | None
     """What turns rolling into fatigue and wear, for `schlupf wear` and `schlupf damage`."""
-    grid: GridFields | Grid | Preset | None
+    grid: GridFields | Grid | Preset[GridFields] | None
     """Cells across the contact patch."""
-    solver: SolverFields | Solver | Preset | None
+    solver: SolverFields | Solver | Preset[SolverFields] | None
     """What is solved, and how."""
-    fastsim: FastsimFields | Fastsim | Preset | None
+    fastsim: FastsimFields | Fastsim | Preset[FastsimFields] | None
     """The bristles of FASTSIM, plain and modified."""
-    history: HistoryFields | History | Preset | None
+    history: HistoryFields | History | Preset[HistoryFields] | None
     """Transient rolling: values over time, linear in between, from arrays or from a CSV file;
     before it, or alone, a shift at rest."""
 
@@ -1446,311 +1447,313 @@ class Sections:
     __slots__ = ()
     title: Entry[str, str | None] = Entry()
     """title of summary and figures; default: wheel on rail."""
-    kinematics: Entry[Kinematics, KinematicsFields | Kinematics | Preset | None] = Entry()
+    kinematics: Entry[
+        Kinematics, KinematicsFields | Kinematics | Preset[KinematicsFields] | None
+    ] = Entry()
     """How the wheel moves over the rail. Braking has a positive creepage and a negative force."""
-    wheel: Entry[Wheel, WheelFields | Wheel | Preset | None] = Entry()
+    wheel: Entry[Wheel, WheelFields | Wheel | Preset[WheelFields] | None] = Entry()
     """The wheel: elastic and thermal constants, temperature, curvature radii."""
-    rail: Entry[Rail, RailFields | Rail | Preset | None] = Entry()
+    rail: Entry[Rail, RailFields | Rail | Preset[RailFields] | None] = Entry()
     """The rail: the same fields as the wheel."""
-    normal: Entry[Normal, NormalFields | Normal | Preset | None] = Entry()
+    normal: Entry[Normal, NormalFields | Normal | Preset[NormalFields] | None] = Entry()
     """Where the normal pressure comes from."""
-    track: Entry[Track, TrackFields | Track | Preset | None] = Entry()
+    track: Entry[Track, TrackFields | Track | Preset[TrackFields] | None] = Entry()
     """Where the profiles are, if the normal contact is that of two profiles."""
-    elasticity: Entry[Elasticity, ElasticityFields | Elasticity | Preset | None] = Entry()
+    elasticity: Entry[
+        Elasticity, ElasticityFields | Elasticity | Preset[ElasticityFields] | None
+    ] = Entry()
     """How the bodies deform under tangential traction."""
-    layer: Entry[Layer, LayerFields | Layer | Preset | None] = Entry()
+    layer: Entry[Layer, LayerFields | Layer | Preset[LayerFields] | None] = Entry()
     """A third body between the surfaces, such as oxides, leaves or sand; left out: none."""
-    contact_law: Entry[ContactLaw, ContactLawFields | ContactLaw | Preset | None] = Entry()
+    contact_law: Entry[
+        ContactLaw, ContactLawFields | ContactLaw | Preset[ContactLawFields] | None
+    ] = Entry()
     """How traction grows with the sliding of rough surfaces."""
-    friction: Entry[Friction, FrictionFields | Friction | Preset | None] = Entry()
+    friction: Entry[Friction, FrictionFields | Friction | Preset[FrictionFields] | None] = Entry()
     """Coefficient of friction. T is counted from the reference temperature, s is the slip
     speed."""
-    heat: Entry[Heat, HeatFields | Heat | Preset | None] = Entry()
+    heat: Entry[Heat, HeatFields | Heat | Preset[HeatFields] | None] = Entry()
     """Frictional heating of both surfaces."""
-    cooling: Entry[Cooling, CoolingFields | Cooling | Preset | None] = Entry()
+    cooling: Entry[Cooling, CoolingFields | Cooling | Preset[CoolingFields] | None] = Entry()
     """What cools the wheel in the long run, for `schlupf bulk`."""
-    damage: Entry[Damage, DamageFields | Damage | Preset | None] = Entry()
+    damage: Entry[Damage, DamageFields | Damage | Preset[DamageFields] | None] = Entry()
     """What turns rolling into fatigue and wear, for `schlupf wear` and `schlupf damage`."""
-    grid: Entry[Grid, GridFields | Grid | Preset | None] = Entry()
+    grid: Entry[Grid, GridFields | Grid | Preset[GridFields] | None] = Entry()
     """Cells across the contact patch."""
-    solver: Entry[Solver, SolverFields | Solver | Preset | None] = Entry()
+    solver: Entry[Solver, SolverFields | Solver | Preset[SolverFields] | None] = Entry()
     """What is solved, and how."""
-    fastsim: Entry[Fastsim, FastsimFields | Fastsim | Preset | None] = Entry()
+    fastsim: Entry[Fastsim, FastsimFields | Fastsim | Preset[FastsimFields] | None] = Entry()
     """The bristles of FASTSIM, plain and modified."""
-    history: Entry[History, HistoryFields | History | Preset | None] = Entry()
+    history: Entry[History, HistoryFields | History | Preset[HistoryFields] | None] = Entry()
     """Transient rolling: values over time, linear in between, from arrays or from a CSV file;
     before it, or alone, a shift at rest."""
 
 
-if TYPE_CHECKING:
-    V = TypeVar("V")
+class Conditions(TypedDict, Generic[V], total=False):
+    """Conditions of `schlupf.forces`, with numbers or arrays."""
 
-    class Conditions(TypedDict, Generic[V], total=False):
-        """Conditions of `schlupf.forces`, with numbers or arrays."""
-
-        creepage_x: V
-        """ξ, longitudinal creepage: positive when braking."""
-        creepage_y: V
-        """η, lateral creepage."""
-        spin: V
-        """φ, spin creepage."""
-        speed: V
-        """v0, speed of the vehicle."""
-        load: V
-        """N, normal load; with "wheel-rail" the vertical force on the wheel."""
-        kinematics__speed: V
-        """v0, speed of the vehicle."""
-        kinematics__creepage_x: V
-        """ξ, longitudinal creepage: positive when braking."""
-        kinematics__angular_velocity: V
-        """ω of the wheel, in place of creepage_x."""
-        kinematics__wheel_radius: V
-        """R, rolling radius that goes with angular_velocity or wheel_torque."""
-        kinematics__creepage_y: V
-        """η, lateral creepage."""
-        kinematics__yaw_angle: V
-        """α, slip angle, in place of creepage_y."""
-        kinematics__spin: V
-        """φ, spin creepage."""
-        kinematics__force_x: V
-        """Fx on the wheel, in place of creepage_x, which is found: negative when braking; of two
-        profiles that of all contacts together."""
-        kinematics__traction_coefficient: V
-        """-Fx/N, in place of creepage_x: positive when braking; of two profiles over the vertical
-        force."""
-        kinematics__wheel_torque: V
-        """T on the wheel about its axle, in place of creepage_x, with Fx = T/wheel_radius (of two
-        profiles in balance with the tractions of all contacts): negative when braking."""
-        kinematics__force_y: V
-        """Fy on the wheel, in place of creepage_y."""
-        kinematics__moment_z: V
-        """Mz on the wheel, in place of spin."""
-        wheel__young_modulus: V
-        """E, Young's modulus."""
-        wheel__poisson_ratio: V
-        """ν, Poisson's ratio."""
-        wheel__conductivity: V
-        """λ, thermal conductivity."""
-        wheel__density: V
-        """ρ, density."""
-        wheel__specific_heat: V
-        """c, specific heat."""
-        wheel__bulk_temperature: V
-        """temperature far from the contact."""
-        wheel__radius_x: V
-        """radius of curvature along rolling: "inf" where straight, negative where concave."""
-        wheel__radius_y: V
-        """radius of curvature across rolling."""
-        wheel__profile_smoothing: V
-        """L: what is shorter along the profile is levelled out; 5 mm for a measured one."""
-        wheel__flange_back_position: V
-        """y of the flange back in the profile, with y outwards."""
-        rail__young_modulus: V
-        """E, Young's modulus."""
-        rail__poisson_ratio: V
-        """ν, Poisson's ratio."""
-        rail__conductivity: V
-        """λ, thermal conductivity."""
-        rail__density: V
-        """ρ, density."""
-        rail__specific_heat: V
-        """c, specific heat."""
-        rail__bulk_temperature: V
-        """temperature far from the contact."""
-        rail__radius_x: V
-        """radius of curvature along rolling: "inf" where straight, negative where concave."""
-        rail__radius_y: V
-        """radius of curvature across rolling."""
-        rail__profile_smoothing: V
-        """L: what is shorter along the profile is levelled out; 5 mm for a measured one."""
-        rail__cant: V
-        """inclination of the rail towards the middle, such as 0.025 for 1:40; 0 for a profile that
-        is canted already."""
-        normal__load: V
-        """N, normal load; with "wheel-rail" the vertical force on the wheel."""
-        normal__semi_axis_x: V
-        """a, semi-axis along rolling."""
-        normal__semi_axis_y: V
-        """b, semi-axis across rolling."""
-        normal__peak_pressure: V
-        """p0, largest pressure, in place of load."""
-        normal__spacing_x: V
-        """spacing of the columns of an .npy file."""
-        normal__spacing_y: V
-        """spacing of the rows of an .npy file."""
-        normal__cells: V
-        """cells across the contact each way, on which the pressure of profiles is found (64 with
-        "wheel-rail")."""
-        normal__join_distance: V
-        """distance up to which neighbouring contacts share a plane."""
-        normal__join_angle: V
-        """difference of their angles up to which they do."""
-        track__gauge: V
-        """distance of the gauge faces of both rails."""
-        track__gauge_depth: V
-        """depth below the top of the rail down to which the gauge is measured."""
-        track__flange_back_distance: V
-        """distance of the flange backs of the wheelset."""
-        wheelset__lateral_position: V
-        """lateral position of the middle of the axle."""
-        wheelset__yaw_angle: V
-        """yaw angle about z."""
-        wheelset__roll_angle: V
-        """roll angle about x."""
-        wheelset__height: V
-        """height of the middle of the axle above the nominal radius over the tops of the rails, in
-        place of normal.load."""
-        wheelset__lateral_velocity: V
-        """lateral velocity of the middle of the axle."""
-        wheelset__vertical_velocity: V
-        """vertical velocity of the middle of the axle."""
-        wheelset__yaw_rate: V
-        """angular velocity about the vertical axis."""
-        wheelset__roll_rate: V
-        """angular velocity about the longitudinal axis."""
-        elasticity__bedding_x: V
-        """c, bedding stiffness for displacements along x."""
-        elasticity__bedding_y: V
-        """the same for displacements along y."""
-        elasticity__coupling_x: V
-        """g, coupling stiffness for displacements along x."""
-        elasticity__coupling_x_across: V
-        """the same between neighbours across rolling, if different."""
-        elasticity__coupling_y: V
-        """g, coupling stiffness for displacements along y."""
-        elasticity__coupling_y_across: V
-        """the same between neighbours across rolling, if different."""
-        elasticity__spring_x: V
-        """Δc, spring of one cell along x, in place of the stiffnesses per area."""
-        elasticity__spring_y: V
-        """the same along y."""
-        elasticity__spring_coupling_x: V
-        """Δc_k, spring between neighbouring cells for displacements along x."""
-        elasticity__spring_coupling_y: V
-        """the same for displacements along y."""
-        elasticity__margin: V
-        """width of the surroundings of the patch on each side."""
-        layer__thickness: V
-        """h, thickness of the layer."""
-        layer__shear_modulus: V
-        """G, shear modulus of the layer, which is sheared by t h/G."""
-        layer__yield_stress: V
-        """τ_c0, traction at which the layer yields; left out: it is elastic."""
-        layer__hardening: V
-        """k_τ, growth of that with the plastic displacement; negative: it softens; left out: 0."""
-        contact_law__stiffness: V
-        """k_c, rate at which traction approaches the friction limit."""
-        contact_law__roughness__rms_height: V
-        """h_rms of both surfaces together."""
-        contact_law__roughness__rms_height_wheel: V
-        """h_rms of the wheel."""
-        contact_law__roughness__rms_height_rail: V
-        """h_rms of the rail."""
-        contact_law__roughness__slope_factor: V
-        """γ of the closed form k_c = 2(1 − ν)/(μ0 (2 − ν) γ h_rms)."""
-        contact_law__roughness__rms_slope: V
-        """h'_rms, in place of h_rms; with the wavelengths."""
-        contact_law__roughness__longest_wavelength: V
-        """a self-affine surface for the micro model, its longest wave."""
-        contact_law__roughness__roll_off_wavelength: V
-        """longer waves have a constant spectrum."""
-        contact_law__roughness__shortest_wavelength: V
-        """its shortest wave."""
-        contact_law__roughness__hurst: V
-        """H, its Hurst exponent."""
-        contact_law__roughness__spacing: V
-        """spacing of the points of an .npy file, or of heights alone."""
-        contact_law__roughness__cutoff_wavelength: V
-        """λc: longer waves are removed from the file's heights (Gaussian filter, ISO 16610)."""
-        contact_law__roughness__cells: V
-        """cells of the micro model along x."""
-        contact_law__roughness__seed: V
-        """of the random phases of a self-affine surface or one from a profile."""
-        contact_law__roughness__hardness: V
-        """largest pressure in the micro model: the hardness of the softer body."""
-        friction__coefficient: V
-        """μ0, without slip, at the reference temperature, at y = 0."""
-        friction__temperature_at_zero_friction: V
-        """T_E, a difference."""
-        friction__reference_temperature: V
-        """T is counted from it."""
-        friction__minimum_coefficient: V
-        """floor of μ, before speed_model and the variation over y apply."""
-        friction__hot_coefficient: V
-        """μ_hot; above μ0 where friction rises."""
-        friction__temperature_range: V
-        """ΔT over which μ falls from μ0 to μ_hot, a difference."""
-        friction__kinetic_coefficient: V
-        """μ_kin, limit at large slip speeds, at most μ0."""
-        friction__half_speed: V
-        """s1, slip speed at which the term with μ1 has halved."""
-        friction__second_coefficient: V
-        """μ2, size of a second term, which needs second_half_speed."""
-        friction__second_half_speed: V
-        """s2, slip speed at which the second term has halved."""
-        friction__limit_ratio: V
-        """A, μ(∞)/μ0."""
-        friction__decay: V
-        """B, rate of the fall with the slip speed."""
-        friction__memory_distance: V
-        """d_c, sliding distance over which friction approaches its law; default: instantly."""
-        friction__memory_speed: V
-        """s0, smallest slip speed that counts for the memory; default: 0."""
-        heat__partition: V
-        """share of the wheel, or "velocity"."""
-        cooling__film_coefficient: V
-        """h, heat transfer coefficient between the wheel and the air."""
-        cooling__area: V
-        """A, surface of the wheel that the air cools."""
-        cooling__air_temperature: V
-        """temperature of the air."""
-        subsurface__depth: V
-        """depth of the deepest layer."""
-        subsurface__layers: V
-        """number of layers, evenly spaced from the surface on."""
-        subsurface__margin: V
-        """surroundings of the patch on each side."""
-        damage__shear_yield_stress: V
-        """k, yield stress in pure shear, for the fatigue index (Ekberg, Kabo and Andersson
-        2002)."""
-        damage__hardness: V
-        """H of the softer body, for Archard's law of wear; that of rail steel R260."""
-        damage__wear_coefficient_mild: V
-        """k of Archard's law for mild wear (Jendel 2002)."""
-        damage__wear_coefficient_severe: V
-        """the same for slip speeds between 0.2 and 0.7 m/s."""
-        damage__wear_coefficient_catastrophic: V
-        """the same for pressures above 0.8 H."""
-        damage__wear_rate_mild: V
-        """mass worn per energy, up to 10.4 N/mm^2 (Braghin, Lewis, Dwyer-Joyce and Bruni 2006)."""
-        damage__wear_rate_catastrophic: V
-        """the same beyond 77.2 N/mm^2."""
-        damage__melting_temperature: V
-        """from which on a surface melts; solidus of iron with 0.75 % of carbon."""
-        grid__cells_x: V
-        """cells along rolling."""
-        grid__cells_y: V
-        """cells across rolling."""
-        solver__tolerance: V
-        """largest relative residual."""
-        solver__max_iterations: V
-        """maximum number of Newton steps per equilibrium."""
-        solver__max_steps: V
-        """maximum number of time steps to the steady state."""
-        solver__slip_threshold: V
-        """a cell slides where |t| ≥ this · μ p_n."""
-        solver__polach_area_adhesion: V
-        """k_A, reduction of the slope in the area of adhesion."""
-        solver__polach_area_slip: V
-        """k_S, reduction of the slope in the area of slip, at most k_A."""
-        fastsim__initial_reduction: V
-        """k0, reduction of the slope at vanishing creepage: k = k0 ((1 − α)/(1 + β ε) + α)."""
-        fastsim__reduction_limit_ratio: V
-        """α, fraction of k0 at large creepages."""
-        fastsim__reduction_decay: V
-        """β, rate at which the slope falls with the creepage."""
-        history__shift_x: V
-        """shift of the wheel over the rail along rolling, at rest, before it rolls; times may be
-        left out then."""
-        history__shift_y: V
-        """the same across rolling."""
+    creepage_x: V
+    """ξ, longitudinal creepage: positive when braking."""
+    creepage_y: V
+    """η, lateral creepage."""
+    spin: V
+    """φ, spin creepage."""
+    speed: V
+    """v0, speed of the vehicle."""
+    load: V
+    """N, normal load; with "wheel-rail" the vertical force on the wheel."""
+    kinematics__speed: V
+    """v0, speed of the vehicle."""
+    kinematics__creepage_x: V
+    """ξ, longitudinal creepage: positive when braking."""
+    kinematics__angular_velocity: V
+    """ω of the wheel, in place of creepage_x."""
+    kinematics__wheel_radius: V
+    """R, rolling radius that goes with angular_velocity or wheel_torque."""
+    kinematics__creepage_y: V
+    """η, lateral creepage."""
+    kinematics__yaw_angle: V
+    """α, slip angle, in place of creepage_y."""
+    kinematics__spin: V
+    """φ, spin creepage."""
+    kinematics__force_x: V
+    """Fx on the wheel, in place of creepage_x, which is found: negative when braking; of two
+    profiles that of all contacts together."""
+    kinematics__traction_coefficient: V
+    """-Fx/N, in place of creepage_x: positive when braking; of two profiles over the vertical
+    force."""
+    kinematics__wheel_torque: V
+    """T on the wheel about its axle, in place of creepage_x, with Fx = T/wheel_radius (of two
+    profiles in balance with the tractions of all contacts): negative when braking."""
+    kinematics__force_y: V
+    """Fy on the wheel, in place of creepage_y."""
+    kinematics__moment_z: V
+    """Mz on the wheel, in place of spin."""
+    wheel__young_modulus: V
+    """E, Young's modulus."""
+    wheel__poisson_ratio: V
+    """ν, Poisson's ratio."""
+    wheel__conductivity: V
+    """λ, thermal conductivity."""
+    wheel__density: V
+    """ρ, density."""
+    wheel__specific_heat: V
+    """c, specific heat."""
+    wheel__bulk_temperature: V
+    """temperature far from the contact."""
+    wheel__radius_x: V
+    """radius of curvature along rolling: "inf" where straight, negative where concave."""
+    wheel__radius_y: V
+    """radius of curvature across rolling."""
+    wheel__profile_smoothing: V
+    """L: what is shorter along the profile is levelled out; 5 mm for a measured one."""
+    wheel__flange_back_position: V
+    """y of the flange back in the profile, with y outwards."""
+    rail__young_modulus: V
+    """E, Young's modulus."""
+    rail__poisson_ratio: V
+    """ν, Poisson's ratio."""
+    rail__conductivity: V
+    """λ, thermal conductivity."""
+    rail__density: V
+    """ρ, density."""
+    rail__specific_heat: V
+    """c, specific heat."""
+    rail__bulk_temperature: V
+    """temperature far from the contact."""
+    rail__radius_x: V
+    """radius of curvature along rolling: "inf" where straight, negative where concave."""
+    rail__radius_y: V
+    """radius of curvature across rolling."""
+    rail__profile_smoothing: V
+    """L: what is shorter along the profile is levelled out; 5 mm for a measured one."""
+    rail__cant: V
+    """inclination of the rail towards the middle, such as 0.025 for 1:40; 0 for a profile that is
+    canted already."""
+    normal__load: V
+    """N, normal load; with "wheel-rail" the vertical force on the wheel."""
+    normal__semi_axis_x: V
+    """a, semi-axis along rolling."""
+    normal__semi_axis_y: V
+    """b, semi-axis across rolling."""
+    normal__peak_pressure: V
+    """p0, largest pressure, in place of load."""
+    normal__spacing_x: V
+    """spacing of the columns of an .npy file."""
+    normal__spacing_y: V
+    """spacing of the rows of an .npy file."""
+    normal__cells: V
+    """cells across the contact each way, on which the pressure of profiles is found (64 with
+    "wheel-rail")."""
+    normal__join_distance: V
+    """distance up to which neighbouring contacts share a plane."""
+    normal__join_angle: V
+    """difference of their angles up to which they do."""
+    track__gauge: V
+    """distance of the gauge faces of both rails."""
+    track__gauge_depth: V
+    """depth below the top of the rail down to which the gauge is measured."""
+    track__flange_back_distance: V
+    """distance of the flange backs of the wheelset."""
+    wheelset__lateral_position: V
+    """lateral position of the middle of the axle."""
+    wheelset__yaw_angle: V
+    """yaw angle about z."""
+    wheelset__roll_angle: V
+    """roll angle about x."""
+    wheelset__height: V
+    """height of the middle of the axle above the nominal radius over the tops of the rails, in
+    place of normal.load."""
+    wheelset__lateral_velocity: V
+    """lateral velocity of the middle of the axle."""
+    wheelset__vertical_velocity: V
+    """vertical velocity of the middle of the axle."""
+    wheelset__yaw_rate: V
+    """angular velocity about the vertical axis."""
+    wheelset__roll_rate: V
+    """angular velocity about the longitudinal axis."""
+    elasticity__bedding_x: V
+    """c, bedding stiffness for displacements along x."""
+    elasticity__bedding_y: V
+    """the same for displacements along y."""
+    elasticity__coupling_x: V
+    """g, coupling stiffness for displacements along x."""
+    elasticity__coupling_x_across: V
+    """the same between neighbours across rolling, if different."""
+    elasticity__coupling_y: V
+    """g, coupling stiffness for displacements along y."""
+    elasticity__coupling_y_across: V
+    """the same between neighbours across rolling, if different."""
+    elasticity__spring_x: V
+    """Δc, spring of one cell along x, in place of the stiffnesses per area."""
+    elasticity__spring_y: V
+    """the same along y."""
+    elasticity__spring_coupling_x: V
+    """Δc_k, spring between neighbouring cells for displacements along x."""
+    elasticity__spring_coupling_y: V
+    """the same for displacements along y."""
+    elasticity__margin: V
+    """width of the surroundings of the patch on each side."""
+    layer__thickness: V
+    """h, thickness of the layer."""
+    layer__shear_modulus: V
+    """G, shear modulus of the layer, which is sheared by t h/G."""
+    layer__yield_stress: V
+    """τ_c0, traction at which the layer yields; left out: it is elastic."""
+    layer__hardening: V
+    """k_τ, growth of that with the plastic displacement; negative: it softens; left out: 0."""
+    contact_law__stiffness: V
+    """k_c, rate at which traction approaches the friction limit."""
+    contact_law__roughness__rms_height: V
+    """h_rms of both surfaces together."""
+    contact_law__roughness__rms_height_wheel: V
+    """h_rms of the wheel."""
+    contact_law__roughness__rms_height_rail: V
+    """h_rms of the rail."""
+    contact_law__roughness__slope_factor: V
+    """γ of the closed form k_c = 2(1 − ν)/(μ0 (2 − ν) γ h_rms)."""
+    contact_law__roughness__rms_slope: V
+    """h'_rms, in place of h_rms; with the wavelengths."""
+    contact_law__roughness__longest_wavelength: V
+    """a self-affine surface for the micro model, its longest wave."""
+    contact_law__roughness__roll_off_wavelength: V
+    """longer waves have a constant spectrum."""
+    contact_law__roughness__shortest_wavelength: V
+    """its shortest wave."""
+    contact_law__roughness__hurst: V
+    """H, its Hurst exponent."""
+    contact_law__roughness__spacing: V
+    """spacing of the points of an .npy file, or of heights alone."""
+    contact_law__roughness__cutoff_wavelength: V
+    """λc: longer waves are removed from the file's heights (Gaussian filter, ISO 16610)."""
+    contact_law__roughness__cells: V
+    """cells of the micro model along x."""
+    contact_law__roughness__seed: V
+    """of the random phases of a self-affine surface or one from a profile."""
+    contact_law__roughness__hardness: V
+    """largest pressure in the micro model: the hardness of the softer body."""
+    friction__coefficient: V
+    """μ0, without slip, at the reference temperature, at y = 0."""
+    friction__temperature_at_zero_friction: V
+    """T_E, a difference."""
+    friction__reference_temperature: V
+    """T is counted from it."""
+    friction__minimum_coefficient: V
+    """floor of μ, before speed_model and the variation over y apply."""
+    friction__hot_coefficient: V
+    """μ_hot; above μ0 where friction rises."""
+    friction__temperature_range: V
+    """ΔT over which μ falls from μ0 to μ_hot, a difference."""
+    friction__kinetic_coefficient: V
+    """μ_kin, limit at large slip speeds, at most μ0."""
+    friction__half_speed: V
+    """s1, slip speed at which the term with μ1 has halved."""
+    friction__second_coefficient: V
+    """μ2, size of a second term, which needs second_half_speed."""
+    friction__second_half_speed: V
+    """s2, slip speed at which the second term has halved."""
+    friction__limit_ratio: V
+    """A, μ(∞)/μ0."""
+    friction__decay: V
+    """B, rate of the fall with the slip speed."""
+    friction__memory_distance: V
+    """d_c, sliding distance over which friction approaches its law; default: instantly."""
+    friction__memory_speed: V
+    """s0, smallest slip speed that counts for the memory; default: 0."""
+    heat__partition: V
+    """share of the wheel, or "velocity"."""
+    cooling__film_coefficient: V
+    """h, heat transfer coefficient between the wheel and the air."""
+    cooling__area: V
+    """A, surface of the wheel that the air cools."""
+    cooling__air_temperature: V
+    """temperature of the air."""
+    subsurface__depth: V
+    """depth of the deepest layer."""
+    subsurface__layers: V
+    """number of layers, evenly spaced from the surface on."""
+    subsurface__margin: V
+    """surroundings of the patch on each side."""
+    damage__shear_yield_stress: V
+    """k, yield stress in pure shear, for the fatigue index (Ekberg, Kabo and Andersson 2002)."""
+    damage__hardness: V
+    """H of the softer body, for Archard's law of wear; that of rail steel R260."""
+    damage__wear_coefficient_mild: V
+    """k of Archard's law for mild wear (Jendel 2002)."""
+    damage__wear_coefficient_severe: V
+    """the same for slip speeds between 0.2 and 0.7 m/s."""
+    damage__wear_coefficient_catastrophic: V
+    """the same for pressures above 0.8 H."""
+    damage__wear_rate_mild: V
+    """mass worn per energy, up to 10.4 N/mm^2 (Braghin, Lewis, Dwyer-Joyce and Bruni 2006)."""
+    damage__wear_rate_catastrophic: V
+    """the same beyond 77.2 N/mm^2."""
+    damage__melting_temperature: V
+    """from which on a surface melts; solidus of iron with 0.75 % of carbon."""
+    grid__cells_x: V
+    """cells along rolling."""
+    grid__cells_y: V
+    """cells across rolling."""
+    solver__tolerance: V
+    """largest relative residual."""
+    solver__max_iterations: V
+    """maximum number of Newton steps per equilibrium."""
+    solver__max_steps: V
+    """maximum number of time steps to the steady state."""
+    solver__slip_threshold: V
+    """a cell slides where |t| ≥ this · μ p_n."""
+    solver__polach_area_adhesion: V
+    """k_A, reduction of the slope in the area of adhesion."""
+    solver__polach_area_slip: V
+    """k_S, reduction of the slope in the area of slip, at most k_A."""
+    fastsim__initial_reduction: V
+    """k0, reduction of the slope at vanishing creepage: k = k0 ((1 − α)/(1 + β ε) + α)."""
+    fastsim__reduction_limit_ratio: V
+    """α, fraction of k0 at large creepages."""
+    fastsim__reduction_decay: V
+    """β, rate at which the slope falls with the creepage."""
+    history__shift_x: V
+    """shift of the wheel over the rail along rolling, at rest, before it rolls; times may be left
+    out then."""
+    history__shift_y: V
+    """the same across rolling."""

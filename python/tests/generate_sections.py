@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from textwrap import fill
@@ -27,15 +28,14 @@ Made of the fields of the library by tests/generate.py.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal, TypedDict
+from typing import Generic, Literal, TypeVar
 
+from ._preset import Preset
 from ._section import Entry, Section, SolverSection
+from ._typing import TypedDict
+from ._units import Count, File, Flag, Number, Plain, Series
 
-if TYPE_CHECKING:
-    from typing import Generic, TypeVar
-
-    from ._preset import Preset
-    from ._units import Count, File, Flag, Number, Plain, Series
+V = TypeVar("V")
 '''
 
 PRESETS = '''"""Constants to start with, each with its source.
@@ -45,13 +45,12 @@ Made of the presets of the library by tests/generate.py.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from ._preset import Preset, Presets
 from ._section import Entry
-
-if TYPE_CHECKING:
-    from typing_extensions import Never
+from ._typing import Never
+from .sections import (
+    {imported},
+)
 '''
 
 #: What the groups of presets are.
@@ -128,7 +127,7 @@ def inner(section: str) -> list[str]:
 def given_for(path: str) -> str:
     name = name_of(path)
     text = "str | " if "." in path else ""
-    return f"{text}{name}Fields | {name} | Preset | None"
+    return f"{text}{name}Fields | {name} | Preset[{name}Fields] | None"
 
 
 def members(
@@ -155,19 +154,20 @@ def owner(head: str, about: str, section: SectionTable) -> list[str]:
         if not section.name and hasattr(Tasks, name):
             # It is a method of a case, and the section an item alone.
             continue
-        lines += [f"    {name}: Entry[{value}, {given}] = Entry()", *doc]
+        line = f"    {name}: Entry[{value}, {given}] = Entry()"
+        if len(line) > 100:
+            line = f"    {name}: Entry[\n        {value}, {given}\n    ] = Entry()"
+        lines += [line, *doc]
     return lines
 
 
 def conditions() -> list[str]:
     short = dict(_core.conditions())
     numbers = {path.replace(".", "__"): path for path in FIELDS if FIELDS[path].kind in NUMBERS}
-    lines = ["if TYPE_CHECKING:", '    V = TypeVar("V")', ""]
-    lines += ["    class Conditions(TypedDict, Generic[V], total=False):"]
-    lines += docstring("Conditions of `schlupf.forces`, with numbers or arrays", "        ")
-    lines.append("")
+    lines = ["class Conditions(TypedDict, Generic[V], total=False):"]
+    lines += [*docstring("Conditions of `schlupf.forces`, with numbers or arrays"), ""]
     for name, path in (short | numbers).items():
-        lines += [f"        {name}: V", *docstring(FIELDS[path].doc, "        ")]
+        lines += [f"    {name}: V", *docstring(FIELDS[path].doc)]
     return lines
 
 
@@ -186,17 +186,36 @@ def sections() -> str:
     parts += [dictionary("CaseFields(SectionFields", "Title and sections", title, None)]
     parts += [owner("Sections", "The title of a case, and its sections", SECTIONS[""])]
     parts += [conditions()]
-    return HEAD + "\n" + "\n\n".join("\n".join(lines) + "\n" for lines in parts)
+    text = HEAD + "\n" + "\n\n".join("\n".join(lines) + "\n" for lines in parts)
+    defined = Counter(re.findall(r"^(?:class )?(\w+)(?=[(:]| = )", text, re.M))
+    several = [name for name, times in defined.items() if times > 1]
+    assert not several, f"several would be called {several}"
+    return text
+
+
+def fields_of(group: str) -> list[str]:
+    """The dictionaries that the presets of a group may be: of sections with all of its fields."""
+    fields = {field for of, *_, fields in _core.presets() if of == group for field, _ in fields}
+    fitting = [
+        path for path in SECTIONS if all(f"{path}.{f}".removeprefix(".") in FIELDS for f in fields)
+    ]
+    assert fitting, f"no section has the fields of {group}"
+    return [f"{name_of(path) or 'Section'}Fields" for path in fitting]
 
 
 def presets() -> str:
     groups: dict[str, list[str]] = {}
+    of_groups = {group: fields_of(group) for group in GROUPS}
     for group, name, doc, source, _ in _core.presets():
-        lines = [f"    {name}: Entry[Preset, Never] = Entry()"]
+        kind = " | ".join(of_groups[group])
+        lines = [f"    {name}: Entry[Preset[{kind}], Never] = Entry()"]
         groups.setdefault(group, []).extend(lines + docstring(f"{doc} ({source})"))
-    text = PRESETS
+    imported = ",\n    ".join(sorted({name for names in of_groups.values() for name in names}))
+    text = PRESETS.replace("{imported}", imported)
     for group, lines in groups.items():
-        head = [f'class {camel(group)}(Presets, group="{group}"):', *docstring(GROUPS[group]), ""]
+        kind = " | ".join(of_groups[group])
+        head = [f'class {camel(group)}(Presets[{kind}], group="{group}"):']
+        head += [*docstring(GROUPS[group]), ""]
         text += "\n\n" + "\n".join([*head, *lines]) + "\n"
     made = [f"#: {GROUPS[group]}\n{group} = {camel(group)}()" for group in groups]
     return text + "\n\n" + "\n".join(made) + "\n"

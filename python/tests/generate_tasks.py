@@ -24,15 +24,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Literal
 
-from ._ask import ask
+from ._ask import {asked}
 from ._report import (
     {results},
 )
+from ._units import {units}
 
 if TYPE_CHECKING:
-    from ._ask import {asked}
     from ._case import Case
-    from ._units import {units}
 
 
 class Tasks:
@@ -181,5 +180,5 @@ def source() -> str:
     units = [kind for kind in types if kind in vars(_units)]
     asked = [kind for kind in types if kind not in units]
     head = HEAD.replace("{results}", ",\n    ".join(results))
-    head = head.replace("{asked}", ", ".join(asked)).replace("{units}", ", ".join(units))
+    head = head.replace("{asked}", ", ".join([*asked, "ask"])).replace("{units}", ", ".join(units))
     return f"{head}\n{text}"

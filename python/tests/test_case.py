@@ -1,7 +1,9 @@
 """Cases: fields, units, errors, and the way to TOML and back."""
 
 import copy
+import inspect
 import pickle
+import typing
 
 import numpy as np
 import pint
@@ -18,6 +20,23 @@ def test_numbers_are_in_si_and_text_has_its_unit():
     by_text = schlupf.Case(normal={"load": "60 kN"}, kinematics={"speed": "72 km/h"})
     assert by_number == by_text
     assert by_text.normal.load == 60e3 and by_text["kinematics.speed"] == 20.0
+
+
+def test_sections_are_keywords_in_help_and_notebooks():
+    parameters = inspect.signature(schlupf.Case).parameters
+    assert list(parameters) == ["title", *(name for name in SECTIONS if name and "." not in name)]
+    case = schlupf.Case(**{name: None for name in parameters})
+    assert case == schlupf.Case() and not case.given()
+
+
+def test_annotations_can_be_read():
+    modules = (schlupf.sections, schlupf.records)
+    classes = [kind for of in modules for kind in vars(of).values() if inspect.isclass(kind)]
+    methods = [of for of in vars(schlupf.Case).values() if inspect.isfunction(of)]
+    for annotated in (schlupf.Case, *classes, *methods, schlupf.Case.curve, schlupf.forces):
+        typing.get_type_hints(annotated)
+    hints = typing.get_type_hints(schlupf.sections.NormalFields)
+    assert hints["file"] == schlupf._units.File | None
 
 
 def test_quantities_of_pint_are_converted():

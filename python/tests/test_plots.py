@@ -1,5 +1,7 @@
 """Plots, compared by what they draw."""
 
+from typing import get_args
+
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
@@ -60,6 +62,25 @@ def test_a_cut(result):
     assert len(result.plot.cut(x=0.0).lines) == 3
     with pytest.raises(TypeError):
         result.plot.cut(x=0.0, y=0.0)
+
+
+def test_every_variable_of_the_data_sets_is_drawn_and_nothing_else(case, result):
+    names = get_args(schlupf.records.CellColumn)
+    assert names == tuple(result.fields.data_vars)
+    rolled = case.with_(history={"time": [0.0, 1e-3]}).solve(fields_every=1)
+    for name in names:
+        result.plot.surface(name)
+        result.plot.cut(name)
+        schlupf.plot_comparison([result, result], name)
+        rolled.plot.animation(name)._draw_was_started = True
+        plt.close("all")
+    for name in get_args(schlupf.records.InstantColumn):
+        rolled.plot.history(name)
+    for plot in (result.plot.surface, result.plot.cut, rolled.plot.animation):
+        with pytest.raises(KeyError, match="no field x; there are|did you mean"):
+            plot("x")
+    with pytest.raises(KeyError, match="no field time"):
+        rolled.plot.history("time")
 
 
 def test_a_history(case, result):

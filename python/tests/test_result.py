@@ -24,6 +24,18 @@ def test_scalars_are_those_of_the_json(result):
         result.force.x = 0.0
 
 
+def test_what_a_result_lacks_is_none(case, result):
+    assert result.contacts is None and result.wheelset is None and result.wheel_force is None
+    assert result.extrapolation is None and result.contact_law.fit is None
+    assert "contacts" not in list(result) and "contacts" not in result.to_dict()
+    with pytest.raises(KeyError, match="no result contacts"):
+        result["contacts"]
+    with pytest.raises(AttributeError, match="no result rms_hight; "):
+        result.contact_law.rms_hight
+    assert case.with_(contact_law={"model": "coulomb"}).solve().contact_law.stiffness is None
+    assert case.with_(solver={"method": "polach"}).solve(warn=False).contact_law is None
+
+
 def test_fields_add_up_to_the_forces(result):
     fields = result.fields
     assert fields["traction_x"].dims == ("y", "x")

@@ -56,9 +56,18 @@ def conditions_are_fields(case: Case) -> None:
 
 
 def presets_are_sections() -> None:
-    Case(wheel=schlupf.materials.steel, friction=schlupf.friction.polach_wet)
+    steel, wet = schlupf.materials.steel, schlupf.friction.polach_wet
+    Case(wheel=steel, rail=steel, friction=wet, layer=schlupf.layers.sand)
     Case(contact_law={"roughness": schlupf.roughnesses.ground_rail})
     Case(**schlupf.methods.polach_dry)
+    case = Case(**schlupf.conditions.wet)
+    case.wheel = schlupf.materials["steel"]
+    assert_type(wet, schlupf.Preset[schlupf.sections.FrictionFields])
+    Case(wheel=wet)  # type: ignore[arg-type]
+    Case(friction=steel)  # type: ignore[arg-type]
+    Case(solver=schlupf.methods.polach_dry)  # type: ignore[arg-type]
+    Case(contact_law=schlupf.roughnesses.ground_rail)  # type: ignore[arg-type]
+    case.wheel = schlupf.friction["polach_wet"]  # type: ignore[assignment]
     schlupf.materials.stel  # type: ignore[attr-defined]
     assert_type(schlupf.materials.steel.source, str)
 
@@ -67,7 +76,6 @@ def results_are_records(result: schlupf.Result) -> None:
     assert_type(result.force.x, float)
     assert_type(result.force.moment_z, float | None)
     assert_type(result.temperature.max_rise, float | None)
-    assert_type(result.contacts[0].normal.load, float)
     assert_type(result.work.newton_iterations, int)
     assert_type(result.power.friction, float | None)
     result.forse  # type: ignore[attr-defined]
@@ -75,5 +83,45 @@ def results_are_records(result: schlupf.Result) -> None:
     result.force.x = 1.0  # type: ignore[assignment]
     result.plot.surface("pressure")
     result.plot.surface("presure")  # type: ignore[arg-type]
+    result.plot.surface("centroid_x")
+    result.plot.surface("x")  # type: ignore[arg-type]
+    result.plot.cut("slip_x", "friction_limit")
+    result.plot.cut("y")  # type: ignore[arg-type]
+    result.plot.history("max_rise")
+    result.plot.history("time")  # type: ignore[arg-type]
     schlupf.plot_comparison([result], "slip_x")
     schlupf.animate(result, "slip")  # type: ignore[arg-type]
+
+
+def what_a_result_may_lack_is_optional(result: schlupf.Result) -> None:
+    result.contacts[0]  # type: ignore[index]
+    result.extrapolation.error  # type: ignore[union-attr]
+    if result.contacts is not None and result.wheel_force is not None:
+        assert_type(result.contacts[0], schlupf.records.Contact)
+        assert_type(result.contacts[0].normal.load, float)
+        assert_type(result.contacts[0].max_rise, float | None)
+        assert_type(result.contacts[0].area.contact, float)
+        assert_type(result.wheel_force.z, float)
+    if result.wheelset is not None:
+        assert_type(result.wheelset.side, Literal["right", "left"])
+    if result.contact_law is not None:
+        assert_type(result.contact_law.stiffness, float | None)
+        assert_type(result.contact_law.rms_height, float | None)
+        assert_type(result.contact_law.fit, schlupf.records.ContactLawFit | None)
+    if result.extrapolation is not None:
+        assert_type(result.extrapolation.force.x, float)
+
+
+def names_are_literals(result: schlupf.Result) -> None:
+    assert_type(result.status, Literal["converged", "not-converged"])
+    assert_type(result.reference.point, Literal["patch", "file"])
+    assert_type(result.method, schlupf.sections.SolverMethod)
+
+
+def records_are_public(result: schlupf.Result) -> None:
+    force: schlupf.records.Force = result.force
+    solved: schlupf.records.Solved = result
+    column: schlupf.records.CellColumn = "pressure"
+    result.plot.surface(column)
+    assert_type(solved.force, schlupf.records.Force)
+    force.x

@@ -1,4 +1,8 @@
-"""What results have.
+"""Records of results: their classes, to annotate with.
+
+>>> import schlupf
+>>> def resultant(force: schlupf.records.Force) -> float:
+...     return (force.x**2 + force.y**2) ** 0.5
 
 Made of results and of the columns of the library by tests/generate.py.
 """
@@ -8,11 +12,17 @@ from __future__ import annotations
 from typing import Literal
 
 from ._record import Found, Record
+from .sections import KinematicsReference, SolverMethod, WheelsetSide
 
-#: Columns of the cells.
+#: Whether the equations are satisfied.
+Status = Literal[
+    "converged",
+    "not-converged",
+]
+#: Variables of ``fields``.
 CellColumn = Literal[
-    "x",
-    "y",
+    "centroid_x",
+    "centroid_y",
     "pressure",
     "traction_x",
     "traction_y",
@@ -26,10 +36,10 @@ CellColumn = Literal[
     "temperature_rise_rail",
     "covered",
     "sliding",
+    "contact",
 ]
-#: Columns of the time steps.
+#: Variables of ``history``.
 InstantColumn = Literal[
-    "time",
     "distance",
     "speed",
     "creepage_x",
@@ -100,7 +110,7 @@ class ReferenceFile(Record):
 class Reference(Record):
     """``reference`` of a result."""
 
-    point: Found[str] = Found()
+    point: Found[KinematicsReference] = Found()
     patch: Found[ReferencePatch] = Found(ReferencePatch)
     file: Found[ReferenceFile | None] = Found(ReferenceFile)
 
@@ -119,10 +129,10 @@ class ContactLawFit(Record):
 class ContactLaw(Record):
     """``contact_law`` of a result."""
 
-    stiffness: Found[float] = Found()
-    rms_height: Found[float] = Found()
-    slope_factor: Found[float] = Found()
-    fit: Found[ContactLawFit] = Found(ContactLawFit)
+    stiffness: Found[float | None] = Found()
+    rms_height: Found[float | None] = Found()
+    slope_factor: Found[float | None] = Found()
+    fit: Found[ContactLawFit | None] = Found(ContactLawFit)
 
 
 class Force(Record):
@@ -212,7 +222,7 @@ class SensitivityCreepageX(Record):
 
     x: Found[float] = Found()
     y: Found[float] = Found()
-    moment_z: Found[float] = Found()
+    moment_z: Found[float | None] = Found()
 
 
 class SensitivityCreepageY(Record):
@@ -220,7 +230,7 @@ class SensitivityCreepageY(Record):
 
     x: Found[float] = Found()
     y: Found[float] = Found()
-    moment_z: Found[float] = Found()
+    moment_z: Found[float | None] = Found()
 
 
 class SensitivitySpin(Record):
@@ -228,7 +238,7 @@ class SensitivitySpin(Record):
 
     x: Found[float] = Found()
     y: Found[float] = Found()
-    moment_z: Found[float] = Found()
+    moment_z: Found[float | None] = Found()
 
 
 class SensitivityLoad(Record):
@@ -236,7 +246,7 @@ class SensitivityLoad(Record):
 
     x: Found[float] = Found()
     y: Found[float] = Found()
-    moment_z: Found[float] = Found()
+    moment_z: Found[float | None] = Found()
 
 
 class SensitivityFrictionCoefficient(Record):
@@ -244,7 +254,7 @@ class SensitivityFrictionCoefficient(Record):
 
     x: Found[float] = Found()
     y: Found[float] = Found()
-    moment_z: Found[float] = Found()
+    moment_z: Found[float | None] = Found()
 
 
 class SensitivityContactStiffness(Record):
@@ -252,7 +262,7 @@ class SensitivityContactStiffness(Record):
 
     x: Found[float] = Found()
     y: Found[float] = Found()
-    moment_z: Found[float] = Found()
+    moment_z: Found[float | None] = Found()
 
 
 class Sensitivity(Record):
@@ -273,7 +283,7 @@ class ExtrapolationForce(Record):
 
     x: Found[float] = Found()
     y: Found[float] = Found()
-    moment_z: Found[float] = Found()
+    moment_z: Found[float | None] = Found()
 
 
 class ExtrapolationNormalised(Record):
@@ -281,7 +291,7 @@ class ExtrapolationNormalised(Record):
 
     x: Found[float] = Found()
     y: Found[float] = Found()
-    moment_z: Found[float] = Found()
+    moment_z: Found[float | None] = Found()
 
 
 class ExtrapolationError(Record):
@@ -291,7 +301,7 @@ class ExtrapolationError(Record):
     """estimated error of the longitudinal force (N)."""
     y: Found[float] = Found()
     """estimated error of the lateral force (N)."""
-    moment_z: Found[float] = Found()
+    moment_z: Found[float | None] = Found()
     """estimated error of the moment (N m)."""
 
 
@@ -329,7 +339,7 @@ class Work(Record):
 class Wheelset(Record):
     """``wheelset`` of a result."""
 
-    side: Found[str] = Found()
+    side: Found[WheelsetSide] = Found()
     lateral_position: Found[float] = Found()
     height: Found[float] = Found()
     """height of the wheelset above the one with nominal radii on the tops of the rails (m)."""
@@ -362,9 +372,10 @@ class ContactNormal(Record):
     """half the width of the patch across rolling (m)."""
     peak_pressure: Found[float] = Found()
     """largest pressure (Pa)."""
-    approach: Found[float] = Found()
-    origin_x: Found[float] = Found()
-    origin_y: Found[float] = Found()
+    approach: Found[float | None] = Found()
+    """approach of the bodies (m)."""
+    origin_x: Found[float | None] = Found()
+    origin_y: Found[float | None] = Found()
     parts: Found[int] = Found()
 
 
@@ -399,6 +410,17 @@ class ContactTGamma(Record):
     """wear number, frictional energy per distance rolled (N)."""
 
 
+class ContactArea(Record):
+    """``contact.area`` of a result."""
+
+    contact: Found[float] = Found()
+    """area of contact (m^2)."""
+    stick: Found[float | None] = Found()
+    """stick area (m^2)."""
+    slip: Found[float | None] = Found()
+    """slip area (m^2)."""
+
+
 class Contact(Record):
     """``contact`` of a result."""
 
@@ -413,7 +435,7 @@ class Contact(Record):
     rolling_radius: Found[float] = Found()
     """radius of the wheel at the contact (m)."""
     turn: Found[float] = Found()
-    status: Found[str] = Found()
+    status: Found[Status] = Found()
     speed: Found[float] = Found()
     """speed of the vehicle and of the contact frame (m/s)."""
     creepage_x: Found[float] = Found()
@@ -428,6 +450,9 @@ class Contact(Record):
     t_gamma: Found[ContactTGamma] = Found(ContactTGamma)
     friction_power: Found[float | None] = Found()
     """friction power (W)."""
+    max_rise: Found[float | None] = Found()
+    """largest temperature rise (K)."""
+    area: Found[ContactArea] = Found(ContactArea)
     residual: Found[float] = Found()
     """relative residual."""
 
@@ -448,12 +473,12 @@ class Solved(Record):
 
     program: Found[str] = Found()
     title: Found[str] = Found()
-    method: Found[str] = Found()
-    status: Found[str] = Found()
+    method: Found[SolverMethod] = Found()
+    status: Found[Status] = Found()
     normal: Found[Normal] = Found(Normal)
     kinematics: Found[Kinematics] = Found(Kinematics)
     reference: Found[Reference] = Found(Reference)
-    contact_law: Found[ContactLaw] = Found(ContactLaw)
+    contact_law: Found[ContactLaw | None] = Found(ContactLaw)
     force: Found[Force] = Found(Force)
     normalised: Found[Normalised] = Found(Normalised)
     traction_coefficient: Found[float] = Found()
@@ -463,11 +488,11 @@ class Solved(Record):
     temperature: Found[Temperature] = Found(Temperature)
     area: Found[Area] = Found(Area)
     sensitivity: Found[Sensitivity | None] = Found(Sensitivity)
-    extrapolation: Found[Extrapolation] = Found(Extrapolation)
+    extrapolation: Found[Extrapolation | None] = Found(Extrapolation)
     warnings: Found[list[Warning]] = Found(Warning)
     residual: Found[float] = Found()
     """relative residual."""
     work: Found[Work] = Found(Work)
-    wheelset: Found[Wheelset] = Found(Wheelset)
-    contacts: Found[list[Contact]] = Found(Contact)
-    wheel_force: Found[WheelForce] = Found(WheelForce)
+    wheelset: Found[Wheelset | None] = Found(Wheelset)
+    contacts: Found[list[Contact] | None] = Found(Contact)
+    wheel_force: Found[WheelForce | None] = Found(WheelForce)
