@@ -1,10 +1,10 @@
 //! A braking wheel: forces, power and temperature of steady rolling.
 
-use schlupf::{Options, Problem, solver, unwatched};
+use schlupf::{Options, Problem, solve, unwatched};
 
 fn main() -> Result<(), schlupf::Error> {
     let problem = Problem::builder().load(80e3).speed(30.0).creepage_x(0.008).build()?;
-    let solution = solver::solve(&problem, &Options::default(), &unwatched)?;
+    let solution = solve(&problem, &Options::default(), &unwatched)?;
     println!("status            {}", solution.status.name());
     println!("longitudinal      {:.2} kN", solution.force.x / 1e3);
     println!("traction          {:.4} of the load", solution.traction_coefficient);
