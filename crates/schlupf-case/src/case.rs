@@ -13,14 +13,14 @@ use schlupf::analysis::bulk_temperature::Cooling;
 use schlupf::analysis::damage::Laws;
 use schlupf::bodies::{Kinematics, Material};
 use schlupf::normal::NormalContact;
-use schlupf::problem::{History, State};
+use schlupf::problem::{Driver, History, State};
 use schlupf::reporting::Message;
 use schlupf::wheel_rail::WheelSolution;
 use schlupf::{Error, Method, Options, Problem, Quantity, Solution, Solver, Transient, Watch};
 
 use crate::case_file::{CaseFile, Overrides};
 use crate::error::{CaseError, CaseErrors};
-use crate::fields::choice::{Driver, ElasticityModel};
+use crate::fields::choice::{DriverChoice, ElasticityModel};
 use crate::fields::{self, Field, HISTORY};
 use crate::files::Folder;
 use crate::law_stiffness::{LawStiffness, MicroContact, StiffnessOrigin};
@@ -100,7 +100,7 @@ impl CaseFile {
     /// Whether a history is given, or time steps are asked for.
     pub fn is_marched(&self) -> bool {
         let driver = self.settings.chosen(field!("solver.driver")).ok();
-        self.settings.any_given(HISTORY) || driver == Some(Driver::Marching)
+        self.settings.any_given(HISTORY) || driver == Some(DriverChoice::Marching)
     }
 
     /// The case with its problem: solves the normal contact of profiles and the micro model of a
@@ -394,15 +394,19 @@ impl Case {
         Err(self.contradiction(field.unwrap_or(field!("history.time")), &reason))
     }
 
-    /// The steady state of its contact, as its options ask for it; that of a wheel was found with
-    /// all its contacts.
+    /// The steady state of its contact, by one of its solvers; that of a wheel was found with all
+    /// its contacts.
     ///
     /// # Errors
     /// As [`Solver::solve`].
-    pub fn steady_state(&self, watch: Watch) -> Result<Solution, Error> {
+    pub fn steady_state(
+        &self,
+        mut solver: Box<dyn Solver>,
+        watch: Watch,
+    ) -> Result<Solution, Error> {
         match self.wheel.as_ref().and_then(|wheel| wheel.contacts.first()) {
             Some(main) => Ok(main.solution.clone()),
-            None => self.full_solver().solve(&self.problem, watch),
+            None => solver.solve(&self.problem, watch),
         }
     }
 
@@ -433,7 +437,7 @@ impl Case {
     }
 
     fn any_solver(&self, options: &Options) -> Box<dyn Solver> {
-        read::any_solver(&self.method, self.driver, options)
+        self.method.solver_by(self.driver.unwrap_or_default(), options)
     }
 
     /// An error at the place of a field, with the reason why it cannot be.

@@ -148,7 +148,7 @@ impl CaseFile {
     /// ```
     /// use std::sync::Arc;
     ///
-    /// use schlupf::interface::friction::constant::Constant;
+    /// use schlupf::interface::friction::Constant;
     /// use schlupf_case::{CaseFile, Folder, Laws, Overrides};
     ///
     /// let file = CaseFile::from_str("", "a case", Folder::new(""), Overrides::NONE)?;
@@ -162,6 +162,13 @@ impl CaseFile {
     /// # Errors
     /// Laws that no case can have.
     pub fn with_laws(mut self, laws: Laws) -> Result<Self, CaseError> {
+        if laws.pressure.is_some() && self.parts.has_wheel() {
+            let field = field!("normal.model");
+            let message = format!(
+                "{field} must describe one patch where its pressure is given, but is \"wheel-rail\""
+            );
+            return Err(self.settings.error(field, message));
+        }
         self.parts.apply(&laws).map_err(|error| self.explain(&error))?;
         self.laws = laws;
         Ok(self)

@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-use schlupf::interface::roughness::micro_model::MicroModelResult;
+use schlupf::interface::roughness::MicroModelResult;
 
 use crate::notice::Notice;
 use crate::surface::SurfaceSource;

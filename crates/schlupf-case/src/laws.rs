@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use schlupf::interface::friction::FrictionLaw;
-use schlupf::interface::heat::partition::PartitionLaw;
+use schlupf::interface::heat::PartitionLaw;
 use schlupf::normal::PressureSource;
 
 /// Laws of the caller, each in place of that of a case. What they replace of the case has no

@@ -42,7 +42,7 @@ pub use case_file::{CaseFile, LARGEST_CASE, Overrides};
 pub use error::{CaseError, CaseErrors, Cause};
 pub use family::Family;
 pub use fields::FieldPath;
-pub use fields::choice::{Driver, ElasticityModel};
+pub use fields::choice::ElasticityModel;
 pub use files::{Files, Folder, InputFile, LARGEST_FILE, read_up_to};
 pub use law_stiffness::{LawStiffness, MicroContact, MicroKey, StiffnessOrigin, caveats};
 pub use laws::Laws;

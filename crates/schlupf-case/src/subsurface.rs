@@ -32,7 +32,7 @@ impl SubsurfaceRequest {
 
     /// The margin in columns and rows of the grid of a contact.
     pub fn margin(&self, normal: &NormalSummary, grid: &Grid) -> [usize; 2] {
-        let lengths = [normal.semi_axis_x, normal.semi_axis_y];
+        let lengths = normal.semi_axes();
         let spacings = [grid.spacing_x, grid.spacing_y];
         std::array::from_fn(|c| (self.margin.unwrap_or(lengths[c]) / spacings[c]).ceil() as usize)
     }

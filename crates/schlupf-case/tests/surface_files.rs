@@ -5,8 +5,7 @@ use std::io::{Cursor, Write};
 use std::path::{Path, PathBuf};
 
 use approx::assert_relative_eq;
-use schlupf::surface::HeightMap;
-use schlupf::surface::holes::Holes;
+use schlupf::surface::{HeightMap, Holes};
 use schlupf_case::surface::{self, Cells, MeasuredSurface, SurfaceData, SurfaceOptions};
 use schlupf_case::{CaseError, FieldNames, Folder, InputFile};
 use zip::ZipWriter;

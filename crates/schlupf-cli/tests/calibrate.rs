@@ -6,7 +6,7 @@ mod support;
 use std::fmt::Write;
 
 use schlupf::bodies::Material;
-use schlupf::elasticity::half_space::HalfSpace;
+use schlupf::elasticity::HalfSpace;
 use serde_json::Value;
 use support::{Bench, Run};
 

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use schlupf::interface::friction::{FrictionLaw, FrictionResponse, FrictionState};
-use schlupf::interface::heat::partition::PartitionLaw;
+use schlupf::interface::heat::PartitionLaw;
 
 /// Functions in place of the laws of a case.
 #[derive(Default)]

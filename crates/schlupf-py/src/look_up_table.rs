@@ -1,7 +1,6 @@
 //! Look-up tables of creep forces for arrays of states.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
@@ -20,7 +19,7 @@ type Found<'py> =
 
 /// A table.
 #[pyclass(frozen, module = "schlupf._core")]
-pub struct LookUpTable(Arc<StoredTable>);
+pub struct LookUpTable(StoredTable);
 
 #[pymethods]
 impl LookUpTable {

@@ -8,8 +8,9 @@ use schlupf::analysis::calibration::{
 };
 use schlupf::bodies::Material;
 use schlupf::elasticity::elastic_layer::LayerStiffness;
-use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::elasticity::{CalibratedLayer, Elasticity, RelativeStiffness, tabulated_stiffness};
+use schlupf::elasticity::{
+    CalibratedLayer, Elasticity, HalfSpace, RelativeStiffness, tabulated_stiffness,
+};
 use schlupf::normal::{NormalContact, Pressure};
 use schlupf::reporting::Message;
 use schlupf::{Error, Quantity, Status, Warning, Watch};
@@ -90,7 +91,7 @@ impl Patch {
         let materials = case.materials();
         let bodies = HalfSpace::new(&materials[0], &materials[1]);
         let bodies = bodies.map_err(|error| case.explain(&error))?;
-        let [a, b] = [normal.summary.semi_axis_x, normal.summary.semi_axis_y];
+        let [a, b] = normal.summary.semi_axes();
         Ok(Self {
             title: case.title()?,
             normal,

@@ -102,7 +102,7 @@ impl Posed {
     fn model(&self) -> Result<Model, TaskError> {
         let model = Model::new(&self.case, &self.parameters, self.request.gamma);
         let model = model.map_err(|error| self.explain(&error))?;
-        model.ok_or_else(|| no_model(self.case.method.clone()))
+        model.ok_or_else(|| no_model(&self.case.method))
     }
 
     /// The fit; the case with its values is going to lie at a path, if it is wanted.
@@ -243,7 +243,7 @@ fn refuse_forces(file: &CaseFile, case: &Case) -> Result<(), CaseError> {
 }
 
 /// Only some methods can be fitted.
-fn no_model(method: Method) -> TaskError {
+fn no_model(method: &Method) -> TaskError {
     TaskError::Request(format!(
         "solver.method: what can be fitted is \"full\" and \"polach\", but the method is {:?}",
         method.name()

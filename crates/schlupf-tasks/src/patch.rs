@@ -149,7 +149,7 @@ impl PatchReport {
         let area = patch.cells.iter().map(|cell| cell.covered).sum::<f64>() * grid.cell_area();
         let mean_pressure = summary.load / area;
         if !mean_pressure.is_finite() {
-            let semi_axes = [summary.semi_axis_x, summary.semi_axis_y];
+            let semi_axes = summary.semi_axes();
             return Err(Error::NoPressure { load: summary.load, semi_axes });
         }
         let mut across: Vec<_> = (0..grid.rows).map(|row| [grid.y(row), 0.0]).collect();

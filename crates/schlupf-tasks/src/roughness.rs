@@ -1,8 +1,7 @@
 //! A rough surface, its contact and its k_c.
 
 use crate::output::roughness::{RoughnessReport, Spots};
-use schlupf::interface::roughness::load_curve::LoadCurveOptions;
-use schlupf::interface::roughness::micro_model::{MicroModel, MicroModelResult};
+use schlupf::interface::roughness::{LoadCurveOptions, MicroModel, MicroModelResult};
 use schlupf::normal::rough_contact::{Boundary, RoughContact, RoughContactOptions};
 use schlupf::reporting::Message;
 use schlupf::surface::HeightMap;

@@ -156,7 +156,7 @@ pub(crate) fn of_wheel(wheel: &WheelSolution) -> Vec<Message> {
 /// ```
 pub fn solve(case: &Case, rolling: Rolling, watch: Watch) -> Result<SolutionReport, Error> {
     let solution = match rolling {
-        Rolling::Steady => case.steady_state(watch)?,
+        Rolling::Steady => case.steady_state(case.full_solver(), watch)?,
         Rolling::Transient(transient) => march(&transient, &case.options, watch)?,
     };
     Ok(report(case, solution))

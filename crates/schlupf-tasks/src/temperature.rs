@@ -48,7 +48,7 @@ impl Task for Temperature {
         case.require_steady("temperatures below the surface and in the wake are those")?;
         let explain = |error: Error| CaseErrors::from(case.explain(&error));
         let problem = &case.problem;
-        let solution = case.steady_state(watch).map_err(explain)?;
+        let solution = case.steady_state(case.solver(), watch).map_err(explain)?;
         let field = TemperatureField::new(problem, &solution).map_err(explain)?;
         let positions = request.positions(problem, &solution, &field)?;
         let (profile, rows) = Temperatures::sample(&field, &positions);

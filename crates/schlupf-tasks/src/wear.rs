@@ -64,7 +64,7 @@ fn gap(solution: &Solution) -> Option<Message> {
 /// Solves the case and computes its damage.
 fn passage(case: Case, laws: Laws, watch: Watch) -> Result<WearReport, TaskError> {
     let explain = |error: Error| CaseErrors::from(case.explain(&error));
-    let solution = case.steady_state(watch).map_err(explain)?;
+    let solution = case.steady_state(case.solver(), watch).map_err(explain)?;
     let passage = of_passage(&case.problem, &solution, &laws).map_err(explain)?;
     let without_fields =
         passage.wear.is_none().then(|| Notice::NoWear { method: solution.method.name() }.into());

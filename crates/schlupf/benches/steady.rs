@@ -8,9 +8,8 @@ use std::time::Duration;
 use common::{Bodies, Case, POINTS, Product, cold, creep_curve, solve};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion};
-use schlupf::solver;
 use schlupf::solver::SteadySolver;
-use schlupf::unwatched;
+use schlupf::{solver, unwatched};
 
 const BODIES: [Bodies; 2] = [Bodies::Layer, Bodies::HalfSpace];
 

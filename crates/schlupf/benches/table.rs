@@ -124,7 +124,8 @@ fn fast_methods() -> String {
             for &cells in grids.iter().filter(|_| method.has_fields() || !is_heated) {
                 let case = Case { bodies: Bodies::HalfSpace, is_heated, cells };
                 let at_rest = case.at_rest();
-                let mut contact = FastContact::new(&at_rest, method, &case.options()).unwrap();
+                let mut contact =
+                    FastContact::new(&at_rest, method.clone(), &case.options()).unwrap();
                 let mut best = f64::INFINITY;
                 for _ in 0..10 * LEAST_ROUNDS {
                     better(&mut best, || {

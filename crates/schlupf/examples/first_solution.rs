@@ -1,7 +1,6 @@
 //! A braking wheel: forces, power and temperature of steady rolling.
 
-use schlupf::solver;
-use schlupf::{Options, Problem, unwatched};
+use schlupf::{Options, Problem, solver, unwatched};
 
 fn main() -> Result<(), schlupf::Error> {
     let problem = Problem::builder().load(80e3).speed(30.0).creepage_x(0.008).build()?;

@@ -2,11 +2,14 @@
 //! T/2084 K); its temperatures are some 11 % too high on the grid in use (Vollebregt 2022).
 
 use schlupf::analysis::identification::roughness::DEFAULT_GAMMA;
-use schlupf::analysis::identification::{Component, Condition, DataPoint};
-use schlupf::analysis::identification::{Parameter, RollingContactModel, fit};
+use schlupf::analysis::identification::{
+    Component, Condition, DataPoint, Parameter, RollingContactModel, fit,
+};
 use schlupf::bodies::{Body, Kinematics};
-use schlupf::interface::{ContactLaw, friction::constants::FrictionConstant};
-use schlupf::{Error, Options, Problem, normal::Ellipse, unwatched};
+use schlupf::interface::ContactLaw;
+use schlupf::interface::friction::FrictionConstant;
+use schlupf::normal::Ellipse;
+use schlupf::{Error, Options, Problem, unwatched};
 
 /// Creepages, and forces over the load of 106.7 kN.
 const CREEPAGES: [f64; 6] = [0.0012, 0.002, 0.004, 0.02, 0.05, 0.15];

@@ -1,8 +1,7 @@
 //! Rolling under a pressure that was measured, on a lattice of 2 mm by 2 mm.
 
 use schlupf::normal::{PressureTable, Tabulated};
-use schlupf::solver;
-use schlupf::{Options, Problem, unwatched};
+use schlupf::{Options, Problem, solver, unwatched};
 
 /// In MPa; rows across rolling, from right to left, each along rolling.
 const PRESSURE: [[f64; 9]; 7] = [

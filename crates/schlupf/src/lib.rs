@@ -10,17 +10,16 @@
 //!
 //! # From a problem to its solution
 //!
-//! A [`Problem`] is what presses wheel and rail together ([`normal`]), how they move ([`bodies`]),
-//! and what acts between them: their [`elasticity`], contact law, friction and heat
-//! ([`interface`]). A builder has all of it, for a steel wheel on a steel rail unless told
-//! otherwise; [`Options`] say how accurately to solve, and [`solver::solve`] finds the steady
-//! state.
+//! A [`Problem`] is what presses wheel and rail together ([`normal`]), how they move ([`bodies`])
+//! or what force moves them, and the [`Interface`]: their [`elasticity`], contact law, friction and
+//! heat. A builder has all of it, for a steel wheel on a steel rail unless told otherwise;
+//! [`Options`] say how accurately to solve, and [`solve`] finds the steady state.
 //!
 //! ```
-//! use schlupf::elasticity::half_space::HalfSpace;
+//! use schlupf::elasticity::HalfSpace;
 //! use schlupf::bodies::Material;
-//! use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-//! use schlupf::{Options, Problem, Status, solver, unwatched};
+//! use schlupf::interface::friction::TemperatureLinear;
+//! use schlupf::{Options, Problem, Status, solve, unwatched};
 //!
 //! let problem = Problem::builder()
 //!     .load(100e3)
@@ -30,7 +29,7 @@
 //!     .friction(TemperatureLinear::new(0.35, 700.0, 0.1)?)
 //!     .build()?;
 //! let options = Options { cells_x: 16, cells_y: 16, ..Options::default() };
-//! let solution = solver::solve(&problem, &options, &unwatched)?;
+//! let solution = solve(&problem, &options, &unwatched)?;
 //!
 //! // Braking: the force on the wheel points backwards, and what it gives is heat.
 //! assert_eq!(solution.status, Status::Converged);
@@ -57,7 +56,7 @@
 //! # Ok::<(), schlupf::Error>(())
 //! ```
 //!
-//! What changes with time is a [`Transient`], which [`solver::march`] follows step by step. Two
+//! What changes with time is a [`Transient`], which [`march`] follows step by step. Two
 //! profiles and the position of a wheelset are a [`WheelOnRail`](wheel_rail::WheelOnRail).
 //! [`analysis`] has what follows from solutions: stresses and temperatures below the surface, wear,
 //! creep curves, the laws behind measured ones, look-up tables.
@@ -89,7 +88,8 @@ pub mod solver;
 pub mod wheel_rail;
 pub mod analysis;
 
+pub use interface::Interface;
 pub use problem::{Method, Options, Problem, ProblemBuilder, Transient};
 pub use reporting::{Error, Progress, Quantity, Warning, Watch, unwatched};
 pub use solution::{Solution, Status};
-pub use solver::Solver;
+pub use solver::{Solver, march, solve};

@@ -32,7 +32,7 @@ fn force(axis_ratio: f64, stiffness: f64, [xi, eta, spin]: [f64; 3], across: usi
         normal: Arc::new(Ellipse::from_peak_pressure(a, b, 1e9).unwrap()),
         ..problem(rolling(xi, eta, spin / mean))
     }
-    .with(|interface| {
+    .with_interface(|interface| {
         interface.elasticity = half_space();
         interface.contact_law = Incremental::new(stiffness).unwrap().into();
     });

@@ -12,17 +12,13 @@ use common::{cells, half_space, layer, problem, rolling};
 use schlupf::bodies::Kinematics;
 use schlupf::elasticity::{Elasticity, Rigid, Winkler};
 use schlupf::interface::TotalDisplacement;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::constant_source::ConstantSource;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::TemperatureLinear;
+use schlupf::interface::heat::{ConstantSource, Duhamel, Heat, Partition};
 use schlupf::normal::{Grid, VectorField};
 use schlupf::problem::look_up_table::{LookUpTable, TableNodes};
 use schlupf::problem::{AreaReduction, Brush, FastMethod, SlopeReduction};
-use schlupf::solver::SteadySolver;
-use schlupf::solver::march;
 use schlupf::solver::simplified::FastContact;
+use schlupf::solver::{SteadySolver, march};
 use schlupf::{Options, Problem, Solver, Transient, unwatched};
 use std::ops::ControlFlow;
 
@@ -76,14 +72,14 @@ fn rolling_at(creepage_x: f64) -> Kinematics {
 /// Both elasticities of which products take long, with and without heat, and both contact laws.
 fn problems() -> Vec<Problem> {
     let layer = problem(rolling_at(0.002));
-    let half_space = layer.clone().with(|interface| interface.elasticity = half_space());
+    let half_space = layer.clone().with_interface(|interface| interface.elasticity = half_space());
     let mut hot = half_space.clone();
     hot.interface.friction.law = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
     hot.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     // The paper's models.
     let mut paper = hot
         .clone()
-        .with(|interface| interface.elasticity = Arc::clone(&layer.interface.elasticity));
+        .with_interface(|interface| interface.elasticity = Arc::clone(&layer.interface.elasticity));
     paper.interface.heat.model = Some(Arc::new(ConstantSource));
     paper.interface.contact_law = TotalDisplacement::new(5e6).unwrap().into();
     vec![layer, half_space, hot, paper]

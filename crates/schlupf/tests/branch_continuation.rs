@@ -7,14 +7,15 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use common::{problem, rolling};
-use schlupf::elasticity::Winkler;
+use schlupf::bodies::Material;
+use schlupf::elasticity::{HalfSpace, Winkler};
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::linear::Linear;
-use schlupf::interface::friction::slip_terms::SlipTerms;
+use schlupf::interface::friction::{Exponential, Linear, SlipTerms};
+use schlupf::interface::heat::Heat;
 use schlupf::normal::patch::{Interpolation, Patch};
 use schlupf::normal::{Grid, VectorField};
 use schlupf::problem::Branch;
-use schlupf::{Options, Problem, Solution, Status, unwatched};
+use schlupf::{Options, Problem, Solution, Status, Warning, solver, unwatched};
 
 const SPEED: f64 = 15.0;
 const COLD: f64 = 0.4;
@@ -282,8 +283,9 @@ fn falling(creepage: f64, stiffness: f64, half_speed: f64) -> Problem {
 
 fn on_branch(problem: &Problem, across: usize, branch: Branch) -> Solution {
     let options =
-        Options { branch, cells_x: across, cells_y: across, tolerance: 1e-9, ..Options::default() };
-    let solution = schlupf::solver::solve(problem, &options, &unwatched).unwrap();
+        Options { cells_x: across, cells_y: across, tolerance: 1e-9, ..Options::default() };
+    let problem = Problem { branch, ..problem.clone() };
+    let solution = solver::solve(&problem, &options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     solution
 }
@@ -327,4 +329,33 @@ fn one_state_is_that_of_a_continuation_from_both_sides() {
             assert!((expected + found.normalised.x).abs() < 1e-6, "{expected}");
         }
     }
+}
+
+/// Where a branch cannot be followed to the motion, which here only too few Newton steps prevent,
+/// the state is one of the motion all the same, and a warning says that it may be on either branch.
+#[test]
+fn a_branch_that_is_lost_is_told() {
+    let half_space = HalfSpace::new(&Material::STEEL, &Material::STEEL).unwrap();
+    let terms = SlipTerms::new(0.4, 0.1, 0.05, None).unwrap();
+    let case = Problem::builder()
+        .creepage_x(0.003)
+        .creepage_y(0.001)
+        .elasticity(half_space)
+        .contact_law(Incremental::new(1e10).unwrap())
+        .friction(Exponential(terms))
+        .heat(Heat::none())
+        .build()
+        .unwrap();
+    let options = |max_iterations: usize| Options {
+        cells_x: 14,
+        cells_y: 8,
+        max_iterations,
+        ..Options::default()
+    };
+    let solve = |steps| solver::solve(&case, &options(steps), &unwatched).unwrap();
+    let is_told = |solution: &Solution| solution.warnings.contains(&Warning::BranchLost {});
+    let (few, enough) = (solve(4), solve(200));
+    assert!(is_told(&few) && !is_told(&enough), "{:?} {:?}", few.warnings, enough.warnings);
+    assert_eq!([few.status, enough.status], [Status::Converged; 2]);
+    assert!(few.residual < 1e-6 && few.work.steps == 0);
 }

@@ -7,12 +7,10 @@ use std::sync::Arc;
 use approx::assert_relative_eq;
 use common::{at_once, cells, problem, rolling};
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::across::Across;
-use schlupf::interface::friction::linear::Linear;
-use schlupf::interface::friction::slip_terms::SlipTerms;
+use schlupf::interface::friction::{Across, Linear, SlipTerms};
 use schlupf::problem::Branch;
 use schlupf::solution::Strategy;
-use schlupf::{Options, Problem, Solution, Warning};
+use schlupf::{Problem, Solution, Warning};
 
 /// Friction that has fallen from 0.4 to 0.05 at twice the half speed (in m/s).
 fn falling(creepage: f64, half_speed: f64) -> Problem {
@@ -25,7 +23,7 @@ fn falling(creepage: f64, half_speed: f64) -> Problem {
 }
 
 fn on_branch(problem: &Problem, branch: Branch) -> Solution {
-    at_once(problem, &Options { branch, ..cells(8) })
+    at_once(&Problem { branch, ..problem.clone() }, &cells(8))
 }
 
 /// Friction that is gone at 8 mm/s, where the wheel slips by 15 mm/s: some cells can stick as well

@@ -10,10 +10,8 @@ use common::{
     at_once, cells, follow, from_state, half_space, layer, problem, rolling, solve, solve_over,
 };
 use schlupf::elasticity::{Elasticity, Winkler};
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::TemperatureLinear;
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::interface::{ContactLaw, Incremental};
 use schlupf::normal::Ellipse;
 use schlupf::problem::{Element, History};
@@ -23,7 +21,7 @@ use schlupf::{Error, Options, Problem, Solution, Status, Transient, unwatched};
 fn bristly(elasticity: Arc<dyn Elasticity>, stiffness: f64, motion: [f64; 3]) -> Problem {
     let [xi, eta, spin] = motion;
     let contact_law = Incremental::new(stiffness).unwrap().into();
-    problem(rolling(xi, eta, spin)).with(|interface| {
+    problem(rolling(xi, eta, spin)).with_interface(|interface| {
         interface.elasticity = elasticity;
         interface.contact_law = contact_law;
     })
@@ -73,7 +71,7 @@ fn a_bedding_of_unlike_stiffnesses_is_marched_cell_by_cell() {
                 let elasticity = Arc::clone(&bedding);
                 let [xi, eta, spin] = motion;
                 let rolling = problem(rolling(xi, eta, spin));
-                let both = rolling.with(|interface| {
+                let both = rolling.with_interface(|interface| {
                     interface.elasticity = elasticity;
                     interface.contact_law = law;
                 });
@@ -98,7 +96,7 @@ fn a_bedding_follows_a_motion_that_turns() {
     };
     let bedding = Arc::new(Winkler::new(1e12, 3e12).unwrap());
     let still = problem(rolling(0.0, 0.0, 0.0));
-    let turned = still.with(|interface| {
+    let turned = still.with_interface(|interface| {
         interface.elasticity = bedding;
         interface.contact_law = ContactLaw::Coulomb;
     });
@@ -192,7 +190,8 @@ fn time_steps_take_no_more_work_than_under_coulombs_law() {
 fn a_layer_on_a_grid_that_the_patch_leaves() {
     let laws: [ContactLaw; 2] = [ContactLaw::Coulomb, Incremental::new(2e8).unwrap().into()];
     for law in laws {
-        let falling = transients::reference(law).with(|interface| interface.elasticity = layer());
+        let falling =
+            transients::reference(law).with_interface(|interface| interface.elasticity = layer());
         let history = History {
             time: vec![0.0, 12e-3, 40e-3],
             load: Some(vec![LOAD, 0.5 * LOAD, 0.5 * LOAD]),

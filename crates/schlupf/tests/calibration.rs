@@ -15,12 +15,10 @@ use schlupf::analysis::calibration::{
 };
 use schlupf::bodies::Material;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
-use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::elasticity::{CalibratedLayer, Elasticity, tabulated_stiffness};
+use schlupf::elasticity::{CalibratedLayer, Elasticity, HalfSpace, tabulated_stiffness};
 use schlupf::interface::Incremental;
 use schlupf::normal::{Ellipse, Extent, Grid, VectorField};
-use schlupf::solver;
-use schlupf::unwatched;
+use schlupf::{solver, unwatched};
 
 /// The goal: forces within 2 % of μN, with spin 4 %.
 fn assert_near(deviation: &Deviation, what: &str) {
@@ -159,7 +157,7 @@ fn the_calibrated_layer_knows_the_patch() {
     let base = problem(rolling(0.002, 0.001, 0.0));
     let layer = CalibratedLayer::new(&Material::STEEL, &Material::STEEL, None).unwrap();
     let solve = |elasticity: Arc<dyn Elasticity>| {
-        let problem = base.clone().with(|interface| interface.elasticity = elasticity);
+        let problem = base.clone().with_interface(|interface| interface.elasticity = elasticity);
         solver::solve(&problem, &cells(24), &unwatched).unwrap().normalised
     };
     let (here, exact) = (solve(Arc::new(layer)), solve(half_space()));
@@ -187,7 +185,7 @@ fn kalker_1982_the_bed_has_the_forces_of_the_linear_theory() {
             normal: Arc::new(Ellipse::from_peak_pressure(a, b, 1e9).unwrap()),
             ..problem(rolling(1e-6, 2e-6, 0.0))
         }
-        .with(|interface| {
+        .with_interface(|interface| {
             interface.elasticity = Arc::new(bed);
             interface.contact_law = Incremental::new(1e9).unwrap().into();
         });

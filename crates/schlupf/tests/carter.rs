@@ -10,13 +10,11 @@ use std::sync::Arc;
 
 use common::{problem, rolling};
 use schlupf::bodies::Material;
-use schlupf::elasticity::half_space::{Convolution, HalfSpace};
-use schlupf::elasticity::{Compliance, Elasticity};
+use schlupf::elasticity::{Compliance, Convolution, Elasticity, HalfSpace};
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::constant::Constant;
+use schlupf::interface::friction::Constant;
 use schlupf::normal::{Ellipse, Grid, PressureSource, PressureTable, Tabulated};
-use schlupf::solver::reference::carter::Carter;
-use schlupf::solver::reference::haines_ollerton::HainesOllerton;
+use schlupf::solver::reference::{Carter, HainesOllerton};
 use schlupf::{Error, Options, Solution, Status, unwatched};
 
 const CYLINDERS: Carter = Carter {

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use common::{cells, half_space, problem, quantiles, rolling};
-use schlupf::interface::friction::constant::Constant;
+use schlupf::interface::friction::Constant;
 use schlupf::interface::{ContactLaw, Incremental};
 use schlupf::normal::Ellipse;
 use schlupf::solution::Resultant;
@@ -235,7 +235,8 @@ fn stiff_bristles_take_no_more_work() {
 
 fn bristly(ratio: f64, motion: [f64; 3], stiffness: f64) -> Problem {
     let contact_law = Incremental::new(stiffness).unwrap().into();
-    coulomb(semi_axes(ratio), motion).with(|interface| interface.contact_law = contact_law)
+    coulomb(semi_axes(ratio), motion)
+        .with_interface(|interface| interface.contact_law = contact_law)
 }
 
 /// As k_c grows by tenths from soft bristles to stiff ones, no force bends by more than 0.1 % of μN

@@ -12,17 +12,13 @@ use common::{
     at_once, cells, follow, from_state, half_space, layer, problem, rolling, solve, solve_over,
 };
 use schlupf::bodies::Material;
-use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::elasticity::{Elasticity, Rigid, Winkler};
+use schlupf::elasticity::{Elasticity, HalfSpace, Rigid, Winkler};
 use schlupf::interface::ContactLaw;
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::{Constant, TemperatureLinear};
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::normal::Ellipse;
 use schlupf::problem::History;
-use schlupf::solver::reference::cattaneo_mindlin::CattaneoMindlin;
+use schlupf::solver::reference::CattaneoMindlin;
 use schlupf::solver::{march, shift};
 use schlupf::{Error, Options, Problem, Solution, Status, Transient, unwatched};
 
@@ -35,7 +31,7 @@ fn run(history: History, across: usize) -> Solution {
 }
 
 fn coulomb(elasticity: Arc<dyn Elasticity>, [xi, eta, spin]: [f64; 3]) -> Problem {
-    problem(rolling(xi, eta, spin)).with(|interface| {
+    problem(rolling(xi, eta, spin)).with_interface(|interface| {
         interface.elasticity = elasticity;
         interface.contact_law = ContactLaw::Coulomb;
     })

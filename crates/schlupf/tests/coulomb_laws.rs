@@ -9,17 +9,11 @@ use common::{cells, half_space, layer, problem, rolling};
 use schlupf::analysis::creep_curve::{Creepages, Path, Sampling, Spacing, trace};
 use schlupf::bodies::Material;
 use schlupf::elasticity::{Rigid, Winkler};
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::friction::exponential::Exponential;
-use schlupf::interface::friction::memory::FrictionMemory;
-use schlupf::interface::friction::polach::Polach;
-use schlupf::interface::friction::product::Product;
-use schlupf::interface::friction::slip_terms::SlipTerms;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::friction::{Friction, FrictionLaw};
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::{
+    Constant, Exponential, Friction, FrictionLaw, FrictionMemory, Polach, Product, SlipTerms,
+    TemperatureLinear,
+};
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::interface::{ContactLaw, Incremental};
 use schlupf::normal::{Ellipse, PressureTable, Tabulated};
 use schlupf::solution::Resultant;
@@ -31,7 +25,7 @@ use schlupf::{Error, Options, Problem, Solution, Status, Transient, unwatched};
 const MOTION: [f64; 3] = [0.0015, 0.001, 0.4];
 
 fn coulomb([xi, eta, spin]: [f64; 3]) -> Problem {
-    problem(rolling(xi, eta, spin)).with(|interface| {
+    problem(rolling(xi, eta, spin)).with_interface(|interface| {
         interface.elasticity = half_space();
         interface.contact_law = ContactLaw::Coulomb;
     })
@@ -97,8 +91,10 @@ fn friction_laws_and_heat() {
                 check_invariants(&solution);
                 assert!(solution.work.operator_products < 40.0, "{law:?} {:?}", solution.work);
                 let stiff: ContactLaw = Incremental::new(1e9).unwrap().into();
-                let stiff =
-                    solve(&warm.with(|interface| interface.contact_law = stiff), &cells(24));
+                let stiff = solve(
+                    &warm.with_interface(|interface| interface.contact_law = stiff),
+                    &cells(24),
+                );
                 let gap = gap(&solution, &stiff);
                 assert!(gap < 0.015, "{law:?} {size}: {gap}");
             }

@@ -8,21 +8,16 @@ use schlupf::analysis::creep_curve::{
     Abscissa, CreepCurve, Creepages, PLATEAU, Path, Sampling, Spacing, VariedForce, trace,
 };
 use schlupf::bodies::Material;
-use schlupf::elasticity::Winkler;
-use schlupf::elasticity::half_space::HalfSpace;
+use schlupf::elasticity::{HalfSpace, Winkler};
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::TemperatureLinear;
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::normal::Ellipse;
 use schlupf::reporting::Stage;
-use schlupf::solver::ForceSolver;
-use schlupf::solver::MarchingSolver;
-use schlupf::solver::SteadySolver;
 use schlupf::solver::kalker_coefficients::creep_coefficients;
 use schlupf::solver::reference::winkler_strip;
-use schlupf::{Error, Options, Problem, Quantity, Solver, Status, unwatched};
+use schlupf::solver::{MarchingSolver, SteadySolver};
+use schlupf::{Error, Method, Options, Problem, Quantity, Solver, Status, unwatched};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -247,14 +242,14 @@ fn creepages_over_a_force_are_those_that_cause_it() {
     let given = trace(&mut solver, &problem, &path, &sampling, &unwatched).unwrap();
     let load = given.normal.load;
     let forces = given.points.iter().map(|point| point.force.x);
-    let mut solver = ForceSolver::new(Box::new(SteadySolver::new(&options)));
+    let mut solver = Method::Full.solver(&options);
     for (force, prescribed) in given.points.iter().zip(forces) {
         for (varied, value) in
             [(VariedForce::X, prescribed), (VariedForce::OverLoad, -prescribed / load)]
         {
             let path = Path::over_force(varied, [0.5 * value, value], own).unwrap();
             let sampling = Sampling { points: 2, spacing: Spacing::Even };
-            let found = trace(&mut solver, &problem, &path, &sampling, &unwatched).unwrap();
+            let found = trace(&mut *solver, &problem, &path, &sampling, &unwatched).unwrap();
             assert!(found.is_converged() && found.maxima.is_empty());
             assert!(found.initial_slope.is_none());
             let [_, last] = &found.points[..] else { panic!("{:?}", found.points) };
@@ -266,7 +261,7 @@ fn creepages_over_a_force_are_those_that_cause_it() {
         }
     }
     let beyond = Path::over_force(VariedForce::Y, [0.0, -load], own).unwrap();
-    let error = trace(&mut solver, &problem, &beyond, &sampling, &unwatched).unwrap_err();
+    let error = trace(&mut *solver, &problem, &beyond, &sampling, &unwatched).unwrap_err();
     assert_eq!(error.quantity(), Quantity::ForceY, "{error}");
 }
 

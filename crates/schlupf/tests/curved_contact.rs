@@ -15,20 +15,15 @@ use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
 use schlupf::bodies::{Kinematics, Material, RowMotion, RowSlip, contact_modulus};
 use schlupf::elasticity::{Elasticity, Winkler};
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::{Constant, TemperatureLinear};
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::interface::{ContactLaw, Incremental};
-use schlupf::normal::hertz::{Hertz, Radii};
-use schlupf::normal::{NormalContact, PressureSource};
+use schlupf::normal::{Hertz, NormalContact, PressureSource, Radii};
 use schlupf::problem::{
     Brush, FastMethod, Flexibilities, LongitudinalForce, PrescribedForces, TractionBound,
 };
 use schlupf::solution::Resultant;
-use schlupf::solver::ForceSolver;
-use schlupf::{Error, Method, Options, Problem, Solution, Solver, Status, Transient, unwatched};
+use schlupf::{Error, Method, Options, Problem, Solution, Status, Transient, unwatched};
 
 const RADIUS: f64 = 13e-3;
 const LEAN: f64 = 0.5;
@@ -90,14 +85,14 @@ fn on_rows(rows: &Arc<RowMotion>, load: f64) -> Arc<dyn PressureSource> {
 /// A flange root with given creepages of its plane, whose spin is that of the motion.
 fn curved(creepage_x: f64, creepage_y: f64) -> Problem {
     let motion = rolling(creepage_x, creepage_y, -OVER_V * LEAN.sin());
-    Problem { normal: on_rows(&table(root), LOAD), ..problem(motion) }.with(|interface| {
+    Problem { normal: on_rows(&table(root), LOAD), ..problem(motion) }.with_interface(|interface| {
         interface.elasticity = half_space();
         interface.contact_law = incremental(SOFT);
     })
 }
 
 fn with_law(base: &Problem, contact_law: ContactLaw) -> Problem {
-    base.clone().with(|interface| interface.contact_law = contact_law)
+    base.clone().with_interface(|interface| interface.contact_law = contact_law)
 }
 
 fn incremental(stiffness: f64) -> ContactLaw {
@@ -142,7 +137,7 @@ fn kinds() -> [(&'static str, Problem); 5] {
         ("soft bristles", base()),
         ("stiff bristles", with_law(&base(), incremental(1e8))),
         ("Coulomb", with_law(&base(), stiff)),
-        ("Winkler", base().with(|interface| interface.elasticity = uncoupled)),
+        ("Winkler", base().with_interface(|interface| interface.elasticity = uncoupled)),
         ("hot", hot(base())),
     ]
 }
@@ -362,7 +357,7 @@ fn prescribed_forces_find_their_creepages() {
         };
         let free = Kinematics { creepage_x: 0.0, creepage_y: 0.0, ..problem.kinematics };
         let problem = Problem { kinematics: free, prescribed, ..problem };
-        let mut solver = ForceSolver::new(Method::Full.solver(&cells(16)));
+        let mut solver = Method::Full.solver(&cells(16));
         let found = solver.solve(&problem, &unwatched).unwrap();
         assert_eq!(found.status, Status::Converged, "{name}");
         assert_alike(name, &found.force, &given.force, 1e-4);

@@ -8,14 +8,13 @@ use schlupf::analysis::damage::{
     WearMap, of_passage, of_run,
 };
 use schlupf::bodies::Material;
-use schlupf::elasticity::half_space::HalfSpace;
+use schlupf::elasticity::HalfSpace;
 use schlupf::interface::ContactLaw;
-use schlupf::interface::friction::constant::Constant;
+use schlupf::interface::friction::Constant;
 use schlupf::interface::heat::Heat;
 use schlupf::normal::Ellipse;
 use schlupf::problem::{Brush, FastMethod, Method, TractionBound};
-use schlupf::solver;
-use schlupf::{Error, Options, Problem, Quantity, unwatched};
+use schlupf::{Error, Options, Problem, Quantity, solver, unwatched};
 
 const RADIUS: f64 = 0.46;
 
@@ -263,7 +262,7 @@ fn a_sliding_passage_has_closed_forms() {
     let problem = Problem::builder().creepage_x(creepage).build().unwrap();
     let contact = Ellipse::from_peak_pressure(a, b, 0.9e9).unwrap();
     let mut problem = Problem { normal: Arc::new(contact), ..problem }
-        .with(|interface| interface.heat = Heat::none());
+        .with_interface(|interface| interface.heat = Heat::none());
     problem.interface.contact_law = ContactLaw::Coulomb;
     problem.interface.friction.law = Arc::new(Constant::new(friction).unwrap());
     let steel = Material::STEEL;
@@ -303,7 +302,7 @@ fn a_sliding_passage_has_closed_forms() {
 #[test]
 fn what_bounds_the_traction_of_fastsim_is_not_the_pressure() {
     let problem = Problem::builder().creepage_x(0.012).build().unwrap();
-    let problem = problem.with(|interface| interface.heat = Heat::none());
+    let problem = problem.with_interface(|interface| interface.heat = Heat::none());
     let options = Options { cells_x: 20, cells_y: 20, ..Options::default() };
     let wear = [TractionBound::Parabolic, TractionBound::Elliptic].map(|bound| {
         let brush = Brush { bound, ..Brush::KALKER };

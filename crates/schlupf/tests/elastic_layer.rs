@@ -13,8 +13,7 @@ use schlupf::elasticity::Elasticity;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness, Springs};
 use schlupf::interface::{ContactLaw, Incremental, TotalDisplacement};
 use schlupf::normal::{Extent, Grid, VectorField};
-use schlupf::solver;
-use schlupf::{Options, Problem, Status, unwatched};
+use schlupf::{Options, Problem, Status, solver, unwatched};
 
 /// ξ, η, φ in 1/m; Fx/μN, Fy/μN, Mz/μN√(ab).
 const CONVERGED: [([f64; 3], [f64; 3]); 6] = [
@@ -81,7 +80,7 @@ fn springs_are_those_of_the_cells() {
     for law in [ContactLaw::Coulomb, rolls.interface.contact_law] {
         let [springs, per_area] = layers.map(|layer| {
             let elasticity = Arc::new(layer);
-            let rolls = rolls.clone().with(|interface| {
+            let rolls = rolls.clone().with_interface(|interface| {
                 interface.elasticity = elasticity;
                 interface.contact_law = law;
             });
@@ -104,7 +103,7 @@ fn a_layer_may_end_near_the_patch() {
             LayerStiffness { bedding: 3.5e12, coupling_along_x: 1.13e8, coupling_along_y: 1.13e8 };
         let elasticity = Arc::new(ElasticLayer::new(stiffness, stiffness, Some(5e-3)).unwrap());
         let rolls = problem(rolling(5e-4, 0.0, 0.0));
-        let rolls = rolls.with(|interface| {
+        let rolls = rolls.with_interface(|interface| {
             interface.elasticity = elasticity;
             interface.contact_law = law;
         });

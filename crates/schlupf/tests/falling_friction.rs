@@ -10,18 +10,12 @@ use common::{at_once, cells, half_space, problem, rolling, solve};
 use schlupf::bodies::{Material, contact_modulus};
 use schlupf::elasticity::Rigid;
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::FrictionLaw;
-use schlupf::interface::friction::across::Across;
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::friction::exponential::Exponential;
-use schlupf::interface::friction::polach::Polach;
-use schlupf::interface::friction::product::Product;
-use schlupf::interface::friction::slip_terms::{SecondTerm, SlipTerms};
-use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
-use schlupf::normal::hertz::{Hertz, Radii};
+use schlupf::interface::friction::{
+    Across, Constant, Exponential, FrictionLaw, Polach, Product, SecondTerm, SlipTerms,
+    TemperaturePiecewiseLinear,
+};
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
+use schlupf::normal::{Hertz, Radii};
 use schlupf::{Options, Problem};
 
 type Law = Arc<dyn FrictionLaw>;
@@ -106,7 +100,7 @@ fn derivatives_are_those_of_central_differences() {
     let (load, mu0) = (80e3, 0.4);
     let with = |load: f64, mu0: f64| {
         Problem { normal: hertz(load), ..warm(all_at_once(mu0), 0.006) }
-            .with(|interface| interface.elasticity = half_space())
+            .with_interface(|interface| interface.elasticity = half_space())
     };
     let options = Options { tolerance: 1e-11, sensitivity: true, ..cells(14) };
     let at = |load: f64, mu0: f64| at_once(&with(load, mu0), &options);

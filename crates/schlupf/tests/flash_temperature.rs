@@ -11,12 +11,10 @@ use std::sync::Arc;
 
 use common::{problem, rolling};
 use schlupf::bodies::Material;
-use schlupf::elasticity::half_space::HalfSpace;
+use schlupf::elasticity::HalfSpace;
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::Constant;
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::normal::Ellipse;
 use schlupf::{Options, Solution, Status, unwatched};
 

@@ -9,8 +9,7 @@ use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
 use schlupf::elasticity::Winkler;
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::across::Across;
-use schlupf::interface::friction::constant::Constant;
+use schlupf::interface::friction::{Across, Constant};
 use schlupf::normal::Ellipse;
 use schlupf::{Problem, Solution, Status, unwatched};
 

@@ -6,15 +6,10 @@ use approx::assert_relative_eq;
 use common::{at_once, cells, from_state, half_space, problem, rolling, solve};
 use schlupf::elasticity::Rigid;
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::exponential::Exponential;
-use schlupf::interface::friction::memory::FrictionMemory;
-use schlupf::interface::friction::polach::Polach;
-use schlupf::interface::friction::product::Product;
-use schlupf::interface::friction::slip_terms::SlipTerms;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::{
+    Exponential, FrictionMemory, Polach, Product, SlipTerms, TemperatureLinear,
+};
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::problem::Element;
 use schlupf::solver::march;
 use schlupf::{Options, Problem, unwatched};

@@ -8,9 +8,9 @@ use std::sync::Arc;
 
 use common::{cells, problem, rolling};
 use schlupf::bodies::Material;
-use schlupf::elasticity::half_space::HalfSpace;
+use schlupf::elasticity::HalfSpace;
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::constant::Constant;
+use schlupf::interface::friction::Constant;
 use schlupf::normal::Ellipse;
 use schlupf::{Solution, Status, unwatched};
 

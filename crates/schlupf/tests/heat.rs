@@ -9,14 +9,10 @@ use common::{cells, problem, rolling, solve};
 use schlupf::analysis::temperature_field::{Side, TemperatureField};
 use schlupf::bodies::{Body, Material};
 use schlupf::elasticity::Rigid;
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::heat::constant_source::ConstantSource;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
-use schlupf::interface::heat::{Heat, HeatModel};
+use schlupf::interface::friction::{Constant, TemperatureLinear};
+use schlupf::interface::heat::{ConstantSource, Duhamel, Heat, HeatModel, Partition};
 use schlupf::normal::Ellipse;
-use schlupf::solver::reference::moving_source::SemiEllipticSource;
+use schlupf::solver::reference::SemiEllipticSource;
 use schlupf::{Options, Problem, Solution};
 
 fn half_to_each(model: Arc<dyn HeatModel>) -> Heat {

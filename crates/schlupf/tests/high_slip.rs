@@ -9,13 +9,10 @@ use approx::assert_relative_eq;
 use common::{half_space, problem, rolling};
 use schlupf::elasticity::Rigid;
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::FrictionLaw;
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::{
+    Constant, FrictionLaw, TemperatureLinear, TemperaturePiecewiseLinear,
+};
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::normal::Ellipse;
 use schlupf::solver::SteadySolver;
 use schlupf::{Options, Problem, Solution, Solver, Status, unwatched};

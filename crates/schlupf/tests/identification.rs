@@ -11,13 +11,10 @@ use schlupf::analysis::identification::{
 };
 use schlupf::bodies::Kinematics;
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::constants::FrictionConstant;
-use schlupf::interface::friction::polach::Polach;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::friction::{Friction, FrictionLaw};
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::{
+    Friction, FrictionConstant, FrictionLaw, Polach, TemperatureLinear,
+};
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::normal::Ellipse;
 use schlupf::problem::AreaReduction;
 use schlupf::{Error, Options, Problem, Status, unwatched};
@@ -525,9 +522,9 @@ fn impossible_requests_are_refused_with_names() {
     };
     let message = refused(&start, &[DECAY]);
     assert!(message.contains("friction law in use, which has friction_coefficient"), "{message}");
-    let cold = start
-        .clone()
-        .with(|interface| interface.heat = Heat { model: None, ..start.interface.heat.clone() });
+    let cold = start.clone().with_interface(|interface| {
+        interface.heat = Heat { model: None, ..start.interface.heat.clone() }
+    });
     let message = refused(&cold, &[VANISHES]);
     assert!(message.contains("but heat_model = \"none\""), "{message}");
     let message = refused(&start, &[STIFFNESS, Parameter::Roughness]);

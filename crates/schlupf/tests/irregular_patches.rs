@@ -11,14 +11,14 @@ use std::sync::Arc;
 use common::{Random, cells, half_space, problem, quantiles, rolling};
 use schlupf::bodies::Kinematics;
 use schlupf::interface::ContactLaw;
-use schlupf::interface::friction::constant::Constant;
+use schlupf::interface::friction::Constant;
 use schlupf::normal::{PressureTable, Tabulated};
 use schlupf::solution::Strategy;
 use schlupf::wheel_rail::{
     Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side, Support,
     Tangential, Track, WheelOnRail, WheelShape,
 };
-use schlupf::{Error, Method, Options, Problem, Quantity, Solution, unwatched};
+use schlupf::{Error, Options, Problem, Quantity, Solution, unwatched};
 
 fn is_marched(solution: &Solution) -> bool {
     solution.work.strategy == Some(Strategy::March)
@@ -77,11 +77,8 @@ fn contacts_of_wheels_on_rails_are_found_directly() {
             cells: across,
         };
         let options = cells(across);
-        let tangential = Tangential {
-            interface: &coulomb(problem(Kinematics::free_rolling(1.0))).interface,
-            solver: &|options: &Options| Method::Full.solver(options),
-            options: &options,
-        };
+        let interface = coulomb(problem(Kinematics::free_rolling(1.0))).interface;
+        let tangential = Tangential::new(&interface, &options);
         let found = wheel.solve(&tangential, &unwatched).unwrap();
         for contact in &found.contacts {
             assert!(!is_marched(&contact.solution), "{across} cells, {:?}", wheel.motion);
@@ -94,7 +91,7 @@ fn contacts_of_wheels_on_rails_are_found_directly() {
 }
 
 fn coulomb(given: Problem) -> Problem {
-    let mut problem = given.with(|interface| interface.elasticity = half_space());
+    let mut problem = given.with_interface(|interface| interface.elasticity = half_space());
     problem.interface.contact_law = ContactLaw::Coulomb;
     problem.interface.friction.law = Arc::new(Constant::new(0.3).unwrap());
     problem

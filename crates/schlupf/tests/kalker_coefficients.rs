@@ -6,7 +6,7 @@ use std::path::Path;
 
 use schlupf::Error;
 use schlupf::solver::kalker_coefficients::{creep_coefficients, interpolated_coefficients};
-use schlupf::solver::reference::kalker_linear::CreepCoefficients;
+use schlupf::solver::reference::CreepCoefficients;
 
 /// Lines of `data/kalker_coefficients.csv`: a/b, ν, then C11, C22, C23 as printed and C11, C22,
 /// C23, C33 converged; NaN where empty.

@@ -6,21 +6,20 @@ mod common;
 use std::sync::Arc;
 
 use schlupf::bodies::Kinematics;
-use schlupf::interface::friction::Friction;
-use schlupf::interface::friction::polach::Polach;
+use schlupf::interface::friction::{Friction, Polach};
 use schlupf::problem::{AreaReduction, Branch, Brush, FastMethod, Method, PrescribedForces};
-use schlupf::solver::ForceSolver;
-use schlupf::{Options, Problem, Solution, Solver, Status, Warning, unwatched};
+use schlupf::{Options, Problem, Solution, Status, Warning, unwatched};
 
-fn options(branch: Branch) -> Options {
-    Options { cells_x: 12, cells_y: 12, branch, ..Options::default() }
+fn options() -> Options {
+    Options { cells_x: 12, cells_y: 12, ..Options::default() }
 }
 
 /// Friction that falls to a fifth, with spin; speeds of 30 m/s.
 fn problem(creepage_x: f64, spin: f64) -> Problem {
     let motion = Kinematics { creepage_x, spin, ..Kinematics::free_rolling(30.0) };
     let law = Arc::new(Polach::new(0.4, 0.2, 0.3).unwrap());
-    common::problem(motion).with(|interface| interface.friction = Friction::new(law, 20.0))
+    common::problem(motion)
+        .with_interface(|interface| interface.friction = Friction::new(law, 20.0))
 }
 
 fn limit(problem: &Problem) -> f64 {
@@ -28,22 +27,22 @@ fn limit(problem: &Problem) -> f64 {
 }
 
 /// F_y over μ0 N at a lateral creepage.
-fn lateral(method: Method, problem: &Problem, creepage_y: f64) -> f64 {
+fn lateral(method: &Method, problem: &Problem, creepage_y: f64) -> f64 {
     let kinematics = Kinematics { creepage_y, ..problem.kinematics };
     let given = Problem { kinematics, ..problem.clone() };
-    let solution = method.solver(&options(Branch::LowSlip)).solve(&given, &unwatched).unwrap();
+    let solution = method.solver(&options()).solve(&given, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged);
     solution.force.y / limit(problem)
 }
 
 /// Lateral creepages at which F_y over μ0 N is `target`: by a scan and bisection.
-fn roots(method: Method, problem: &Problem, target: f64) -> Vec<f64> {
+fn roots(method: &Method, problem: &Problem, target: f64) -> Vec<f64> {
     let place = |k: i32| {
         let share = f64::from(k) / 40.0;
         0.95 * share.abs().powi(4) * share.signum()
     };
-    let off = |creepage: f64| lateral(method.clone(), problem, creepage) - target;
-    let values: Vec<(f64, f64)> = (-40..=40).map(|k| (place(k), off.clone()(place(k)))).collect();
+    let off = |creepage: f64| lateral(method, problem, creepage) - target;
+    let values: Vec<(f64, f64)> = (-40..=40).map(|k| (place(k), off(place(k)))).collect();
     let mut found = Vec::new();
     for pair in values.windows(2) {
         let [mut low, mut high] = [pair[0], pair[1]];
@@ -61,10 +60,9 @@ fn roots(method: Method, problem: &Problem, target: f64) -> Vec<f64> {
     found
 }
 
-fn found(method: Method, problem: &Problem, force: PrescribedForces, branch: Branch) -> Solution {
-    let prescribed = Problem { prescribed: force, ..problem.clone() };
-    let solution =
-        ForceSolver::new(method.solver(&options(branch))).solve(&prescribed, &unwatched).unwrap();
+fn found(method: &Method, problem: &Problem, force: PrescribedForces, branch: Branch) -> Solution {
+    let prescribed = Problem { prescribed: force, branch, ..problem.clone() };
+    let solution = method.solver(&options()).solve(&prescribed, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged);
     solution
 }
@@ -83,14 +81,14 @@ fn both_motions_of_a_lateral_force_with_spin() {
     ] {
         for spin in spins {
             let problem = problem(0.0, *spin);
-            let rest = lateral(method.clone(), &problem, 0.0);
+            let rest = lateral(&method, &problem, 0.0);
             for target in targets {
-                let roots = roots(method.clone(), &problem, *target);
+                let roots = roots(&method, &problem, *target);
                 let force =
                     PrescribedForces { y: Some(target * limit(&problem)), ..Default::default() };
                 let name = format!("{method:?} φ = {spin}, F_y = {target}, at rest {rest:.3}");
                 let [low, high] = [Branch::LowSlip, Branch::HighSlip]
-                    .map(|branch| found(method.clone(), &problem, force, branch));
+                    .map(|branch| found(&method, &problem, force, branch));
                 let [low_at, high_at] =
                     [&low, &high].map(|solution| solution.kinematics.creepage_y);
                 let near = |one: f64, other: f64| (one - other).abs() < 1e-3 * other.abs() + 1e-6;

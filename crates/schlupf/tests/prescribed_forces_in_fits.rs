@@ -12,12 +12,9 @@ use schlupf::analysis::identification::{
 };
 use schlupf::bodies::Kinematics;
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::Friction;
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::friction::constants::FrictionConstant;
+use schlupf::interface::friction::{Constant, Friction, FrictionConstant};
 use schlupf::problem::{AreaReduction, Method, PrescribedForces};
-use schlupf::solver::ForceSolver;
-use schlupf::{Options, Problem, Solver, Status, unwatched};
+use schlupf::{Options, Problem, Status, unwatched};
 
 const BOTH: [Parameter; 2] =
     [Parameter::Friction(FrictionConstant::ColdCoefficient), Parameter::ContactStiffness];
@@ -29,7 +26,7 @@ fn drifting([coefficient, stiffness]: [f64; 2], creepage_x: f64) -> Problem {
         prescribed: PrescribedForces { y: Some(0.0), ..PrescribedForces::default() },
         ..common::problem(kinematics)
     }
-    .with(|interface| {
+    .with_interface(|interface| {
         interface.contact_law = Incremental::new(stiffness).unwrap().into();
         interface.friction = Friction::new(Arc::new(Constant::new(coefficient).unwrap()), 20.0);
     })
@@ -48,7 +45,7 @@ fn model(constants: [f64; 2]) -> RollingContactModel {
 fn ratio(constants: [f64; 2], creepage_x: f64) -> f64 {
     let problem = drifting(constants, creepage_x);
     let options = Options { tolerance: 1e-9, ..options() };
-    let found = ForceSolver::new(Method::Full.solver(&options)).solve(&problem, &unwatched);
+    let found = Method::Full.solver(&options).solve(&problem, &unwatched);
     let found = found.unwrap();
     assert!(found.kinematics.creepage_y.abs() > 1e-5, "it drifts");
     -found.force.x / found.normal.load

@@ -6,10 +6,9 @@ mod common;
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
 use schlupf::elasticity::Winkler;
-use schlupf::normal::hertz::Hertz;
 use schlupf::normal::patch::Patch;
 use schlupf::normal::profile::{Profile, UndeformedDistance, relative_radius};
-use schlupf::normal::{Grid, NormalSummary, PressureSource};
+use schlupf::normal::{Grid, Hertz, NormalSummary, PressureSource};
 use schlupf::problem::{Brush, FastMethod, TractionBound};
 use schlupf::solver::simplified::FastContact;
 use schlupf::{Options, Quantity, Solution, unwatched};
@@ -87,7 +86,7 @@ fn hertz_1882_from_the_distance() {
 fn steady(normal: Arc<dyn PressureSource>, creepages: [f64; 3]) -> Solution {
     let [xi, eta, phi] = creepages;
     let problem = schlupf::Problem { normal, ..problem(rolling(xi, eta, phi)) }
-        .with(|interface| interface.elasticity = half_space());
+        .with_interface(|interface| interface.elasticity = half_space());
     schlupf::solver::solve(&problem, &cells(40), &unwatched).unwrap()
 }
 
@@ -187,7 +186,9 @@ fn boussinesq_1885_two_patches_share_the_load() {
 fn assert_forces_add_up(both: Arc<dyn PressureSource>, radii: [[f64; 2]; 2], loads: [f64; 2]) {
     let force = |normal: Arc<dyn PressureSource>, cells_y: usize| {
         let problem = schlupf::Problem { normal, ..problem(rolling(0.001, 0.0005, 0.0)) }
-            .with(|interface| interface.elasticity = Arc::new(Winkler::new(2e13, 2e13).unwrap()));
+            .with_interface(|interface| {
+                interface.elasticity = Arc::new(Winkler::new(2e13, 2e13).unwrap());
+            });
         let options = Options { cells_x: 40, cells_y, ..Options::default() };
         let force = schlupf::solver::solve(&problem, &options, &unwatched).unwrap().force;
         [force.x, force.y]
@@ -275,7 +276,7 @@ fn there_is_no_derivative_by_the_load() {
     assert_eq!(profile.load_exponent(), None);
     let problem =
         schlupf::Problem { normal: Arc::new(profile), ..problem(rolling(0.001, 0.0, 0.0)) }
-            .with(|interface| interface.elasticity = half_space());
+            .with_interface(|interface| interface.elasticity = half_space());
     let options = Options { sensitivity: true, ..cells(16) };
     let solution = schlupf::solver::solve(&problem, &options, &unwatched).unwrap();
     let sensitivity = solution.sensitivity.unwrap();

@@ -8,11 +8,8 @@ use std::sync::Arc;
 use common::{Random, cells, half_space, layer, problem, quantiles, rolling};
 use schlupf::bodies::Material;
 use schlupf::elasticity::{CalibratedLayer, Elasticity, Winkler};
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::friction::polach::Polach;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::friction::{Friction, FrictionLaw};
-use schlupf::interface::heat::duhamel::Duhamel;
+use schlupf::interface::friction::{Constant, Friction, FrictionLaw, Polach, TemperatureLinear};
+use schlupf::interface::heat::Duhamel;
 use schlupf::interface::{ContactLaw, Incremental, ThirdBodyLayer, TotalDisplacement};
 use schlupf::normal::Ellipse;
 use schlupf::solver::SteadySolver;
@@ -39,13 +36,13 @@ fn moving(random: &mut Random) -> Problem {
         normal: Arc::new(Ellipse::from_peak_pressure(a, b, 1e9).unwrap()),
         ..problem(rolling(size * direction.cos(), size * direction.sin(), spin))
     }
-    .with(|interface| interface.elasticity = half_space())
+    .with_interface(|interface| interface.elasticity = half_space())
 }
 
 /// Coulomb's law and every stiffness on the half-space.
 fn plain(random: &mut Random) -> Problem {
     let stiffness = random.one_of(&[5e6, 3e7, 1e8, 1e9, 1e10, f64::INFINITY]);
-    moving(random).with(|interface| interface.contact_law = law(stiffness))
+    moving(random).with_interface(|interface| interface.contact_law = law(stiffness))
 }
 
 fn law(stiffness: f64) -> ContactLaw {

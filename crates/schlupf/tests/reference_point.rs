@@ -9,19 +9,16 @@ use schlupf::analysis::bulk_temperature::{Cooling, bulk_temperature};
 use schlupf::analysis::creep_curve::{Creepages, Path, Sampling, Spacing, trace};
 use schlupf::bodies::{Kinematics, ReferencePoint};
 use schlupf::interface::InterfaceConstant;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::normal::profile::{Profile, UndeformedDistance};
 use schlupf::normal::{PressureSource, PressureTable, Tabulated};
 use schlupf::problem::{
     AreaReduction, Brush, FastMethod, Flexibilities, History, SlopeReduction, TractionBound,
 };
 use schlupf::solution::Resultant;
-use schlupf::solver;
 use schlupf::solver::SteadySolver;
 use schlupf::solver::simplified::FastContact;
-use schlupf::{Method, Options, Problem, Solution, Status, unwatched};
+use schlupf::{Method, Options, Problem, Solution, Status, solver, unwatched};
 use std::sync::Arc;
 
 /// Where the middle of the patch lies in the file, in m.
@@ -32,7 +29,6 @@ const MOTION: [f64; 3] = [0.0015, -0.0008, 0.35];
 
 const EXACT: Options = Options { tolerance: 1e-10, ..OPTIONS };
 const OPTIONS: Options = Options {
-    branch: schlupf::problem::Branch::LowSlip,
     cells_x: 14,
     cells_y: 14,
     tolerance: 1e-6,
@@ -75,7 +71,7 @@ fn both(motion: [f64; 3]) -> [Problem; 2] {
     let [xi, eta, spin] = motion;
     let base = problem(rolling(xi, eta, spin));
     let patch = Problem { normal: table([0.0; 2]), ..base.clone() }
-        .with(|interface| interface.elasticity = half_space());
+        .with_interface(|interface| interface.elasticity = half_space());
     let file = Problem {
         normal: table(ORIGIN),
         kinematics: at_file(motion),
@@ -320,8 +316,8 @@ fn a_displaced_profile_is_the_same_contact() {
         Arc::new(Profile::new(distance, 115e9, 80e3, 64).unwrap())
     };
     let [xi, eta, spin] = MOTION;
-    let base =
-        problem(rolling(xi, eta, spin)).with(|interface| interface.elasticity = half_space());
+    let base = problem(rolling(xi, eta, spin))
+        .with_interface(|interface| interface.elasticity = half_space());
     let patch = solve(&Problem { normal: pressed(0.0), ..base.clone() }, &cells(20));
     let file = Problem {
         normal: pressed(ORIGIN[1]),

@@ -1,12 +1,11 @@
 //! Normal contact of bodies of any shape, against closed forms and published numbers.
 
 use approx::assert_relative_eq;
-use schlupf::normal::PressureSource;
-use schlupf::normal::hertz::Hertz;
 use schlupf::normal::rough_contact::{
     Boundary, RoughContact, RoughContactOptions, RoughContactSolution,
 };
-use schlupf::solver::reference::westergaard::Westergaard;
+use schlupf::normal::{Hertz, PressureSource};
+use schlupf::solver::reference::Westergaard;
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
 use schlupf::surface::{HeightMap, Lattice};
 use schlupf::unwatched;

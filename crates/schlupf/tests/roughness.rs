@@ -2,12 +2,12 @@
 
 use approx::assert_relative_eq;
 use schlupf::bodies::{Material, contact_modulus};
-use schlupf::interface::roughness::load_curve::{LoadCurve, LoadCurveOptions};
-use schlupf::interface::roughness::micro_model::{MicroModel, MicroModelResult};
-use schlupf::interface::roughness::stiffness::closed_form;
 use schlupf::interface::roughness::tangential_curve::{SimilarBodies, TangentialCurve};
+use schlupf::interface::roughness::{
+    LoadCurve, LoadCurveOptions, MicroModel, MicroModelResult, closed_form,
+};
 use schlupf::normal::rough_contact::{Boundary, RoughContact, RoughContactOptions};
-use schlupf::solver::reference::cattaneo_mindlin::CattaneoMindlin;
+use schlupf::solver::reference::CattaneoMindlin;
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
 use schlupf::surface::{HeightMap, Lattice};
 use schlupf::unwatched;

@@ -10,23 +10,22 @@
 use std::sync::Arc;
 
 use schlupf::elasticity::Rigid;
-use schlupf::interface::friction::constant::Constant;
+use schlupf::interface::friction::Constant;
 use schlupf::interface::heat::Heat;
 use schlupf::reporting::Error;
 use schlupf::wheel_rail::{
     Contact, Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side,
     Support, Tangential, Track, WheelOnRail, WheelShape, WheelSolution,
 };
-use schlupf::{Method, Options, Problem, Quantity, unwatched};
+use schlupf::{Options, Problem, Quantity, unwatched};
 
 const NOMINAL: f64 = 0.46;
 
 fn solve(wheel: &WheelOnRail) -> Result<WheelSolution, Error> {
     let builder = Problem::builder().friction(Constant::new(0.3)?).heat(Heat::none());
     let interface = &builder.elasticity(Rigid).build()?.interface;
-    let solver = |options: &Options| Method::Full.solver(options);
     let options = &Options { cells_x: 12, cells_y: 12, ..Options::default() };
-    wheel.solve(&Tangential { interface, solver: &solver, options }, &unwatched)
+    wheel.solve(&Tangential::new(interface, options), &unwatched)
 }
 
 /// Radius of the wheel and height of the rail over y, both outwards in the coordinates of their

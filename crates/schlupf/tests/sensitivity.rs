@@ -8,25 +8,14 @@ use common::{half_space, problem, rolling};
 use schlupf::analysis::calibration::KalkerBed;
 use schlupf::bodies::{Material, contact_modulus};
 use schlupf::elasticity::elastic_layer::{ElasticLayer, Springs};
-use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::elasticity::{CalibratedLayer, Winkler};
-use schlupf::interface::friction::across::Across;
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::friction::constants::Changes;
-use schlupf::interface::friction::exponential::Exponential;
-use schlupf::interface::friction::memory::FrictionMemory;
-use schlupf::interface::friction::polach::Polach;
-use schlupf::interface::friction::product::Product;
-use schlupf::interface::friction::slip_terms::{SecondTerm, SlipTerms};
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::friction::{Friction, FrictionLaw};
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::constant_source::ConstantSource;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::elasticity::{CalibratedLayer, HalfSpace, Winkler};
+use schlupf::interface::friction::{
+    Across, Changes, Constant, Exponential, Friction, FrictionLaw, FrictionMemory, Polach, Product,
+    SecondTerm, SlipTerms, TemperatureLinear,
+};
+use schlupf::interface::heat::{ConstantSource, Duhamel, Heat, Partition};
 use schlupf::interface::{Incremental, InterfaceConstant, TotalDisplacement};
-use schlupf::normal::PressureSource;
-use schlupf::normal::hertz::{Hertz, Radii};
+use schlupf::normal::{Hertz, PressureSource, Radii};
 use schlupf::solution::{Resultant, Sensitivity};
 use schlupf::solver::SteadySolver;
 use schlupf::{Options, Problem, Solution, Status, unwatched};
@@ -126,9 +115,9 @@ fn moved(problem: &Problem, set: impl Fn(&mut schlupf::bodies::Kinematics)) -> P
 }
 
 fn incremental(problem: &Problem, stiffness: f64) -> Problem {
-    problem
-        .clone()
-        .with(|interface| interface.contact_law = Incremental::new(stiffness).unwrap().into())
+    problem.clone().with_interface(|interface| {
+        interface.contact_law = Incremental::new(stiffness).unwrap().into();
+    })
 }
 
 fn constant(problem: &Problem, coefficient: f64) -> Problem {
@@ -152,18 +141,19 @@ fn base() -> Problem {
 fn on_the_layer_and_the_half_space() {
     let layer = base();
     check("layer", &layer, &constant, &incremental);
-    let half = base().with(|interface| interface.elasticity = half_space());
+    let half = base().with_interface(|interface| interface.elasticity = half_space());
     check("half-space", &half, &constant, &incremental);
     let springs = Springs { bedding: 8e6, coupling: 3e7 };
     let discrete = ElasticLayer::from_springs(springs, springs, Some(15e-3)).unwrap();
     check(
         "springs",
-        &base().with(|interface| interface.elasticity = Arc::new(discrete)),
+        &base().with_interface(|interface| interface.elasticity = Arc::new(discrete)),
         &constant,
         &incremental,
     );
-    let uncoupled =
-        base().with(|interface| interface.elasticity = Arc::new(Winkler::new(2e13, 1e13).unwrap()));
+    let uncoupled = base().with_interface(|interface| {
+        interface.elasticity = Arc::new(Winkler::new(2e13, 1e13).unwrap());
+    });
     check("Winkler", &uncoupled, &constant, &incremental);
 }
 
@@ -175,11 +165,11 @@ fn on_calibrated_springs() {
     let layer = CalibratedLayer::new(&steel, &steel, None).unwrap();
     let with_bed = |p: &Problem, load: f64| {
         Problem { normal: hertz(load), ..p.clone() }
-            .with(|interface| interface.elasticity = Arc::new(KalkerBed { bodies }))
+            .with_interface(|interface| interface.elasticity = Arc::new(KalkerBed { bodies }))
     };
     let with_layer = |p: &Problem, load: f64| {
         Problem { normal: hertz(load), ..p.clone() }
-            .with(|interface| interface.elasticity = Arc::new(layer))
+            .with_interface(|interface| interface.elasticity = Arc::new(layer))
     };
     let models: [(&str, Setter); 2] = [("Winkler", &with_bed), ("layer", &with_layer)];
     for (name, with) in models {
@@ -195,7 +185,7 @@ fn on_calibrated_springs() {
 
 #[test]
 fn with_stiff_bristles() {
-    let half = base().with(|interface| interface.elasticity = half_space());
+    let half = base().with_interface(|interface| interface.elasticity = half_space());
     check_at("half-space", &incremental(&half, 1e8), &constant, (&incremental, 1e8));
     check_at("layer", &incremental(&base(), 1e8), &constant, (&incremental, 1e8));
     check_at("soft", &incremental(&half, 1e7), &constant, (&incremental, 1e7));
@@ -210,7 +200,8 @@ fn with_a_floor_in_part_of_the_patch() {
             Arc::new(TemperatureLinear::new(coefficient, 700.0, 0.35).unwrap());
         problem
     };
-    let mut hot = floored(&base().with(|interface| interface.elasticity = half_space()), 0.4);
+    let mut hot =
+        floored(&base().with_interface(|interface| interface.elasticity = half_space()), 0.4);
     hot.kinematics.creepage_x = -0.012;
     hot.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     let coefficients = at(&hot).fields.friction_coefficient;
@@ -221,7 +212,8 @@ fn with_a_floor_in_part_of_the_patch() {
 
 #[test]
 fn with_heat_that_lowers_friction() {
-    let mut hot = falling(&base().with(|interface| interface.elasticity = half_space()), 0.4);
+    let mut hot =
+        falling(&base().with_interface(|interface| interface.elasticity = half_space()), 0.4);
     hot.kinematics.creepage_x = 0.012;
     hot.interface.wheel.bulk_temperature = 120.0;
     hot.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
@@ -245,7 +237,8 @@ fn with_friction_that_remembers() {
         problem.interface.friction.memory = Some(FrictionMemory::new(3e-5, 1e-3).unwrap());
         problem
     };
-    let mut hot = lagging(&base().with(|interface| interface.elasticity = half_space()), 0.4);
+    let mut hot =
+        lagging(&base().with_interface(|interface| interface.elasticity = half_space()), 0.4);
     hot.kinematics.creepage_x = 0.012;
     hot.interface.wheel.bulk_temperature = 120.0;
     hot.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
@@ -255,8 +248,8 @@ fn with_friction_that_remembers() {
 #[test]
 fn with_the_law_in_total_displacement() {
     let total = |problem: &Problem, stiffness: f64| {
-        problem.clone().with(|interface| {
-            interface.contact_law = TotalDisplacement::new(stiffness).unwrap().into()
+        problem.clone().with_interface(|interface| {
+            interface.contact_law = TotalDisplacement::new(stiffness).unwrap().into();
         })
     };
     let base = total(&base(), 5e6);
@@ -267,7 +260,7 @@ fn with_the_law_in_total_displacement() {
 #[test]
 fn by_the_constants_of_friction() {
     let heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
-    let mut hot = base().with(|interface| {
+    let mut hot = base().with_interface(|interface| {
         interface.elasticity = half_space();
         interface.heat = heat;
     });
@@ -338,8 +331,8 @@ fn of_a_sliding_patch_of_given_size() {
 /// derivatives exist there.
 #[test]
 fn kalker_1967_at_rest() {
-    let rest =
-        problem(rolling(0.0, 0.0, 0.0)).with(|interface| interface.elasticity = half_space());
+    let rest = problem(rolling(0.0, 0.0, 0.0))
+        .with_interface(|interface| interface.elasticity = half_space());
     let slope = at(&rest).sensitivity.unwrap();
     let small = 1e-8;
     let moved = at(&Problem { kinematics: rolling(small, 0.0, 0.0), ..rest.clone() }).force;

@@ -12,14 +12,10 @@ use schlupf::analysis::temperature_field::TemperatureField;
 use schlupf::bodies::{Kinematics, Material};
 use schlupf::elasticity::Winkler;
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::FrictionLaw;
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::friction::polach::Polach;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::{
+    Constant, FrictionLaw, Polach, TemperatureLinear, TemperaturePiecewiseLinear,
+};
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::normal::{Ellipse, PressureTable, Tabulated};
 use schlupf::problem::{
     AreaReduction, Brush, FastMethod, Flexibilities, SlopeReduction, TractionBound,
@@ -268,7 +264,7 @@ fn all_slides_at_large_creepage() {
     }
 }
 
-fn assert_close(one: &Resultant, other: &Resultant, method: FastMethod) {
+fn assert_close(one: &Resultant, other: &Resultant, method: &FastMethod) {
     assert_eq!(one.moment_z.is_some(), other.moment_z.is_some());
     let parts = |force: &Resultant| [force.x, force.y, force.moment_z.unwrap_or(0.0)];
     for (one, other) in parts(one).into_iter().zip(parts(other)) {
@@ -286,9 +282,9 @@ fn forces_are_odd_and_mirrored() {
             let Resultant { x, y, moment_z } = of(motion);
             let moment_z = moment_z.map(|moment| -moment);
             let odd = Resultant { x: -x, y: -y, moment_z };
-            assert_close(&of(rolling(-creepage_x, -creepage_y, -spin)), &odd, method.clone());
+            assert_close(&of(rolling(-creepage_x, -creepage_y, -spin)), &odd, &method);
             let mirrored = Resultant { x, y: -y, moment_z };
-            assert_close(&of(rolling(creepage_x, -creepage_y, -spin)), &mirrored, method.clone());
+            assert_close(&of(rolling(creepage_x, -creepage_y, -spin)), &mirrored, &method);
         }
     }
 }

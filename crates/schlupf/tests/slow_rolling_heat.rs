@@ -10,13 +10,9 @@ use approx::assert_relative_eq;
 use common::{cells, problem, rolling};
 use schlupf::bodies::{Body, Kinematics, Material, contact_modulus};
 use schlupf::elasticity::Rigid;
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
-use schlupf::normal::Ellipse;
-use schlupf::normal::hertz::{Hertz, Radii};
+use schlupf::interface::friction::{Constant, TemperatureLinear};
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
+use schlupf::normal::{Ellipse, Hertz, Radii};
 use schlupf::solver::SteadySolver;
 use schlupf::{Options, Problem, Solution, Solver, Status, unwatched};
 

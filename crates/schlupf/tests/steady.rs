@@ -5,15 +5,12 @@ mod common;
 use approx::assert_relative_eq;
 use common::{at_once, cells, from_state, half_space, problem, rolling, solve};
 use schlupf::elasticity::{Elasticity, Rigid, Winkler};
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::TemperatureLinear;
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::interface::{ContactLaw, Incremental, TotalDisplacement};
 use schlupf::normal::{PressureTable, Tabulated};
 use schlupf::solution::Resultant;
-use schlupf::solver::SteadySolver;
-use schlupf::solver::march;
+use schlupf::solver::{SteadySolver, march};
 use schlupf::{Options, Problem, Solver, Status, unwatched};
 use std::sync::Arc;
 
@@ -167,7 +164,7 @@ fn the_second_solution_is_as_warm_as_the_third() {
     for (elasticity, laws) in [(common::layer(), &laws[..2]), (half_space(), &laws[..])] {
         for (law, across) in laws.iter().flat_map(|law| [(law, 20), (law, 40)]) {
             for (xi, eta, spin) in MOTIONS {
-                let base = problem(rolling(xi, eta, spin)).with(|interface| {
+                let base = problem(rolling(xi, eta, spin)).with_interface(|interface| {
                     interface.elasticity = Arc::clone(&elasticity);
                     interface.contact_law = *law;
                 });

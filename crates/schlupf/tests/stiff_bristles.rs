@@ -6,14 +6,10 @@ mod common;
 use common::{at_once, cells, half_space, layer, problem, rolling};
 use schlupf::bodies::Kinematics;
 use schlupf::elasticity::Elasticity;
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::friction::exponential::Exponential;
-use schlupf::interface::friction::memory::FrictionMemory;
-use schlupf::interface::friction::slip_terms::SlipTerms;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::{
+    Constant, Exponential, FrictionMemory, SlipTerms, TemperatureLinear,
+};
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::interface::{ContactLaw, Incremental, TotalDisplacement};
 use schlupf::normal::Ellipse;
 use schlupf::solution::Work;

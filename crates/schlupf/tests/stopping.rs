@@ -11,15 +11,12 @@ use schlupf::analysis::identification::roughness::DEFAULT_GAMMA;
 use schlupf::analysis::identification::{
     Component, Condition, DataPoint, Parameter, PolachModel, RollingContactModel, fit,
 };
-use schlupf::interface::friction::constants::FrictionConstant;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::FrictionConstant;
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::normal::rough_contact::{Boundary, RoughContact, RoughContactOptions};
 use schlupf::problem::{AreaReduction, FastMethod};
 use schlupf::reporting::Watch;
-use schlupf::solver::{self, SteadySolver};
-use schlupf::solver::{march, shift};
+use schlupf::solver::{self, SteadySolver, march, shift};
 use schlupf::surface::{HeightMap, Lattice};
 use schlupf::{Error, Method, Options, Problem, Solver, Transient, unwatched};
 use std::ops::ControlFlow;

@@ -9,21 +9,16 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
 use schlupf::elasticity::Winkler;
-use schlupf::interface::friction::exponential::Exponential;
-use schlupf::interface::friction::linear::Linear;
-use schlupf::interface::friction::memory::FrictionMemory;
-use schlupf::interface::friction::polach::Polach;
-use schlupf::interface::friction::slip_terms::SlipTerms;
+use schlupf::interface::friction::{Exponential, FrictionMemory, Linear, Polach, SlipTerms};
 use schlupf::interface::{ContactLaw, Incremental, ThirdBodyLayer};
 use schlupf::normal::Ellipse;
 use schlupf::problem::{FastMethod, LongitudinalForce, PrescribedForces};
 use schlupf::solution::{Strategy, Work};
-use schlupf::solver::ForceSolver;
 use schlupf::solver::SteadySolver;
 use schlupf::{Method, Options, Problem, Solution, Solver, Status, Warning, unwatched};
 
 fn coulomb() -> Problem {
-    problem(rolling(1e-3, 0.0, 0.0)).with(|interface| {
+    problem(rolling(1e-3, 0.0, 0.0)).with_interface(|interface| {
         interface.contact_law = ContactLaw::Coulomb;
         interface.elasticity = half_space();
     })
@@ -54,7 +49,7 @@ fn earlier_solutions_are_used_where_they_help() {
     assert_eq!(strategy(&mut solver, &at(&base, 1.1e-3)), Some(Strategy::Warm));
     assert_eq!(strategy(&mut solver, &at(&base, 5e-2)), Some(Strategy::Warm));
     assert_eq!(strategy(&mut solver, &at(&base, 1e-6)), Some(Strategy::Cold));
-    let bed = base.with(|interface| {
+    let bed = base.with_interface(|interface| {
         interface.elasticity = Arc::new(Winkler::new(1e13, 1e13).unwrap());
         interface.contact_law = Incremental::new(5e6).unwrap().into();
     });
@@ -107,14 +102,14 @@ fn prescribed_forces_say_what_led_to_them() {
         Problem { prescribed: PrescribedForces { x, ..Default::default() }, ..coulomb() }
     };
     let base = forced(-8e3);
-    let mut solver = ForceSolver::new(Method::Full.solver(&cells(16)));
-    assert_eq!(strategy(&mut solver, &base), Some(Strategy::Cold));
+    let mut solver = Method::Full.solver(&cells(16));
+    assert_eq!(strategy(&mut *solver, &base), Some(Strategy::Cold));
     let x = Some(LongitudinalForce::Force(-8.2e3));
     let next = Problem { prescribed: PrescribedForces { x, ..Default::default() }, ..base.clone() };
-    assert_eq!(strategy(&mut solver, &next), Some(Strategy::Warm));
+    assert_eq!(strategy(&mut *solver, &next), Some(Strategy::Warm));
     let mut falling = base;
     falling.interface.friction.law = Arc::new(Polach::new(0.4, 0.4, 0.5).unwrap());
-    assert_eq!(strategy(&mut solver, &falling), Some(Strategy::Continuation));
+    assert_eq!(strategy(&mut *solver, &falling), Some(Strategy::Continuation));
 }
 
 /// What Newton's method does not find is marched to, with the residual at which it stopped. It is

@@ -10,10 +10,10 @@ use common::{cells, half_space, problem, rolling};
 use schlupf::analysis::subsurface::{Measure, Plane, Stress, SubsurfaceStress, SurfaceLoad};
 use schlupf::analysis::temperature_field::Side;
 use schlupf::interface::ContactLaw;
-use schlupf::interface::friction::constant::Constant;
+use schlupf::interface::friction::Constant;
 use schlupf::normal::{Ellipse, Extent, Grid};
 use schlupf::problem::{Brush, FastMethod, Method};
-use schlupf::solver::reference::sliding_line_contact::SlidingLineContact;
+use schlupf::solver::reference::SlidingLineContact;
 use schlupf::{Error, Problem, Solution, Status, unwatched};
 
 /// The contact of an ellipse (semi-axes in m) under p0 = 1 GPa, both bodies with the given

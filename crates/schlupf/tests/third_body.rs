@@ -12,18 +12,12 @@ use schlupf::analysis::identification::{
     Component, Condition, DataPoint, Parameter, RollingContactModel, fit,
 };
 use schlupf::bodies::{Kinematics, Material};
-use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::elasticity::{Elasticity, Rigid};
-use schlupf::interface::friction::FrictionLaw;
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::friction::constants::FrictionConstant;
-use schlupf::interface::friction::exponential::Exponential;
-use schlupf::interface::friction::memory::FrictionMemory;
-use schlupf::interface::friction::slip_terms::SlipTerms;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::elasticity::{Elasticity, HalfSpace, Rigid};
+use schlupf::interface::friction::{
+    Constant, Exponential, FrictionConstant, FrictionLaw, FrictionMemory, SlipTerms,
+    TemperatureLinear,
+};
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::interface::{ContactLaw, Incremental, InterfaceConstant, ThirdBodyLayer, YieldLimit};
 use schlupf::normal::Ellipse;
 use schlupf::problem::{Brush, FastMethod, Method, SlopeReduction};
@@ -73,7 +67,7 @@ fn curve(model: &str) -> Vec<(f64, f64)> {
     points
 }
 
-fn found_by(method: Method, problem: &Problem, options: &Options) -> Solution {
+fn found_by(method: &Method, problem: &Problem, options: &Options) -> Solution {
     let solution = method.solver(options).solve(problem, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     solution
@@ -94,10 +88,10 @@ fn coulomb(creepage_x: f64) -> Problem {
 /// Vollebregt 2022, Eurosprinter, clean bodies: the half-space and FASTSIM.
 #[test]
 fn vollebregt_2022_eurosprinter_clean() {
-    let full = |xi| found_by(Method::Full, &coulomb(xi), &cells(40)).force.x;
+    let full = |xi| found_by(&Method::Full, &coulomb(xi), &cells(40)).force.x;
     assert!(farthest("kalker", 0.33, full) < 0.013);
     let method = Method::Fast(FastMethod::Fastsim(Brush::KALKER));
-    let fast = |xi| found_by(method.clone(), &coulomb(xi), &cells(40)).force.x;
+    let fast = |xi| found_by(&method, &coulomb(xi), &cells(40)).force.x;
     assert!(farthest("fastsim", 0.33, fast) < 0.013);
 }
 
@@ -111,8 +105,8 @@ fn vollebregt_2022_eurosprinter_clean() {
 fn vollebregt_2022_eurosprinter_with_a_layer() {
     let layer = ThirdBodyLayer::new(1.25e-3, 8.2e9).unwrap();
     let force = |creepage: f64, across: usize| {
-        let wheel = falling(creepage).with(|interface| interface.layer = Some(layer));
-        found_by(Method::Full, &wheel, &cells(across)).force.x
+        let wheel = falling(creepage).with_interface(|interface| interface.layer = Some(layer));
+        found_by(&Method::Full, &wheel, &cells(across)).force.x
     };
     let limit = 0.33 * LOAD;
     let (mut farthest, mut own_grid) = (0.0_f64, 0.0_f64);
@@ -139,7 +133,7 @@ fn spiryagin_polach_cole_2013_eurosprinter() {
     let law = Arc::new(Exponential(SlipTerms::new(0.36, 0.1368, 0.99, None).unwrap()));
     let method = FastMethod::ModifiedFastsim(Brush::KALKER, SlopeReduction::LOCOMOTIVE);
     let off = farthest("modified-fastsim", 0.36, |creepage| {
-        found_by(Method::Fast(method.clone()), &locomotive(law.clone(), creepage), &cells(40))
+        found_by(&Method::Fast(method.clone()), &locomotive(law.clone(), creepage), &cells(40))
             .force
             .x
     });
@@ -167,7 +161,8 @@ fn a_soft_layer_is_a_bed_of_springs() {
         contact.interface.elasticity = elasticity;
         contact.interface.contact_law = *law;
         contact.interface.layer = Some(soft);
-        let found = [20, 40].map(|across| found_by(Method::Full, &contact, &cells(across)).force.x);
+        let found =
+            [20, 40].map(|across| found_by(&Method::Full, &contact, &cells(across)).force.x);
         let marched = solve(&contact, &cells(20)).force.x;
         let off = found.map(|force| (force / exact - 1.0).abs());
         println!("{:?} {law:?}: {off:?}", contact.interface.elasticity);
@@ -188,9 +183,9 @@ fn the_fast_methods_know_the_layer() {
             contact.interface.elasticity = half_space();
             contact.interface.contact_law = ContactLaw::Coulomb;
             contact.interface.layer = Some(ThirdBodyLayer::new(thickness, modulus).unwrap());
-            let full = found_by(Method::Full, &contact, &cells(40)).force;
+            let full = found_by(&Method::Full, &contact, &cells(40)).force;
             for method in [FastMethod::KalkerLinear, FastMethod::Fastsim(Brush::KALKER)] {
-                let fast = found_by(Method::Fast(method.clone()), &contact, &cells(40)).force;
+                let fast = found_by(&Method::Fast(method.clone()), &contact, &cells(40)).force;
                 let off = (fast.x - full.x).hypot(fast.y - full.y) / full.x.hypot(full.y);
                 println!("{thickness} {motion:?} {method:?}: {off:.4}");
                 assert!(off < 0.057, "{thickness} {motion:?} {method:?}: {off}");
@@ -207,7 +202,7 @@ fn the_powers_balance_with_a_layer() {
         contact.interface.elasticity = half_space();
         contact.interface.contact_law = law;
         contact.interface.layer = Some(ThirdBodyLayer::new(1.25e-3, 8.2e9).unwrap());
-        for solution in [found_by(Method::Full, &contact, &cells(24)), solve(&contact, &cells(24))]
+        for solution in [found_by(&Method::Full, &contact, &cells(24)), solve(&contact, &cells(24))]
         {
             let power = solution.power.unwrap();
             println!("{power:?}");
@@ -227,7 +222,7 @@ fn derivatives_with_a_layer_are_those_of_differences() {
         contact.interface.layer = Some(ThirdBodyLayer::new(1.25e-3, 8.2e9).unwrap());
         let options = Options { sensitivity: true, tolerance: 1e-11, ..cells(16) };
         let at = |kinematics: Kinematics| {
-            found_by(Method::Full, &Problem { kinematics, ..contact.clone() }, &options)
+            found_by(&Method::Full, &Problem { kinematics, ..contact.clone() }, &options)
         };
         let middle = contact.kinematics;
         let found = at(middle).sensitivity.unwrap();
@@ -262,8 +257,9 @@ fn the_derivative_by_the_load_with_a_layer() {
                 let motion = Problem::builder().load(load).creepage_x(creepage).creepage_y(1e-3);
                 let bodies = HalfSpace::new(&Material::STEEL, &Material::STEEL).unwrap();
                 let built = motion.spin(0.3).layer(layer).elasticity(bodies).heat(Heat::none());
-                let problem = built.build().unwrap().with(|interface| interface.contact_law = *law);
-                found_by(Method::Full, &problem, &options)
+                let problem =
+                    built.build().unwrap().with_interface(|interface| interface.contact_law = *law);
+                found_by(&Method::Full, &problem, &options)
             };
             let found = at(80e3).sensitivity.unwrap().load.unwrap();
             let [more, less] = [80.08e3, 79.92e3].map(|load| at(load).force);
@@ -292,7 +288,7 @@ fn the_derivative_by_the_layer() {
             let layer = Some(ThirdBodyLayer::new(1.25e-3, modulus).unwrap());
             let mut solver = SteadySolver::new(&options);
             let wanted = [InterfaceConstant::LayerShearModulus];
-            let problem = contact.clone().with(|interface| interface.layer = layer);
+            let problem = contact.clone().with_interface(|interface| interface.layer = layer);
             solver.solve_with_derivatives_by(&problem, &wanted, &unwatched).unwrap().unwrap()
         };
         let found = at(8.2e9).1[0];
@@ -364,12 +360,12 @@ fn a_layer_is_fitted() {
     let true_layer = ThirdBodyLayer::new(1.25e-3, 8.2e9).unwrap();
     let with = |layer: Option<ThirdBodyLayer>, mu: f64| {
         let law = Arc::new(Constant::new(mu).unwrap());
-        locomotive(law, 1e-3).with(|interface| interface.layer = layer)
+        locomotive(law, 1e-3).with_interface(|interface| interface.layer = layer)
     };
     let measured = [0.001, 0.002, 0.004, 0.007, 0.012, 0.02, 0.03].map(|creepage_x| {
         let mut wheel = with(Some(true_layer), 0.33);
         wheel.kinematics.creepage_x = creepage_x;
-        let found = found_by(Method::Full, &wheel, &cells(16));
+        let found = found_by(&Method::Full, &wheel, &cells(16));
         let condition = Condition { kinematics: wheel.kinematics, load: None };
         let force_ratio = -found.force.x / LOAD;
         DataPoint {

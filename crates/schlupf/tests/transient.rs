@@ -13,10 +13,8 @@ use common::{cells, half_space, layer, problem, rolling, solve_over};
 use schlupf::bodies::{Kinematics, Material};
 use schlupf::elasticity::{CalibratedLayer, Winkler};
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::TemperatureLinear;
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::problem::History;
 use schlupf::{Problem, Solution, Warning, unwatched};
 
@@ -250,8 +248,9 @@ fn a_history_starts_with_a_shift() {
     assert!((force(0) - 0.6530).abs() < 3e-3, "{}", force(0));
     assert!((force(1) - force(0)).abs() < 0.05, "{} {}", force(0), force(1));
     for stiffness in [5e6, 1e8, 1e9] {
-        let problem = reference()
-            .with(|interface| interface.contact_law = Incremental::new(stiffness).unwrap().into());
+        let problem = reference().with_interface(|interface| {
+            interface.contact_law = Incremental::new(stiffness).unwrap().into();
+        });
         let history = History { shift: Some([0.015e-3, 0.0]), ..constant(60e-3) };
         let end = solve_over(&problem, history, &cells(40)).normalised.x;
         let steady = schlupf::solver::solve(&problem, &cells(40), &unwatched).unwrap();
@@ -292,9 +291,9 @@ fn edges_faster_than_the_wheel() {
 fn the_calibrated_layer_is_ahead_of_the_half_space() {
     let mut rolls = problem(Kinematics { speed: 1.0, ..rolling(0.002, 0.0, 0.0) });
     rolls.interface.elasticity = half_space();
-    let layer = rolls.clone().with(|interface| {
+    let layer = rolls.clone().with_interface(|interface| {
         interface.elasticity =
-            Arc::new(CalibratedLayer::new(&Material::STEEL, &Material::STEEL, None).unwrap())
+            Arc::new(CalibratedLayer::new(&Material::STEEL, &Material::STEEL, None).unwrap());
     });
     let forces = |problem: &Problem| {
         let solution = solve_over(problem, constant(60e-3), &cells(20));

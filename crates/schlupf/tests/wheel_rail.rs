@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use schlupf::bodies::{Body, Material, contact_modulus};
-use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::interface::friction::constant::Constant;
+use schlupf::elasticity::HalfSpace;
+use schlupf::interface::friction::Constant;
 use schlupf::interface::{ContactLaw, Incremental};
 use schlupf::reporting::WheelRailError;
 use schlupf::wheel_rail::{
@@ -14,7 +14,7 @@ use schlupf::wheel_rail::{
     Roll, RollingRadiusDifference, RowsMove, Side, Support, Tangential, Track, WheelOnRail,
     WheelShape, WheelSolution,
 };
-use schlupf::{Error, Method, Options, Problem, Quantity, Status, unwatched};
+use schlupf::{Error, Options, Problem, Quantity, Status, unwatched};
 
 const STEEL: Material =
     Material { young_modulus: 2.0 * 82e9 * 1.28, poisson_ratio: 0.28, ..Body::STEEL.material };
@@ -86,8 +86,7 @@ fn solve_with<R>(
         .heat(schlupf::interface::heat::Heat::none())
         .elasticity(elasticity);
     let interface = &builder.build().unwrap().interface;
-    let solver = |options: &Options| Method::Full.solver(options);
-    work(&Tangential { interface, solver: &solver, options })
+    work(&Tangential::new(interface, options))
 }
 
 fn bristles() -> ContactLaw {

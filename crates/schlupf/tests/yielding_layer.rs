@@ -12,10 +12,8 @@ use schlupf::analysis::identification::{
 };
 use schlupf::bodies::Kinematics;
 use schlupf::elasticity::{Elasticity, Rigid};
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::TemperatureLinear;
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::interface::{ContactLaw, Incremental, ThirdBodyLayer, YieldLimit};
 use schlupf::problem::{Brush, FastMethod, Flexibilities, History, Method, TractionBound};
 use schlupf::reporting::Warning;
@@ -46,7 +44,7 @@ fn contact(limit: [f64; 2], elasticity: Arc<dyn Elasticity>, creepage_x: f64) ->
     contact
 }
 
-fn found_by(method: Method, problem: &Problem, options: &Options) -> Solution {
+fn found_by(method: &Method, problem: &Problem, options: &Options) -> Solution {
     let solution = method.solver(options).solve(problem, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
     solution
@@ -84,14 +82,14 @@ fn every_point_follows_the_law_of_the_layer() {
             let exact = exact(limit, creepage);
             let rigid = contact(limit, Arc::new(Rigid), creepage);
             let off = |force: f64| (force - exact).abs() / exact.abs();
-            let steady = found_by(Method::Full, &rigid, &cells(40));
+            let steady = found_by(&Method::Full, &rigid, &cells(40));
             let options = cells(40);
             let transient = Transient::to_steady_state(&rigid);
             let marched = march(&transient, &options, &unwatched).unwrap();
             assert_eq!(marched.status, Status::Converged, "{:?}", marched.warnings);
             let soft = contact(limit, half_space(), creepage);
-            let on_half_space = found_by(Method::Full, &soft, &cells(40));
-            let fast = found_by(fastsim.clone(), &soft, &cells(40));
+            let on_half_space = found_by(&Method::Full, &soft, &cells(40));
+            let fast = found_by(&fastsim.clone(), &soft, &cells(40));
             let all = [&steady, &marched, &on_half_space, &fast].map(|found| off(found.force.x));
             println!(
                 "{limit:?} {creepage}: {exact:.1} {all:.4?} products {} {} newton {} {}",
@@ -247,7 +245,7 @@ fn plastic_work_is_dissipated_and_heats() {
         hot.interface.friction.law = Arc::new(TemperatureLinear::new(0.6, 700.0, 0.0).unwrap());
         hot.interface.heat =
             Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
-        let found = [found_by(Method::Full, &hot, &cells(20)), solve(&hot, &cells(20))];
+        let found = [found_by(&Method::Full, &hot, &cells(20)), solve(&hot, &cells(20))];
         for solution in &found {
             let power = solution.power.unwrap();
             assert_relative_eq!(power.friction, power.creep, max_relative = 1e-3);
@@ -267,7 +265,7 @@ fn derivatives_with_a_layer_that_flows() {
         let options = Options { sensitivity: true, tolerance: 1e-11, ..cells(16) };
         let at = |creepage_x: f64| {
             let kinematics = Kinematics { creepage_x, ..contact.kinematics };
-            found_by(Method::Full, &Problem { kinematics, ..contact.clone() }, &options)
+            found_by(&Method::Full, &Problem { kinematics, ..contact.clone() }, &options)
         };
         let found = at(0.3).sensitivity.unwrap().creepage_x.x;
         let step = 1e-8;
@@ -284,8 +282,8 @@ fn the_constants_of_a_layer_are_fitted() {
     let parameters =
         [Parameter::LayerYieldStress, Parameter::LayerHardening, Parameter::LayerShearModulus];
     let on = |layer: Option<ThirdBodyLayer>| {
-        let start =
-            contact(LIMITS[0], Arc::new(Rigid), 0.1).with(|interface| interface.layer = layer);
+        let start = contact(LIMITS[0], Arc::new(Rigid), 0.1)
+            .with_interface(|interface| interface.layer = layer);
         RollingContactModel::new(&start, &cells(40), &parameters, 0.45)
     };
     let load = contact(LIMITS[0], Arc::new(Rigid), 0.1).normal.normal_contact(None).unwrap();
@@ -326,7 +324,7 @@ fn the_constants_of_a_layer_are_fitted() {
 fn marching_goes_on_from_a_steady_state_with_flow() {
     let contact = contact([1.5e8, 2e10], half_space(), 0.1);
     let options = Options { tolerance: 1e-9, ..cells(20) };
-    let steady = found_by(Method::Full, &contact, &options);
+    let steady = found_by(&Method::Full, &contact, &options);
     let goes_on = Transient {
         initial_state: Some(steady.state.clone()),
         ..Transient::to_steady_state(&contact)
@@ -343,11 +341,11 @@ fn marching_goes_on_from_a_steady_state_with_flow() {
 fn methods_without_fields_tell_that_they_do_not_know_the_limit() {
     let contact = contact([1e8, 0.0], half_space(), 0.1);
     for method in [FastMethod::KalkerLinear, FastMethod::ShenHedrickElkins] {
-        let warnings = found_by(Method::Fast(method.clone()), &contact, &cells(20)).warnings;
+        let warnings = found_by(&Method::Fast(method.clone()), &contact, &cells(20)).warnings;
         assert!(warnings.contains(&Warning::NoYield { method: method.name() }), "{warnings:?}");
     }
     let elastic = ThirdBodyLayer::new(1e-3, 1e8).unwrap();
-    let contact = contact.with(|interface| interface.layer = Some(elastic));
-    let warnings = found_by(Method::Fast(FastMethod::ShenHedrickElkins), &contact, &cells(20));
+    let contact = contact.with_interface(|interface| interface.layer = Some(elastic));
+    let warnings = found_by(&Method::Fast(FastMethod::ShenHedrickElkins), &contact, &cells(20));
     assert!(!warnings.warnings.iter().any(|warning| matches!(warning, Warning::NoYield { .. })));
 }

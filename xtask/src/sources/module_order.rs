@@ -16,7 +16,7 @@ pub const RULE: Rule = Rule {
 const CORE: &str = "crates/schlupf/src/";
 
 /// The folders of the core with ordered modules, each with the file that lists them.
-const ORDERED: [(&str, &str); 11] = [
+const ORDERED: [(&str, &str); 12] = [
     ("", "lib.rs"),
     ("reporting/", "mod.rs"),
     ("bodies/", "mod.rs"),
@@ -27,6 +27,7 @@ const ORDERED: [(&str, &str); 11] = [
     ("solver/rolling/shared/", "mod.rs"),
     ("solver/rolling/marching/", "mod.rs"),
     ("solver/rolling/steady/", "mod.rs"),
+    ("wheel_rail/", "mod.rs"),
     ("analysis/", "mod.rs"),
 ];
 

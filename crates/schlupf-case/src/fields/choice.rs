@@ -175,7 +175,7 @@ choices! {
     }
 
     /// `solver.driver`: how the full equations are solved.
-    Driver {
+    DriverChoice {
         Steady "steady" "the steady state directly";
         Marching "marching" "step by step in time: to the steady state, or along a history";
     }

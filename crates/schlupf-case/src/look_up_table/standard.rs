@@ -1,6 +1,6 @@
 //! The table that comes with the program.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::OnceLock;
 
 use crate::look_up_table::archive::{StoredTable, TableFileError};
 
@@ -19,7 +19,7 @@ const BYTES: &[u8] = include_bytes!("standard.npz");
 ///
 /// # Errors
 /// None, unless the program was built from a damaged file.
-pub fn standard() -> Result<Arc<StoredTable>, TableFileError> {
-    static STANDARD: OnceLock<Result<Arc<StoredTable>, TableFileError>> = OnceLock::new();
-    STANDARD.get_or_init(|| StoredTable::from_bytes(BYTES).map(Arc::new)).clone()
+pub fn standard() -> Result<StoredTable, TableFileError> {
+    static STANDARD: OnceLock<Result<StoredTable, TableFileError>> = OnceLock::new();
+    STANDARD.get_or_init(|| StoredTable::from_bytes(BYTES)).clone()
 }

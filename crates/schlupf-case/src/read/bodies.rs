@@ -1,7 +1,7 @@
 //! `[wheel]` and `[rail]`.
 
 use schlupf::bodies::{Body, Material};
-use schlupf::normal::hertz::Radii;
+use schlupf::normal::Radii;
 
 use crate::FieldPath;
 use crate::error::CaseError;

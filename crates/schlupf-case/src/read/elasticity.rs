@@ -5,8 +5,7 @@ use std::sync::Arc;
 use schlupf::analysis::calibration::KalkerBed;
 use schlupf::bodies::Material;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness, Springs};
-use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::elasticity::{CalibratedLayer, Elasticity, Rigid, Winkler};
+use schlupf::elasticity::{CalibratedLayer, Elasticity, HalfSpace, Rigid, Winkler};
 
 use crate::FieldPath;
 use crate::error::CaseError;

@@ -2,18 +2,10 @@
 
 use std::sync::Arc;
 
-use schlupf::interface::friction::across::Across;
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::friction::exponential::Exponential;
-use schlupf::interface::friction::linear::Linear;
-use schlupf::interface::friction::memory::FrictionMemory;
-use schlupf::interface::friction::polach::Polach;
-use schlupf::interface::friction::product::Product;
-use schlupf::interface::friction::rational::Rational;
-use schlupf::interface::friction::slip_terms::{SecondTerm, SlipTerms};
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
-use schlupf::interface::friction::{Friction, FrictionLaw};
+use schlupf::interface::friction::{
+    Across, Constant, Exponential, Friction, FrictionLaw, FrictionMemory, Linear, Polach, Product,
+    Rational, SecondTerm, SlipTerms, TemperatureLinear, TemperaturePiecewiseLinear,
+};
 
 use crate::error::CaseError;
 use crate::fields::choice::{FrictionModel, SpeedModel};

@@ -2,10 +2,7 @@
 
 use std::sync::Arc;
 
-use schlupf::interface::heat::constant_source::ConstantSource;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
-use schlupf::interface::heat::{Heat, HeatModel};
+use schlupf::interface::heat::{ConstantSource, Duhamel, Heat, HeatModel, Partition};
 
 use crate::error::CaseError;
 use crate::fields::choice::HeatChoice;

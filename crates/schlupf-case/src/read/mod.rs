@@ -20,14 +20,12 @@ mod wheel_solver;
 use std::sync::Arc;
 
 use schlupf::bodies::{Kinematics, Material, ReferencePoint};
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::heat::Partition;
 use schlupf::interface::{ContactLaw, Interface};
 use schlupf::normal::{NormalContact, PressureSource};
-use schlupf::problem::{History, PrescribedForces};
-use schlupf::solver::ForceSolver;
-use schlupf::solver::MarchingSolver;
+use schlupf::problem::{Branch, History, PrescribedForces};
 use schlupf::wheel_rail::{WheelOnRail, WheelSolution};
-use schlupf::{Error, Method, Options, Problem, Solver, Watch};
+use schlupf::{Error, Options, Problem, Watch};
 
 pub use cooling::{cooling, missing as missing_cooling};
 pub use damage::damage;
@@ -36,7 +34,7 @@ pub use options::{driver, method};
 pub use subsurface::subsurface;
 
 use crate::error::CaseError;
-use crate::fields::choice::{Driver, NormalModel};
+use crate::fields::choice::NormalModel;
 use crate::law_stiffness::{LawStiffness, MicroContact};
 use crate::laws::Laws;
 use crate::notice::Notice;
@@ -56,6 +54,7 @@ pub struct Parts {
     kinematics: Kinematics,
     prescribed: PrescribedForces,
     reference: ReferencePoint,
+    branch: Branch,
     contact: Contact,
     stiffness: OfRoughness,
     /// Values over time, where there are some.
@@ -68,7 +67,7 @@ enum Contact {
     /// In one patch under this pressure.
     Pressure(Arc<dyn PressureSource>),
     /// Where the profiles of a wheel and a rail do.
-    Wheel(WheelRequest),
+    Wheel(Box<WheelRequest>),
 }
 
 /// A problem with what was found on the way to it.
@@ -100,7 +99,7 @@ impl Parts {
         };
         let elasticity = elasticity::elasticity(settings, materials)?;
         let contact = match wheel_rail::request(settings)? {
-            Some(wheel) => Contact::Wheel(wheel),
+            Some(wheel) => Contact::Wheel(Box::new(wheel)),
             None => Contact::Pressure(normal::source(settings, materials)?),
         };
         let prescribed = match contact {
@@ -121,6 +120,7 @@ impl Parts {
             kinematics,
             prescribed,
             reference,
+            branch: options::branch(settings)?,
             contact,
             stiffness,
             history: history::history(settings)?,
@@ -227,6 +227,7 @@ impl Parts {
             kinematics: self.kinematics,
             prescribed: self.prescribed,
             reference: self.reference,
+            branch: self.branch,
             normal: Arc::clone(normal),
             interface,
         };
@@ -262,6 +263,7 @@ impl Parts {
         Ok(WheelSolver {
             request: wheel.clone(),
             interface: self.interface.clone(),
+            branch: self.branch,
             method: method(settings)?,
             driver: driver(settings)?,
             options: options(settings)?,
@@ -305,18 +307,9 @@ impl Parts {
         watch: Watch,
     ) -> Result<Vec<WheelSolution>, CaseError> {
         let request = self.wheel_request().ok_or_else(|| wheel_rail::no_profiles(settings))?;
-        let found = self.wheel_solver(request, settings)?.find(Some(lateral), watch);
+        let solver = self.wheel_solver(request, settings)?.of_forces();
+        let found = solver.find(Some(lateral), watch);
         found.map_err(|error| settings.explain(&error))
-    }
-}
-
-/// What finds steady states by a method, and by a driver that was asked for.
-pub fn any_solver(method: &Method, driver: Option<Driver>, options: &Options) -> Box<dyn Solver> {
-    match (method, driver) {
-        (Method::Full, Some(Driver::Marching)) => {
-            Box::new(ForceSolver::new(Box::new(MarchingSolver::new(options))))
-        }
-        (method, _) => Box::new(ForceSolver::new(method.solver(options))),
     }
 }
 

@@ -4,9 +4,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use schlupf::bodies::{Material, contact_modulus};
-use schlupf::normal::hertz::Hertz;
 use schlupf::normal::profile::{Profile, UndeformedDistance, relative_radius};
-use schlupf::normal::{Ellipse, PressureSource, PressureTable, Tabulated};
+use schlupf::normal::{Ellipse, Hertz, PressureSource, PressureTable, Tabulated};
 
 use super::bodies::{RAIL, WHEEL, radii};
 use super::wheel_rail::refuse_micro_model;

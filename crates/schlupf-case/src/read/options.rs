@@ -5,12 +5,14 @@ use std::sync::Arc;
 
 use schlupf::problem::look_up_table::LookUpTable;
 use schlupf::problem::{
-    AreaReduction, Branch, Brush, FastMethod, Flexibilities, SlopeReduction, TractionBound,
+    AreaReduction, Branch, Brush, Driver, FastMethod, Flexibilities, SlopeReduction, TractionBound,
 };
 use schlupf::{Method, Options};
 
 use crate::error::CaseError;
-use crate::fields::choice::{BoundChoice, BranchChoice, Driver, FlexibilitiesChoice, MethodChoice};
+use crate::fields::choice::{
+    BoundChoice, BranchChoice, DriverChoice, FlexibilitiesChoice, MethodChoice,
+};
 use crate::settings::Settings;
 
 const TABLE: FieldPath = field!("solver.table");
@@ -20,10 +22,6 @@ pub fn options(settings: &Settings) -> Result<Options, CaseError> {
     Ok(Options {
         cells_x: settings.count(field!("grid.cells_x"))?,
         cells_y: settings.count(field!("grid.cells_y"))?,
-        branch: match settings.chosen(field!("solver.branch"))? {
-            BranchChoice::LowSlip => Branch::LowSlip,
-            BranchChoice::HighSlip => Branch::HighSlip,
-        },
         tolerance: settings.number(field!("solver.tolerance"))?,
         max_iterations: settings.count(field!("solver.max_iterations"))?,
         max_steps: settings.count(field!("solver.max_steps"))?,
@@ -37,10 +35,21 @@ pub fn options(settings: &Settings) -> Result<Options, CaseError> {
 
 /// The driver that was asked for.
 pub fn driver(settings: &Settings) -> Result<Option<Driver>, CaseError> {
-    settings
-        .is_given(field!("solver.driver"))
-        .then(|| settings.chosen(field!("solver.driver")))
-        .transpose()
+    if !settings.is_given(field!("solver.driver")) {
+        return Ok(None);
+    }
+    Ok(Some(match settings.chosen(field!("solver.driver"))? {
+        DriverChoice::Steady => Driver::Steady,
+        DriverChoice::Marching => Driver::Marching,
+    }))
+}
+
+/// Which of several steady states.
+pub fn branch(settings: &Settings) -> Result<Branch, CaseError> {
+    Ok(match settings.chosen(field!("solver.branch"))? {
+        BranchChoice::LowSlip => Branch::LowSlip,
+        BranchChoice::HighSlip => Branch::HighSlip,
+    })
 }
 
 /// What is solved, with the parameters of a fast method.
@@ -79,7 +88,7 @@ fn look_up_table(settings: &Settings) -> Result<Arc<LookUpTable>, CaseError> {
             settings.error(field!("solver.method"), format!("the standard table {error}"))
         })
     };
-    Ok(Arc::clone(&stored?.table))
+    Ok(stored?.table)
 }
 
 /// The bound of FASTSIM.

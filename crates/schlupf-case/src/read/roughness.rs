@@ -4,16 +4,14 @@ use std::sync::Arc;
 
 use schlupf::Watch;
 use schlupf::bodies::{Material, contact_modulus};
-use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::interface::roughness::load_curve::LoadCurveOptions;
-use schlupf::interface::roughness::micro_model::{
-    MicroModel, MicroModelResult, pressures_of_patch,
-};
-use schlupf::interface::roughness::stiffness::{TYPICAL_GAMMA, closed_form};
+use schlupf::elasticity::HalfSpace;
 use schlupf::interface::roughness::tangential_curve::SimilarBodies;
+use schlupf::interface::roughness::{
+    LoadCurveOptions, MicroModel, MicroModelResult, TYPICAL_GAMMA, closed_form, pressures_of_patch,
+};
 use schlupf::normal::NormalContact;
+use schlupf::surface::Holes;
 use schlupf::surface::form::Form;
-use schlupf::surface::holes::Holes;
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
 
 use crate::error::CaseError;

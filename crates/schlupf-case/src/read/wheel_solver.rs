@@ -2,15 +2,13 @@
 
 use schlupf::bodies::Kinematics;
 use schlupf::interface::Interface;
-use schlupf::problem::{LongitudinalForce, PrescribedForces};
+use schlupf::problem::{Branch, Driver, LongitudinalForce, PrescribedForces};
 use schlupf::reporting::WheelRailError;
 use schlupf::solution::{Resultant, Status, Work};
 use schlupf::wheel_rail::{Along, Drive, Tangential, WheelSolution};
 use schlupf::{Error, Method, Options, Problem, Solution, Solver, Watch};
 
-use super::any_solver;
 use super::wheel_rail::WheelRequest;
-use crate::fields::choice::Driver;
 
 /// A wheel on a rail with all laws. As a [`Solver`] it finds states of the whole wheel
 /// ([`WheelSolution::resultant`]) for creepages of its nominal radius, or for a longitudinal force;
@@ -21,6 +19,8 @@ pub struct WheelSolver {
     pub request: WheelRequest,
     /// Both bodies and all laws.
     pub interface: Interface,
+    /// Which of several steady states.
+    pub branch: Branch,
     /// All equations, or a fast method.
     pub method: Method,
     /// The driver that was asked for.
@@ -37,9 +37,12 @@ impl WheelSolver {
     /// The contacts of the wheel, or with another lateral position as `place` (in m) those of the
     /// left and of the right wheel resting on both rails.
     pub fn find(&self, place: Option<f64>, watch: Watch) -> Result<Vec<WheelSolution>, Error> {
-        let solver = |options: &Options| any_solver(&self.method, self.driver, options);
-        let tangential =
-            Tangential { interface: &self.interface, solver: &solver, options: &self.options };
+        let tangential = Tangential {
+            branch: self.branch,
+            method: &self.method,
+            driver: self.driver.unwrap_or_default(),
+            ..Tangential::new(&self.interface, &self.options)
+        };
         self.request.solve(place, &tangential, watch)
     }
 
@@ -89,7 +92,12 @@ impl Solver for WheelSolver {
         &self.options
     }
 
+    /// The wheel itself finds how it turns under a force.
     fn solve(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
+        self.solve_given(problem, watch)
+    }
+
+    fn solve_given(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
         self.turn(&problem.kinematics, &problem.prescribed);
         let speed = problem.kinematics.speed;
         let wheel = match (self.find_one(watch), &self.known) {

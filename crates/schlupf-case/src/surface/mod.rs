@@ -8,9 +8,7 @@ mod x3p;
 use std::path::Path;
 
 use schlupf::Error;
-use schlupf::surface::holes::{Holes, require_few};
-use schlupf::surface::profile::Profile;
-use schlupf::surface::{HeightMap, Lattice};
+use schlupf::surface::{HeightMap, Holes, Lattice, Profile, require_few};
 
 use crate::FieldPath;
 use crate::error::{CaseError, Cause};

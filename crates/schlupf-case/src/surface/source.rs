@@ -4,10 +4,9 @@ use std::path::Path;
 
 use schlupf::Error;
 use schlupf::surface::form::Form;
-use schlupf::surface::profile::Profile;
 use schlupf::surface::spectrum::{RadialSpectrum, Window, spectral_gradient};
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
-use schlupf::surface::{HeightMap, Lattice};
+use schlupf::surface::{HeightMap, Lattice, Profile};
 
 use super::{FILE, MeasuredSurface, Reading, SurfaceData, SurfaceOptions};
 use crate::FieldPath;

@@ -2,12 +2,11 @@
 
 use std::f64::consts::PI;
 use std::path::Path;
-use std::sync::Arc;
 
 use schlupf::bodies::{Kinematics, Material};
-use schlupf::elasticity::half_space::HalfSpace;
+use schlupf::elasticity::HalfSpace;
 use schlupf::interface::ContactLaw;
-use schlupf::interface::friction::constant::Constant;
+use schlupf::interface::friction::Constant;
 use schlupf::normal::Ellipse;
 use schlupf::problem::{AreaReduction, Brush, FastMethod};
 use schlupf::solution::Resultant;
@@ -18,7 +17,7 @@ use schlupf_case::look_up_table::standard;
 const FRICTION: f64 = 0.3;
 
 fn table() -> FastMethod {
-    FastMethod::Table(Arc::clone(&standard().unwrap().table))
+    FastMethod::Table(standard().unwrap().table)
 }
 
 /// A steel contact with Coulomb's law on the half-space and these semi-axes (in m) and load (in N).

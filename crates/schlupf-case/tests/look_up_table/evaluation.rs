@@ -12,7 +12,7 @@ use schlupf::{Options, Problem, Solver, unwatched};
 use schlupf_case::look_up_table::standard;
 
 fn table() -> Arc<LookUpTable> {
-    Arc::clone(&standard().unwrap().table)
+    standard().unwrap().table
 }
 
 /// Normalised creepages in all octants, from nearly none to nearly all sliding.
@@ -213,7 +213,7 @@ fn a_solution_has_derivatives() {
             .creepage_y(eta)
             .spin(spin)
             .load(load)
-            .friction(schlupf::interface::friction::constant::Constant::new(friction).unwrap())
+            .friction(schlupf::interface::friction::Constant::new(friction).unwrap())
             .build()
             .unwrap();
         let solution =

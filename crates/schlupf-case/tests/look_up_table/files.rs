@@ -1,12 +1,12 @@
 //! Tables as files.
 
-use std::sync::Arc;
-
 use schlupf::analysis::table_building::{
     LONGER_SIDE_EXPONENT, NothingKept, TableOptions, build, build_from,
 };
 use schlupf::unwatched;
+use schlupf_case::look_up_table::shared;
 use schlupf_case::look_up_table::{StoredTable, TableFileError, standard};
+use schlupf_case::{CaseFile, Folder, Overrides};
 
 /// The file in the package.
 const STANDARD: &[u8] = include_bytes!("../../src/look_up_table/standard.npz");
@@ -28,13 +28,19 @@ fn the_standard_table_states_its_error() {
     assert_eq!(metadata.longer_side_exponent, LONGER_SIDE_EXPONENT);
 }
 
-/// Files of the same bytes give the same table as long as it is used, others another one.
+/// Cases with the same file have the same table, as long as one of them is used.
 #[test]
-fn a_file_is_kept_once() {
-    let standard = schlupf_case::look_up_table::shared(STANDARD).unwrap();
-    let again = schlupf_case::look_up_table::shared(STANDARD).unwrap();
-    assert!(Arc::ptr_eq(&standard, &again));
-    assert!(schlupf_case::look_up_table::shared(b"no table").is_err());
+fn a_table_is_read_once() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("t.npz"), STANDARD).unwrap();
+    let text = "solver = { method = \"table\", table = \"t.npz\" }";
+    let method = || {
+        let files = Folder::new(folder.path());
+        CaseFile::from_str(text, "case", files, Overrides::NONE).unwrap().method().unwrap()
+    };
+    // Methods are equal if their table is the same one.
+    assert_eq!(method(), method());
+    assert!(shared(b"no table").is_err());
 }
 
 /// A table that is made, written and read again is the same, and so is one made from it.
@@ -77,20 +83,20 @@ fn files_that_are_no_tables_are_refused() {
 /// What the metadata of a table says with other values: written anew, so that the archive is whole.
 #[test]
 fn another_version_is_named() {
-    let mut stored = StoredTable::clone(&standard().unwrap());
+    let mut stored = standard().unwrap();
     stored.metadata.version = 2;
     let newer = StoredTable::from_bytes(&stored.to_bytes().unwrap()).unwrap_err();
     assert_eq!(newer, TableFileError::Version(2));
     assert!(newer.to_string().contains("version 2, but this program reads version 1"));
-    let mut stored = StoredTable::clone(&standard().unwrap());
+    let mut stored = standard().unwrap();
     stored.metadata.sha256 = "0".repeat(64);
     let damaged = StoredTable::from_bytes(&stored.to_bytes().unwrap()).unwrap_err();
     assert!(damaged.to_string().contains("checksum"), "{damaged}");
-    let mut stored = StoredTable::clone(&standard().unwrap());
+    let mut stored = standard().unwrap();
     stored.metadata.nodes[0] += 1;
     let unfit = StoredTable::from_bytes(&stored.to_bytes().unwrap()).unwrap_err();
     assert!(unfit.to_string().contains("another shape"), "{unfit}");
-    let mut stored = StoredTable::clone(&standard().unwrap());
+    let mut stored = standard().unwrap();
     stored.metadata.nodes = [usize::MAX; 4];
     let many = StoredTable::from_bytes(&stored.to_bytes().unwrap()).unwrap_err();
     assert!(many.to_string().contains("too many nodes"), "{many}");

@@ -12,8 +12,7 @@ use crate::output::table::ColumnValues;
 /// A result with all its output forms.
 ///
 /// ```
-/// use schlupf::solver;
-/// use schlupf::{Options, Problem, unwatched};
+/// use schlupf::{solver, Options, Problem, unwatched};
 /// use schlupf_tasks::output::{Report, solution::SolutionReport};
 ///
 /// let problem = Problem::builder().creepage_x(0.003).build()?;

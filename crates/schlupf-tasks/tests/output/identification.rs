@@ -7,7 +7,7 @@ use schlupf::analysis::identification::{
     Parameter, Series,
 };
 use schlupf::bodies::Kinematics;
-use schlupf::interface::friction::constants::FrictionConstant;
+use schlupf::interface::friction::FrictionConstant;
 use schlupf::reporting::Message;
 use schlupf::solution::Work;
 use schlupf_tasks::output::Report;

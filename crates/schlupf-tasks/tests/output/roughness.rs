@@ -1,8 +1,7 @@
 //! CSV, JSON, .npy, summary and figures of a small rough contact.
 
-use schlupf::interface::roughness::load_curve::LoadCurveOptions;
-use schlupf::interface::roughness::micro_model::MicroModel;
 use schlupf::interface::roughness::tangential_curve::SimilarBodies;
+use schlupf::interface::roughness::{LoadCurveOptions, MicroModel};
 use schlupf::reporting::Message;
 use schlupf::surface::spectrum::{RadialSpectrum, Window};
 use schlupf::surface::synthesis::{Roughness, SelfAffine};

@@ -11,10 +11,8 @@ use std::sync::Arc;
 
 use schlupf::bodies::Kinematics;
 use schlupf::elasticity::Compliance;
-use schlupf::interface::friction::temperature_linear::TemperatureLinear;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::duhamel::Duhamel;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::TemperatureLinear;
+use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::normal::{Grid, VectorField};
 use schlupf::solver::SteadySolver;
 use schlupf::{Options, Problem, Solution, Solver, Status, unwatched};

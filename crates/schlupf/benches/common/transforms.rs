@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
-use schlupf::elasticity::half_space::Convolution;
+use schlupf::elasticity::Convolution;
 
 use super::{Bodies, Case, elastic_layer};
 

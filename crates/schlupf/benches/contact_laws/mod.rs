@@ -44,7 +44,7 @@ pub fn table() -> String {
                 measured(
                     &case,
                     &Problem { normal, ..case.at_rest() }
-                        .with(|interface| interface.contact_law = contact_law),
+                        .with_interface(|interface| interface.contact_law = contact_law),
                 )
             });
             let cells: [String; 3] = std::array::from_fn(|n| {

@@ -3,17 +3,16 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use schlupf::bodies::{Body, Kinematics, ReferencePoint, contact_modulus};
-use schlupf::elasticity::half_space::HalfSpace;
-use schlupf::interface::friction::constant::Constant;
+use schlupf::bodies::Body;
+use schlupf::elasticity::HalfSpace;
+use schlupf::interface::friction::Constant;
 use schlupf::interface::heat::Heat;
 use schlupf::interface::{ContactLaw, Incremental};
-use schlupf::normal::PressureSource;
 use schlupf::wheel_rail::{
     Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side, Support,
     Tangential, Track, WheelOnRail, WheelShape,
 };
-use schlupf::{Method, Options, Problem, Quantity, Status, unwatched};
+use schlupf::{Options, Problem, Quantity, Status, unwatched};
 
 /// Rounds of which the best counts.
 const ROUNDS: usize = 3;
@@ -61,11 +60,8 @@ fn solve(wheels: &[WheelOnRail], law: &ContactLaw, heat: &Heat) -> [f64; 2] {
         .heat(heat.clone())
         .elasticity(elasticity);
     let options = Options::default();
-    let tangential = Tangential {
-        interface: &builder.build().unwrap().interface,
-        solver: &|options: &Options| Method::Full.solver(options),
-        options: &options,
-    };
+    let interface = builder.build().unwrap().interface;
+    let tangential = Tangential::new(&interface, &options);
     let mut work = [0.0; 2];
     for wheel in wheels {
         let solution = wheel.solve(&tangential, &unwatched).unwrap();

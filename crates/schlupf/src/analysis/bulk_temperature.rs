@@ -26,9 +26,8 @@ use crate::reporting::{
     require_positive, within,
 };
 use crate::solution::{Solution, Status};
-use crate::solver::Solver;
 use crate::solver::reference_point::AtPatch;
-use crate::solver::summary;
+use crate::solver::{Solver, summary};
 
 /// Cooling of a wheel by the air.
 #[derive(Debug, Clone, Copy, PartialEq)]

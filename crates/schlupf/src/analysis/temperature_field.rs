@@ -15,7 +15,6 @@ use std::f64::consts::{FRAC_2_PI, PI};
 
 use crate::bodies::{Body, ReferencePoint};
 use crate::interface::heat::HeatStep;
-use crate::interface::heat::peclet::semi_axes;
 use crate::normal::patch::{Patch, Strip};
 use crate::problem::{Method, Problem};
 use crate::reporting::{Error, MethodPurpose, Warning};
@@ -71,7 +70,7 @@ struct Conductor {
 impl TemperatureField {
     /// A warning for whoever uses the temperatures, if there is one.
     pub fn caveat(problem: &Problem, solution: &Solution) -> Vec<Warning> {
-        let peclet = problem.interface.peclet(&solution.kinematics, semi_axes(&solution.normal));
+        let peclet = problem.interface.peclet(&solution.kinematics, solution.normal.semi_axes());
         let slow = peclet.caveat(true);
         Self::caveat_of_model(problem).into_iter().chain(slow).collect()
     }
@@ -87,8 +86,7 @@ impl TemperatureField {
     ///
     /// ```
     /// use schlupf::analysis::temperature_field::{Side, TemperatureField};
-    /// use schlupf::solver;
-    /// use schlupf::{Options, Problem, unwatched};
+    /// use schlupf::{solver, Options, Problem, unwatched};
     ///
     /// let problem = Problem::builder().creepage_x(0.008).build()?;
     /// let options = Options { cells_x: 10, cells_y: 10, ..Options::default() };

@@ -101,6 +101,16 @@ impl Kinematics {
         Self { creepage_x, creepage_y, ..*self }
     }
 
+    /// The same speed with creepages that change by a multiple of others.
+    pub(crate) fn changed(&self, factor: f64, change: &Self) -> Self {
+        Self {
+            creepage_x: self.creepage_x + factor * change.creepage_x,
+            creepage_y: self.creepage_y + factor * change.creepage_y,
+            spin: self.spin + factor * change.spin,
+            ..*self
+        }
+    }
+
     /// Derivatives of ln(v0/(ωR)) with respect to ξ and η, dimensionless.
     pub fn contact_time_ratio_by_creepage(&self) -> [f64; 2] {
         let along = (1.0 - self.creepage_y.powi(2)).sqrt();

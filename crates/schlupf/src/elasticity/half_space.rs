@@ -1,20 +1,4 @@
-//! The elastic half-space of Boussinesq and Cerruti: exact for bodies that are large compared with
-//! the patch.
-//!
-//! Traction is constant in each cell. The displacement difference at the centre of another cell is,
-//! in closed form (Kalker 1990, §3.2; Love 1929), with sums over the corners X = x ± Δx/2, Y = y ±
-//! Δy/2, signs (+, −, −, +) and r = √(X² + Y²),
-//!
-//! πG A_xx = (1 − ν) X asinh(Y/|X|) + Y asinh(X/|Y|),  πG A_xy = −ν r,
-//! πG A_yy = X asinh(Y/|X|) + (1 − ν) Y asinh(X/|Y|).
-//!
-//! It depends only on the distance between the two cells, so the product is a convolution and costs
-//! O(n log n) with the fast Fourier transform on a grid padded to twice its size.
-//!
-//! The mean over the cell is removed from its influence to second order (`Influences`), which makes
-//! forces some four times as accurate and keeps A positive definite. Both components share one
-//! complex field; columns k and −k of its transform are transformed across, multiplied and
-//! transformed back a few at a time, within the cache.
+//! The elastic half-space.
 
 use std::f64::consts::PI;
 use std::fmt;
@@ -32,6 +16,24 @@ use crate::numerics::love;
 use crate::reporting::{Error, Quantity, Warning, require_positive};
 
 /// Two half-spaces in contact.
+///
+/// The elastic half-space of Boussinesq and Cerruti: exact for bodies that are large compared with
+/// the patch.
+///
+/// Traction is constant in each cell. The displacement difference at the centre of another cell is,
+/// in closed form (Kalker 1990, §3.2; Love 1929), with sums over the corners X = x ± Δx/2, Y = y ±
+/// Δy/2, signs (+, −, −, +) and r = √(X² + Y²),
+///
+/// πG A_xx = (1 − ν) X asinh(Y/|X|) + Y asinh(X/|Y|),  πG A_xy = −ν r,
+/// πG A_yy = X asinh(Y/|X|) + (1 − ν) Y asinh(X/|Y|).
+///
+/// It depends only on the distance between the two cells, so the product is a convolution and costs
+/// O(n log n) with the fast Fourier transform on a grid padded to twice its size.
+///
+/// The mean over the cell is removed from its influence to second order (`Influences`), which makes
+/// forces some four times as accurate and keeps A positive definite. Both components share one
+/// complex field; columns k and −k of its transform are transformed across, multiplied and
+/// transformed back a few at a time, within the cache.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HalfSpace {
     shear_modulus: f64,
@@ -50,7 +52,7 @@ impl HalfSpace {
     ///
     /// ```
     /// use schlupf::bodies::Material;
-    /// use schlupf::elasticity::half_space::HalfSpace;
+    /// use schlupf::elasticity::HalfSpace;
     ///
     /// let steel = HalfSpace::new(&Material::STEEL, &Material::STEEL)?;
     /// assert!((steel.shear_modulus() / Material::STEEL.shear_modulus() - 1.0).abs() < 1e-12);

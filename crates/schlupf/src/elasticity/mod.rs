@@ -4,9 +4,11 @@ mod calibrated_layer;
 mod calibration_table;
 pub mod elastic_layer;
 mod ellipsoidal_traction;
-pub mod half_space;
+mod half_space;
 mod rigid;
 mod winkler;
+
+pub use half_space::{Convolution, HalfSpace};
 
 pub use calibrated_layer::{
     AXIS_RATIO_RANGE, CalibratedLayer, RelativeStiffness, tabulated_stiffness,

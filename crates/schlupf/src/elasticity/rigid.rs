@@ -8,8 +8,7 @@ use crate::reporting::Error;
 ///
 /// ```
 /// use schlupf::elasticity::Rigid;
-/// use schlupf::solver;
-/// use schlupf::{Options, Problem, unwatched};
+/// use schlupf::{solver, Options, Problem, unwatched};
 ///
 /// let problem = Problem::builder().creepage_x(0.05).elasticity(Rigid).build()?;
 /// let solution = solver::solve(&problem, &Options::default(), &unwatched)?;

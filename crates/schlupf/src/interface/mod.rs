@@ -1,4 +1,5 @@
-//! The interface between the surfaces: the two bodies, contact law, friction, heat.
+//! What acts where wheel and rail meet: their elasticity, contact law, a layer between them,
+//! friction and heat.
 
 pub mod heat;
 mod contact_law;
@@ -17,12 +18,8 @@ use crate::elasticity::Elasticity;
 use crate::normal::patch::Cell;
 use crate::reporting::{Error, Warning};
 
-use friction::constants::FrictionConstant;
-use friction::memory::FrictionMemory;
-use friction::{Friction, FrictionResponse, FrictionState};
-use heat::Heat;
-use heat::partition::Conduction;
-use heat::peclet::Peclet;
+use friction::{Friction, FrictionConstant, FrictionMemory, FrictionResponse, FrictionState};
+use heat::{Conduction, Heat, Peclet};
 
 /// A constant of the interface with respect to which forces can be differentiated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

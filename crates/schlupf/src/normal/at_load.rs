@@ -17,8 +17,7 @@ impl AtLoad {
     ///
     /// ```
     /// use std::sync::Arc;
-    /// use schlupf::normal::hertz::{Hertz, Radii};
-    /// use schlupf::normal::{PressureSource, AtLoad};
+    /// use schlupf::normal::{Hertz, Radii, PressureSource, AtLoad};
     ///
     /// let [ball, plane] = [0.5, f64::INFINITY].map(|radius| Radii { x: radius, y: radius });
     /// let source = Arc::new(Hertz::new(ball, plane, 1e11, 10e3)?);

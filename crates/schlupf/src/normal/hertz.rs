@@ -1,13 +1,4 @@
-//! Hertz contact of two smooth elastic bodies with curvatures in two planes (Hertz 1882; Johnson,
-//! *Contact Mechanics*, 1985, §4.2).
-//!
-//! The displacement under a semi-ellipsoidal pressure is, for an ellipse with semi-axes a and b,
-//!
-//! u_z(x, y) = 3N/(4πE*) ∫₀^∞ (1 − x²/(a²+s) − y²/(b²+s)) ds / √((a²+s)(b²+s)s),
-//!
-//! and must equal δ − A x² − B y². In Carlson's symmetric integrals, for any ratio of a to b,
-//!
-//! δ = 3N/(2πE*) R_F(0, a², b²),  A = N/(2πE*) R_D(0, b², a²),  B = N/(2πE*) R_D(0, a², b²).
+//! Hertz contact.
 
 use std::f64::consts::TAU;
 
@@ -40,6 +31,17 @@ impl Radii {
 }
 
 /// Hertz contact determined by the radii of two bodies and their load.
+///
+/// Hertz contact of two smooth elastic bodies with curvatures in two planes (Hertz 1882; Johnson,
+/// *Contact Mechanics*, 1985, §4.2).
+///
+/// The displacement under a semi-ellipsoidal pressure is, for an ellipse with semi-axes a and b,
+///
+/// u_z(x, y) = 3N/(4πE*) ∫₀^∞ (1 − x²/(a²+s) − y²/(b²+s)) ds / √((a²+s)(b²+s)s),
+///
+/// and must equal δ − A x² − B y². In Carlson's symmetric integrals, for any ratio of a to b,
+///
+/// δ = 3N/(2πE*) R_F(0, a², b²),  A = N/(2πE*) R_D(0, b², a²),  B = N/(2πE*) R_D(0, a², b²).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hertz {
     curvature_x: f64,
@@ -56,8 +58,7 @@ impl Hertz {
     ///
     /// ```
     /// use schlupf::bodies::{Material, contact_modulus};
-    /// use schlupf::normal::PressureSource;
-    /// use schlupf::normal::hertz::{Hertz, Radii};
+    /// use schlupf::normal::{PressureSource, Hertz, Radii};
     ///
     /// let modulus = contact_modulus(&Material::STEEL, &Material::STEEL);
     /// // Crossed cylinders of one radius touch in a circle.

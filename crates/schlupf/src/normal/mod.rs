@@ -4,10 +4,12 @@ mod grid;
 pub mod patch;
 mod at_load;
 mod ellipse;
-pub mod hertz;
+mod hertz;
 pub mod profile;
 pub mod rough_contact;
 mod tabulated;
+
+pub use hertz::{Hertz, Radii};
 
 pub use at_load::AtLoad;
 pub use ellipse::Ellipse;
@@ -127,6 +129,13 @@ pub enum Pressure {
     Elliptic,
     /// A table times a factor (dimensionless).
     Tabulated(Arc<PressureTable>, f64),
+}
+
+impl NormalSummary {
+    /// Semi-axes along and across rolling, in m.
+    pub fn semi_axes(&self) -> [f64; 2] {
+        [self.semi_axis_x, self.semi_axis_y]
+    }
 }
 
 impl NormalContact {

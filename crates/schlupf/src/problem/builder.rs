@@ -4,13 +4,11 @@ use std::sync::Arc;
 
 use crate::bodies::{Body, Kinematics, ReferencePoint, contact_modulus};
 use crate::elasticity::{CalibratedLayer, Elasticity};
-use crate::interface::friction::temperature_linear::TemperatureLinear;
-use crate::interface::friction::{Friction, FrictionLaw};
+use crate::interface::friction::{Friction, FrictionLaw, TemperatureLinear};
 use crate::interface::heat::Heat;
 use crate::interface::{ContactLaw, Interface, ThirdBodyLayer};
-use crate::normal::hertz::{Hertz, Radii};
-use crate::normal::{AtLoad, PressureSource};
-use crate::problem::{PrescribedForces, Problem};
+use crate::normal::{AtLoad, Hertz, PressureSource, Radii};
+use crate::problem::{Branch, PrescribedForces, Problem};
 use crate::reporting::Error;
 
 /// Default normal load N, in N.
@@ -20,8 +18,7 @@ impl Problem {
     /// A steel wheel in free rolling on a steel rail; every method changes one property.
     ///
     /// ```
-    /// use schlupf::solver;
-    /// use schlupf::{Options, Problem, unwatched};
+    /// use schlupf::{solver, Options, Problem, unwatched};
     ///
     /// let problem = Problem::builder().load(80e3).speed(30.0).creepage_x(0.008).build()?;
     /// let solution = solver::solve(&problem, &Options::default(), &unwatched)?;
@@ -40,6 +37,7 @@ pub struct ProblemBuilder {
     kinematics: Kinematics,
     prescribed: PrescribedForces,
     reference: ReferencePoint,
+    branch: Branch,
     wheel: Body,
     rail: Body,
     radii: [Radii; 2],
@@ -59,6 +57,7 @@ impl Default for ProblemBuilder {
             kinematics: Kinematics::free_rolling(30.0),
             prescribed: PrescribedForces::default(),
             reference: ReferencePoint::Patch,
+            branch: Branch::LowSlip,
             wheel: Body::STEEL,
             rail: Body::STEEL,
             radii: [Radii::along(0.46), Radii::across(0.3)],
@@ -114,6 +113,12 @@ impl ProblemBuilder {
     /// Reference point of the creepages and the moment; default: the centre of the patch.
     pub fn reference(mut self, reference: ReferencePoint) -> Self {
         self.reference = reference;
+        self
+    }
+
+    /// Which of several steady states; default: the one reached from low slip.
+    pub fn branch(mut self, branch: Branch) -> Self {
+        self.branch = branch;
         self
     }
 
@@ -216,6 +221,7 @@ impl ProblemBuilder {
             kinematics: self.kinematics,
             prescribed: self.prescribed,
             reference: self.reference,
+            branch: self.branch,
             normal,
             interface: Interface {
                 wheel: self.wheel,

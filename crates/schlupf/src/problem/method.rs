@@ -19,8 +19,18 @@ pub enum Method {
     Fast(FastMethod),
 }
 
+/// How a steady state of the full equations is found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Driver {
+    /// Directly.
+    #[default]
+    Steady,
+    /// Step by step in time.
+    Marching,
+}
+
 /// A fast method.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum FastMethod {
     /// Kalker's linear theory: forces and moment for small creepages.
@@ -83,6 +93,23 @@ pub struct SlopeReduction {
     pub limit_ratio: f64,
     /// β, rate of the decrease, dimensionless, not negative.
     pub decay: f64,
+}
+
+/// A table is only equal to itself.
+impl PartialEq for FastMethod {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::KalkerLinear, Self::KalkerLinear)
+            | (Self::ShenHedrickElkins, Self::ShenHedrickElkins) => true,
+            (Self::Polach(one), Self::Polach(other)) => one == other,
+            (Self::Fastsim(one), Self::Fastsim(other)) => one == other,
+            (Self::ModifiedFastsim(one, slope), Self::ModifiedFastsim(other, other_slope)) => {
+                (one, slope) == (other, other_slope)
+            }
+            (Self::Table(one), Self::Table(other)) => Arc::ptr_eq(one, other),
+            _ => false,
+        }
+    }
 }
 
 impl AreaReduction {

@@ -11,7 +11,7 @@ mod transient;
 pub use builder::ProblemBuilder;
 pub use history::History;
 pub use method::{
-    AreaReduction, Brush, FastMethod, Flexibilities, Method, SlopeReduction, TractionBound,
+    AreaReduction, Brush, Driver, FastMethod, Flexibilities, Method, SlopeReduction, TractionBound,
 };
 pub use prescribed_forces::{Direction, LongitudinalForce, PrescribedForces};
 pub(crate) use state::MOST_PLACES;
@@ -34,6 +34,8 @@ pub struct Problem {
     pub prescribed: PrescribedForces,
     /// Reference point of the creepages and of the moment of the solution.
     pub reference: ReferencePoint,
+    /// Which steady state, if there are several; only for steady states found directly.
+    pub branch: Branch,
     /// Source of the normal pressure.
     pub normal: Arc<dyn PressureSource>,
     /// The two bodies and the laws of their interaction.
@@ -48,7 +50,7 @@ impl Problem {
 
     /// The same with something else acting at the interface.
     #[must_use]
-    pub fn with(mut self, change: impl FnOnce(&mut Interface)) -> Self {
+    pub fn with_interface(mut self, change: impl FnOnce(&mut Interface)) -> Self {
         change(&mut self.interface);
         self
     }
@@ -82,9 +84,10 @@ pub const MAX_CELLS: usize = 1024;
 pub const MAX_CELLS_TOGETHER: usize = 1 << 17;
 
 /// Which steady state to find, if falling friction causes several.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Branch {
     /// The one reached when the creepages grow from zero.
+    #[default]
     LowSlip,
     /// The one reached when larger creepages decrease.
     HighSlip,
@@ -93,8 +96,6 @@ pub enum Branch {
 /// Numerical options. No choice here changes the physics.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
-    /// Which steady state, if there are several; only for steady states found directly.
-    pub branch: Branch,
     /// Cells along rolling across the patch.
     pub cells_x: usize,
     /// Cells across rolling over the patch.
@@ -129,7 +130,6 @@ pub struct Options {
 impl Default for Options {
     fn default() -> Self {
         Self {
-            branch: Branch::LowSlip,
             cells_x: 24,
             cells_y: 24,
             tolerance: 1e-6,

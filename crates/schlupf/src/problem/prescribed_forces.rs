@@ -91,6 +91,14 @@ impl Direction {
         }
     }
 
+    fn quantity(self) -> Quantity {
+        match self {
+            Self::X => Quantity::CreepageX,
+            Self::Y => Quantity::CreepageY,
+            Self::Spin => Quantity::Spin,
+        }
+    }
+
     /// Its creepage in a motion, dimensionless or in 1/m.
     pub(crate) fn creepage(self, motion: &Kinematics) -> f64 {
         *self.creepage_of(&mut { *motion })
@@ -114,9 +122,16 @@ impl PrescribedForces {
 
     /// The first quantity that is prescribed, if any.
     pub fn first(&self) -> Option<Quantity> {
-        let y = self.y.map(|_| Quantity::ForceY);
-        let moment_z = self.moment_z.map(|_| Quantity::MomentZ);
-        self.x.map(|force| force.given().0).or(y).or(moment_z)
+        self.all().next().map(|(_, quantity, _)| quantity)
+    }
+
+    /// Whatever is prescribed, with its value in the unit of its quantity.
+    fn all(&self) -> impl Iterator<Item = (Direction, Quantity, f64)> {
+        let x = self.x.map(LongitudinalForce::given);
+        let x = x.map(|(quantity, value)| (Direction::X, quantity, value));
+        let y = self.y.map(|force| (Direction::Y, Quantity::ForceY, force));
+        let spin = self.moment_z.map(|moment| (Direction::Spin, Quantity::MomentZ, moment));
+        [x, y, spin].into_iter().flatten()
     }
 
     /// Checks that a motion has the creepages of a problem's own one where their forces are
@@ -125,15 +140,9 @@ impl PrescribedForces {
     /// # Errors
     /// The first force whose creepage is another one.
     pub fn check_motion(&self, own: &Kinematics, other: &Kinematics) -> Result<(), Error> {
-        let x = self.x.map(|force| force.given().0);
-        let y = self.y.map(|_| Quantity::ForceY);
-        let moment_z = self.moment_z.map(|_| Quantity::MomentZ);
-        for (force, creepage, is_other) in [
-            (x, Quantity::CreepageX, other.creepage_x != own.creepage_x),
-            (y, Quantity::CreepageY, other.creepage_y != own.creepage_y),
-            (moment_z, Quantity::Spin, other.spin != own.spin),
-        ] {
-            if let Some(force) = force.filter(|_| is_other) {
+        for (direction, force, _) in self.all() {
+            if direction.creepage(own) != direction.creepage(other) {
+                let creepage = direction.quantity();
                 return Err(ForceError::AndCreepage { force, creepage }.into());
             }
         }
@@ -142,10 +151,6 @@ impl PrescribedForces {
 
     /// Checks that all of them are finite.
     pub fn check(&self) -> Result<(), Error> {
-        let x = self.x.map(LongitudinalForce::given);
-        let y = self.y.map(|force| (Quantity::ForceY, force));
-        let moment_z = self.moment_z.map(|moment| (Quantity::MomentZ, moment));
-        let all = [x, y, moment_z];
-        all.into_iter().flatten().try_for_each(|(quantity, value)| require_finite(quantity, value))
+        self.all().try_for_each(|(_, quantity, value)| require_finite(quantity, value))
     }
 }

@@ -109,6 +109,7 @@ macro_rules! columns {
 ///
 /// # Panics
 /// If two have the same name; in a constant, that is an error of the compiler.
+#[doc(hidden)]
 pub const fn distinct<R: ?Sized, const N: usize>(columns: [Column<R>; N]) -> [Column<R>; N] {
     let mut one = 0;
     while one < N {

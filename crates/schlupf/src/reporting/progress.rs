@@ -90,8 +90,7 @@ impl Progress {
 ///
 /// ```
 /// use schlupf::reporting::Progress;
-/// use schlupf::solver;
-/// use schlupf::{Error, Options, Problem};
+/// use schlupf::{solver, Error, Options, Problem};
 /// use std::ops::ControlFlow;
 ///
 /// let stop = |_: Progress| ControlFlow::Break(());

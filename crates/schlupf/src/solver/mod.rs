@@ -1,4 +1,4 @@
-//! The trait of solvers for steady rolling, independent of the method.
+//! What solves a problem: the full equations, directly or step by step, and fast methods.
 
 pub(crate) mod settings;
 pub(crate) mod equilibrium;
@@ -7,20 +7,19 @@ pub(crate) mod reference_point;
 pub mod reference;
 pub mod kalker_coefficients;
 pub mod simplified;
-pub(crate) mod rolling;
 pub(crate) mod prescribed;
+pub(crate) mod rolling;
 
-pub use prescribed::ForceSolver;
 pub use rolling::MarchingSolver;
 pub use rolling::marching::{march, shift};
 pub use rolling::steady::{SteadySolver, solve};
 
-use crate::problem::{Direction, Method, Options, Problem};
+use crate::bodies::Kinematics;
+use crate::problem::{Method, Options, Problem};
 use crate::reporting::{Error, Watch};
 use crate::solution::{Resultant, Solution};
 
 /// Finds steady states, one problem after another: points of a creep curve, or families of them.
-/// Extension point.
 ///
 /// Problems that share the normal contact and the elasticity (the same `Arc`s, as in clones of a
 /// problem) share the set-up, and each may start from earlier solutions. The result depends on them
@@ -32,24 +31,70 @@ pub trait Solver: Send + Sync {
     /// The options of the solver.
     fn options(&self) -> &Options;
 
-    /// Solves for the steady state of a problem whose creepages are given; whatever forces it
-    /// prescribes is an error: [`ForceSolver`] finds their creepages with any solver.
+    /// Solves for the steady state of a problem, with the creepages that it gives, or with those
+    /// that the forces cause that it prescribes: the motion of the solution is the one found.
+    ///
+    /// With falling friction two motions may have the same forces. [`Options::branch`] asks for the
+    /// one on the rising branch of the creep curve or for the other, and a warning has the
+    /// creepages of the one that was not asked for.
+    ///
+    /// ```
+    /// use schlupf::problem::{LongitudinalForce, PrescribedForces};
+    /// use schlupf::{Method, Options, Problem, unwatched};
+    ///
+    /// let braking = Some(LongitudinalForce::Force(-10e3));
+    /// let prescribed = PrescribedForces { x: braking, ..PrescribedForces::default() };
+    /// let problem = Problem::builder().load(80e3).prescribed(prescribed).build()?;
+    /// let options = Options { cells_x: 12, cells_y: 12, ..Options::default() };
+    /// let solution = Method::Full.solver(&options).solve(&problem, &unwatched)?;
+    /// assert!((solution.force.x + 10e3).abs() < 1.0 && solution.kinematics.creepage_x > 0.0);
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
     ///
     /// # Errors
-    /// Whatever [`Problem::check`] and [`Options::check`] reject, and [`Error::Stopped`].
-    fn solve(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error>;
+    /// Whatever [`Problem::check`] and [`Options::check`] reject, forces that no motion causes, or
+    /// for which none was found, and [`Error::Stopped`].
+    fn solve(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
+        if problem.prescribed.is_none() {
+            return self.solve_given(problem, watch);
+        }
+        prescribed::find(self, problem, watch)
+    }
+
+    /// The same where all creepages are given: prescribed forces are an error.
+    ///
+    /// # Errors
+    /// As [`Self::solve`].
+    fn solve_given(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error>;
 
     /// Whether it computes derivatives of the forces.
     fn has_derivatives(&self) -> bool {
         false
     }
 
-    /// The steady state with its derivatives. `None` if it is not found directly, or if the method
-    /// has no derivatives.
+    /// The steady state with its derivatives: those at given creepages, whatever is prescribed.
+    /// `None` if it is not found directly, or if the method has no derivatives.
     ///
     /// # Errors
     /// As [`Self::solve`].
     fn solve_with_derivatives(
+        &mut self,
+        problem: &Problem,
+        watch: Watch,
+    ) -> Result<Option<Solution>, Error> {
+        if problem.prescribed.is_none() {
+            return self.solve_given_with_derivatives(problem, watch);
+        }
+        let kinematics = self.solve(problem, watch)?.kinematics;
+        let given = Problem { kinematics, ..problem.without_forces() };
+        self.solve_given_with_derivatives(&given, watch)
+    }
+
+    /// The same where all creepages are given.
+    ///
+    /// # Errors
+    /// As [`Self::solve_given`].
+    fn solve_given_with_derivatives(
         &mut self,
         _problem: &Problem,
         _watch: Watch,
@@ -57,33 +102,36 @@ pub trait Solver: Send + Sync {
         Ok(None)
     }
 
-    /// The steady state with the derivatives of forces and moment with respect to the creepages of
-    /// some directions (in N and N m, for the spin in N m and N m²), for a search: to about a
-    /// thousandth. `None` as for [`Self::solve_with_derivatives`].
+    /// The state at given creepages with the derivatives of forces and moment (in N and N m) along
+    /// some changes of the creepages, whatever their speed, for a search: to about a thousandth.
+    /// `None` where the state or one nearby is not found.
     ///
     /// # Errors
     /// As [`Self::solve`].
     fn solve_with_slopes(
         &mut self,
         problem: &Problem,
-        directions: &[Direction],
+        changes: &[Kinematics],
         watch: Watch,
     ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
-        let found = self.solve_with_derivatives(problem, watch)?;
+        if !self.has_derivatives() {
+            return central_differences(self, problem, changes, watch);
+        }
+        let found = self.solve_given_with_derivatives(problem, watch)?;
         Ok(found.and_then(|solution| {
             let by = solution.sensitivity?;
-            let slope = |direction: &Direction| match direction {
-                Direction::X => by.creepage_x,
-                Direction::Y => by.creepage_y,
-                Direction::Spin => by.spin,
+            let slope = |change: &Kinematics| {
+                let by_x = by.creepage_x.scaled(change.creepage_x, change.creepage_x);
+                by_x.plus(change.creepage_y, &by.creepage_y).plus(change.spin, &by.spin)
             };
-            Some((solution, directions.iter().map(slope).collect()))
+            Some((solution, changes.iter().map(slope).collect()))
         }))
     }
 
-    /// Whether it finds states together with the creepages that prescribed forces cause.
-    fn solves_for_forces(&self) -> bool {
-        false
+    /// A solver of the same method on few cells that finds its way to prescribed forces, near which
+    /// [`Self::solve_for_forces`] then finds the state.
+    fn scout(&mut self) -> Option<&mut dyn Solver> {
+        None
     }
 
     /// The steady state with the forces that the problem prescribes, found together with the
@@ -108,4 +156,27 @@ pub trait Solver: Send + Sync {
 
     /// Discards all solutions, but not the set-up.
     fn forget(&mut self) {}
+}
+
+/// The state with slopes by central differences; changes are of the order of one step of a search.
+fn central_differences(
+    solver: &mut (impl Solver + ?Sized),
+    problem: &Problem,
+    changes: &[Kinematics],
+    watch: Watch,
+) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
+    let mut at = |change: &Kinematics, step: f64| {
+        let kinematics = problem.kinematics.changed(step, change);
+        let is_possible = kinematics.check().is_ok();
+        let problem = Problem { kinematics, ..problem.clone() };
+        is_possible.then(|| solver.solve_given(&problem, watch)).transpose()
+    };
+    let (step, mut slopes) = (settings::difference(), Vec::new());
+    for change in changes {
+        let [more, less] = [at(change, step)?, at(change, -step)?];
+        let Some((more, less)) = more.zip(less) else { return Ok(None) };
+        let over = 0.5 / step;
+        slopes.push(more.force.plus(-1.0, &less.force).scaled(over, over));
+    }
+    Ok(Some((solver.solve_given(problem, watch)?, slopes)))
 }

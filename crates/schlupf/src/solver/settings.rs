@@ -143,7 +143,7 @@ settings! {
     /// Force over μ0 N up to which Kalker's theory with a saturation gives the first guess.
     largest_guess: f64 = 0.97;
 
-    /// Step of central differences where a method has no derivatives, over the creepage or one.
+    /// Step of central differences where a method has no derivatives.
     difference: f64 = 1e-5;
 
     /// Difference of two motions above which they are distinct, over their size.
@@ -189,12 +189,6 @@ settings! {
     /// Share of the way to the prescribed forces over the largest one reached below which the
     /// latter is the peak.
     fallen_force: f64 = 0.5;
-
-    /// Halvings of a step by which a peak is found, or a state with the prescribed forces.
-    halvings_of_step: usize = 12;
-
-    /// Distance by which Newton's method may leave a step with such a state, over its length.
-    beside_step: f64 = 0.1;
 
     /// Error of prescribed forces, over the tolerance of the solution.
     accuracy_of_forces: f64 = 3.0;
@@ -248,13 +242,6 @@ settings! {
 
     /// Successive time steps without an equilibrium after which a march to a steady state ends.
     steps_lost: usize = 10;
-
-    /// Change of the creepages of prescribed forces at most from trial to trial, over those at
-    /// which Kalker's slopes give the force of friction, or over themselves.
-    longest_trial: f64 = 4.0;
-
-    /// Trials of a time step with prescribed forces.
-    most_trials: usize = 40;
 }
 
 #[cfg(test)]
@@ -263,17 +250,12 @@ mod tests {
 
     use super::NAMES;
     use crate::bodies::{Kinematics, Material};
-    use crate::elasticity::CalibratedLayer;
-    use crate::elasticity::half_space::HalfSpace;
-    use crate::interface::friction::Friction;
-    use crate::interface::friction::polach::Polach;
-    use crate::interface::friction::temperature_linear::TemperatureLinear;
+    use crate::elasticity::{CalibratedLayer, HalfSpace};
+    use crate::interface::friction::{Friction, Polach, TemperatureLinear};
     use crate::interface::{ContactLaw, Incremental};
     use crate::normal::{PressureSource, PressureTable, Tabulated};
     use crate::problem::{History, PrescribedForces, Transient};
     use crate::solution::Solution;
-    use crate::solver::Solver as _;
-    use crate::solver::prescribed::ForceSolver;
     use crate::solver::rolling::marching::march;
     use crate::{Method, Options, Problem, Status, unwatched};
 
@@ -345,14 +327,14 @@ mod tests {
         let lateral = |force| PrescribedForces { y: Some(force), ..PrescribedForces::default() };
         let contacts = [
             coulomb.clone(),
-            coulomb.clone().with(|interface| interface.friction = falling(0.5, 1.0)),
+            coulomb.clone().with_interface(|interface| interface.friction = falling(0.5, 1.0)),
             on_half_space(bristles(3e7)),
             on_layer(bristles(5e6)),
-            on_layer(ContactLaw::Coulomb).with(|interface| interface.friction = hot),
-            coulomb.clone().with(|interface| interface.friction = falling(0.3, 30.0)),
+            on_layer(ContactLaw::Coulomb).with_interface(|interface| interface.friction = hot),
+            coulomb.clone().with_interface(|interface| interface.friction = falling(0.3, 30.0)),
             Problem { prescribed: lateral(2e4), ..coulomb.clone() },
             Problem { prescribed: lateral(1e4), ..coulomb }
-                .with(|interface| interface.friction = falling(0.5, 1.0)),
+                .with_interface(|interface| interface.friction = falling(0.5, 1.0)),
         ];
         let moving = |contact: &Problem| {
             let contact = contact.clone();
@@ -396,7 +378,7 @@ mod tests {
     fn solutions() -> Vec<Solution> {
         let on = |cells| Options { cells_x: cells, cells_y: cells, ..Options::default() };
         let options = Options { sensitivity: true, extrapolate: true, ..on(20) };
-        let mut solver = ForceSolver::new(Method::Full.solver(&options));
+        let mut solver = Method::Full.solver(&options);
         let steady = |problem: &Problem| solver.solve(problem, &unwatched).unwrap();
         let mut found: Vec<Solution> = problems().iter().chain(&angular()).map(steady).collect();
         let problems = problems();

@@ -3,15 +3,19 @@
 //! Heights are positive out of the material. They are given at the centres of rectangular cells;
 //! the first row contains the cells along x with the smallest y.
 
-pub mod filter;
+mod filter;
 pub mod form;
-pub mod holes;
-pub mod profile;
-pub mod resampling;
+mod holes;
+mod profile;
+mod resampling;
 pub mod ring_spectrum;
 pub mod spectrum;
-pub mod statistics;
+mod statistics;
 pub mod synthesis;
+
+pub use holes::{Holes, require_few};
+pub use profile::Profile;
+pub use statistics::Statistics;
 
 use crate::reporting::{
     Error, Place, Quantity, Requirement, SurfaceError, require, require_at, require_positive,
@@ -135,8 +139,7 @@ impl HeightMap {
     /// Heights given by a function of x and y (in m), relative to the centre of the lattice.
     ///
     /// ```
-    /// use schlupf::surface::{HeightMap, Lattice};
-    /// use schlupf::surface::statistics::Statistics;
+    /// use schlupf::surface::{HeightMap, Lattice, Statistics};
     ///
     /// let wave = |x: f64| 1e-6 * (std::f64::consts::TAU * x / 1e-3).sin();
     /// let surface = HeightMap::from_fn(Lattice::square(64, 1e-3), |x, _| wave(x))?;

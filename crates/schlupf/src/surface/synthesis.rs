@@ -68,8 +68,7 @@ impl SelfAffine {
     ///
     /// ```
     /// use schlupf::surface::synthesis::{Roughness, SelfAffine};
-    /// use schlupf::surface::Lattice;
-    /// use schlupf::surface::statistics::Statistics;
+    /// use schlupf::surface::{Lattice, Statistics};
     ///
     /// let spectrum = SelfAffine {
     ///     roughness: Roughness::Height(1e-6),

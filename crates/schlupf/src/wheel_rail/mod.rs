@@ -14,7 +14,6 @@
 //! turns), while its rows slip as the curved surface; rails
 //! are straight prisms; the friction that helps to carry the wheel is that of steady rolling.
 
-mod columns;
 mod spline;
 mod profile_curve;
 mod seen;
@@ -30,18 +29,20 @@ mod equilibrium;
 mod side;
 mod patch;
 mod holes;
-mod driven;
+mod drive;
 mod sliding;
+mod turning;
 mod wheel;
 mod settling;
 mod resultant;
 mod resting;
 mod conicity;
+mod columns;
 
 pub use conicity::{RestingWheelset, RigidContact, Roll, RollingRadiusDifference};
 pub use contact_plane::Joining;
 pub use creepage::Motion;
-pub use driven::{Along, Drive};
+pub use drive::{Along, Drive};
 pub use pair::{Pair, RailShape, Track, WheelShape};
 pub use profile_curve::{CurvePoint, LEAST_SPACING, ProfileCurve};
 pub use resting::resting_roll;

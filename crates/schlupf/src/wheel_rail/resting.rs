@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::driven::Drive;
+use super::drive::Drive;
 use super::gap::Gap;
 use super::pair::Pair;
 use super::pose::Attitude;
@@ -92,6 +92,7 @@ impl WheelOnRail {
         watch: Watch,
     ) -> Result<[WheelSolution; 2], Error> {
         self.check()?;
+        tangential.check(self.motion.speed)?;
         let place = [self.position.lateral, self.position.yaw];
         let rigid = resting_roll(&self.pair, place, [0.0; 2])?;
         let depth = |side: Side| {
@@ -117,8 +118,8 @@ impl WheelOnRail {
                 wheel.solve_near(near, tangential, watch)
             };
             // Both are on one axle: the force on this wheel turns the other one, too.
-            let own = wheel(self.side, None)?;
-            let other = wheel(self.side.other(), Some(own.angular_velocity))?;
+            let (own, solvers) = wheel(self.side, None)?;
+            let (other, _) = wheel(self.side.other(), Some(own.angular_velocity))?;
             let [mut left, mut right] = match self.side {
                 Side::Left => [own, other],
                 Side::Right => [other, own],
@@ -134,7 +135,7 @@ impl WheelOnRail {
                     Side::Left => [left, right],
                     Side::Right => [right, left],
                 };
-                return Ok([own.completed(tangential, watch)?, other]);
+                return Ok([own.completed(solvers, tangential, watch)?, other]);
             }
             roll = next;
             before = Some([left, right]);

@@ -9,8 +9,9 @@
 
 use super::equilibrium::{DEEPEST, FrictionRatio, Guess, Lowered, Lowering};
 use super::pressed::Accuracy;
-use super::sliding::{Tangential, Turning};
-use super::wheel::{NEARLY_SETTLED, SETTLED, WheelOnRail, WheelSolution, first_guess};
+use super::sliding::Tangential;
+use super::turning::Turning;
+use super::wheel::{Found, NEARLY_SETTLED, SETTLED, WheelOnRail, WheelSolution, first_guess};
 use crate::numerics::root::Bracket;
 use crate::problem::Options;
 use crate::reporting::{Error, Watch};
@@ -82,7 +83,7 @@ impl WheelOnRail {
         (force, near): (f64, Option<&WheelSolution>),
         tangential: &Tangential,
         watch: Watch,
-    ) -> Result<WheelSolution, Error> {
+    ) -> Result<Found, Error> {
         let coarse = Options {
             cells_x: (tangential.options.cells_x / 2).max(FEWEST_CELLS),
             cells_y: (tangential.options.cells_y / 2).max(FEWEST_CELLS),
@@ -114,9 +115,9 @@ impl WheelOnRail {
         if let Some(missed) = turning.missed {
             return Err(missed.into());
         }
-        let mut solution = self.solution(lowering, &lowered, turning, rounds + more);
+        let (mut solution, solvers) = self.found(lowering, &lowered, turning, rounds + more);
         solution.residual = residual;
-        Ok(solution)
+        Ok((solution, solvers))
     }
 }
 

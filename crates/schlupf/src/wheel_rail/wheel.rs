@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::contact_plane::Joining;
 use super::creepage::Motion;
-use super::driven::Drive;
+use super::drive::Drive;
 use super::equilibrium::{FrictionRatio, Guess, Lowered, Lowering};
 use super::gap::Gap;
 use super::holes;
@@ -13,13 +13,15 @@ use super::pose::{Attitude, minus};
 use super::pressed::Accuracy;
 use super::rows::{CONFORMAL, RowsMove};
 use super::side::Side;
-use super::sliding::{Slid, Sliding, Tangential, Turning, turn};
+use super::sliding::{Slid, Sliding, Tangential, turn};
+use super::turning::Turning;
 use crate::problem::{Options, Problem};
 use crate::reporting::{
     Error, Quantity, Requirement, Warning, Watch, WheelRailError, require, require_finite,
     require_positive,
 };
 use crate::solution::{Solution, Status};
+use crate::solver::Solver;
 
 /// Position of a wheelset in the track: x forwards, y to the left, z up.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -143,18 +145,27 @@ impl WheelSolution {
         self.guess.depth
     }
 
-    /// With what the options ask for beyond the motion.
+    /// With what the options ask for beyond the motion, by what has solved each contact.
     pub(super) fn completed(
         mut self,
+        solvers: Vec<Box<dyn Solver>>,
         tangential: &Tangential,
         watch: Watch,
     ) -> Result<Self, Error> {
         let options = tangential.options;
-        if options.sensitivity || options.extrapolate {
-            for contact in &mut self.contacts {
-                let mut solver = (tangential.solver)(options);
-                contact.solution = solver.solve(&contact.problem, watch)?;
+        for (Contact { problem, solution, .. }, mut solver) in self.contacts.iter_mut().zip(solvers)
+        {
+            let earlier = solution.work;
+            if options.extrapolate {
+                *solution = tangential.solver(options).solve(problem, watch)?;
+            } else if options.sensitivity && earlier.steps == 0 {
+                let found = solver.solve_given_with_derivatives(problem, watch)?;
+                *solution = found.unwrap_or_else(|| solution.clone());
+            } else {
+                continue;
             }
+            solution.work.newton_iterations += earlier.newton_iterations;
+            solution.work.operator_products += earlier.operator_products;
         }
         Ok(self)
     }
@@ -213,6 +224,9 @@ impl WheelSolution {
     }
 }
 
+/// A wheel, and what has solved each of its contacts.
+pub(super) type Found = (WheelSolution, Vec<Box<dyn Solver>>);
+
 /// Parts of a patch that two smooth profiles hardly have.
 const MANY_PARTS: usize = 3;
 
@@ -267,7 +281,8 @@ impl WheelOnRail {
     /// A wheel beside the rail or lifted off it, jammed by friction, or in contact at the end of a
     /// profile; whatever the tangential problem rejects; [`Error::Stopped`].
     pub fn solve(&self, tangential: &Tangential, watch: Watch) -> Result<WheelSolution, Error> {
-        self.solve_near(None, tangential, watch)?.completed(tangential, watch)
+        let (wheel, solvers) = self.solve_near(None, tangential, watch)?;
+        wheel.completed(solvers, tangential, watch)
     }
 
     /// The same from a solution with nearly the same roll angle.
@@ -276,8 +291,9 @@ impl WheelOnRail {
         near: Option<&WheelSolution>,
         tangential: &Tangential,
         watch: Watch,
-    ) -> Result<WheelSolution, Error> {
+    ) -> Result<Found, Error> {
         self.check()?;
+        tangential.check(self.motion.speed)?;
         let gap = Gap::new(&self.pair, &self.attitude())?;
         let lowering = self.lowering(&gap, tangential, watch);
         match self.support {
@@ -291,7 +307,7 @@ impl WheelOnRail {
                 let options = tangential.searching();
                 let sliding = self.sliding((&lowering, &lowered), (tangential, &options), watch);
                 let turning = sliding.solve(near.map(|near| near.angular_velocity))?;
-                Ok(self.solution(&lowering, &lowered, turning, 1))
+                Ok(self.found(&lowering, &lowered, turning, 1))
             }
             Support::Force(force) => self.settle(&lowering, (force, near), tangential, watch),
         }
@@ -344,15 +360,17 @@ impl WheelOnRail {
         solved.iter().map(ratio).collect()
     }
 
-    pub(super) fn solution(
+    pub(super) fn found(
         &self,
         lowering: &Lowering,
         lowered: &Lowered,
         turning: Turning,
         rounds: usize,
-    ) -> WheelSolution {
-        let Turning { angular_velocity, contacts: mut solved, .. } = turning;
-        solved.sort_by(|one, two| two.0.force.total_cmp(&one.0.force));
+    ) -> Found {
+        let Turning { angular_velocity, contacts, solvers, .. } = turning;
+        let mut with_solvers: Vec<_> = contacts.into_iter().zip(solvers).collect();
+        with_solvers.sort_by(|(one, _), (two, _)| two.0.force.total_cmp(&one.0.force));
+        let (solved, solvers): (Vec<Slid>, Vec<_>) = with_solvers.into_iter().unzip();
         let holes =
             solved.iter().flat_map(|(pressed, ..)| holes::under(&self.pair, pressed)).collect();
         let contacts: Vec<Contact> =
@@ -365,7 +383,7 @@ impl WheelOnRail {
             force[1] += normal * sin + along.y * cos;
             force[2] += normal * cos - along.y * sin;
         }
-        WheelSolution {
+        let wheel = WheelSolution {
             side: self.side,
             position: self.position,
             height: lowering.touch() - lowered.at.depth,
@@ -379,7 +397,8 @@ impl WheelOnRail {
             rounds,
             is_smoothed: self.pair.wheel.smoothing() + self.pair.rail.smoothing() > 0.0,
             holes,
-        }
+        };
+        (wheel, solvers)
     }
 
     fn contact(

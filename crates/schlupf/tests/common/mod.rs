@@ -7,13 +7,11 @@ pub mod transients;
 use std::sync::Arc;
 
 use schlupf::bodies::{Kinematics, Material};
-use schlupf::elasticity::Elasticity;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
-use schlupf::elasticity::half_space::HalfSpace;
+use schlupf::elasticity::{Elasticity, HalfSpace};
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::constant::Constant;
-use schlupf::interface::heat::Heat;
-use schlupf::interface::heat::partition::Partition;
+use schlupf::interface::friction::Constant;
+use schlupf::interface::heat::{Heat, Partition};
 use schlupf::normal::Ellipse;
 use schlupf::problem::{History, State};
 use schlupf::solver::march;
@@ -64,15 +62,15 @@ pub fn half_space() -> Arc<dyn Elasticity> {
 
 /// a = 6 mm, b = 5 mm, p0 = 1 GPa, μ = 0.4, k_c = 5e6/m, no heat.
 pub fn problem(kinematics: Kinematics) -> Problem {
-    Problem::builder()
-        .kinematics(kinematics)
+    let problem = Problem::builder()
         .normal(Ellipse::from_peak_pressure(6e-3, 5e-3, 1e9).unwrap())
         .elasticity(elastic_layer())
         .contact_law(Incremental::new(5e6).unwrap())
         .friction(Constant::new(0.4).unwrap())
         .heat(Heat { model: None, partition: Partition::Given(0.5) })
         .build()
-        .unwrap()
+        .unwrap();
+    Problem { kinematics, ..problem }
 }
 
 /// A grid of `cells` in both directions.

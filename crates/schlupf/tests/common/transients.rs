@@ -4,10 +4,10 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use schlupf::bodies::{Kinematics, Material};
-use schlupf::elasticity::half_space::HalfSpace;
+use schlupf::elasticity::HalfSpace;
 use schlupf::interface::ContactLaw;
-use schlupf::interface::friction::constant::Constant;
-use schlupf::normal::hertz::Hertz;
+use schlupf::interface::friction::Constant;
+use schlupf::normal::Hertz;
 use schlupf::problem::History;
 use schlupf::{Problem, Solution};
 

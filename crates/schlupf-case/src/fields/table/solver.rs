@@ -1,7 +1,7 @@
 //! `[grid]`, `[solver]` and `[fastsim]`.
 
 use crate::fields::choice::{
-    BoundChoice, BranchChoice, Choose, Driver, FlexibilitiesChoice, MethodChoice,
+    BoundChoice, BranchChoice, Choose, DriverChoice, FlexibilitiesChoice, MethodChoice,
 };
 use crate::fields::field::Default::{Computed, Text};
 use crate::fields::field::{Field, Kind, Section};
@@ -36,7 +36,7 @@ section! {
     Solver "solver"
         "What is solved, and how.";
 
-    "driver" [Driver] Kind::Choice(Driver::CHOICES), Finite,
+    "driver" [Driver] Kind::Choice(DriverChoice::CHOICES), Finite,
         Computed("\"steady\", and \"marching\" with a history"),
         "how the solution is found", example("steady"), with(METHOD, FULL);
     "branch" [Branch] Kind::Choice(BranchChoice::CHOICES), Finite, Text("low-slip"),

@@ -28,7 +28,7 @@ pub(super) fn text(report: &CalibrationReport) -> Summary {
 }
 
 fn patch(text: &mut Summary, report: &CalibrationReport) {
-    let [a, b] = [report.normal.semi_axis_x, report.normal.semi_axis_y];
+    let [a, b] = report.normal.semi_axes();
     let across = format!("along rolling, {} mm across, a/b = {}", number(b / 1e-3), number(a / b));
     entry(text, "semi-axes", a / 1e-3, "mm", &across);
     entry(text, "load", report.normal.load / 1e3, "kN", "");

@@ -75,7 +75,7 @@ impl<'a> Patch<'a> {
 
     /// Semi-axes a and b, in m.
     pub(crate) fn semi_axes(&self) -> [f64; 2] {
-        [self.solution.normal.semi_axis_x, self.solution.normal.semi_axis_y]
+        self.solution.normal.semi_axes()
     }
 
     /// The contact cell in a column and row of the grid.

@@ -1,12 +1,10 @@
 //! A rough surface, its contact and its k_c as JSON, for other programs.
 
 use schlupf::Status;
-use schlupf::interface::roughness::load_curve::LoadCurve;
-use schlupf::interface::roughness::stiffness::{ExponentialFit, TYPICAL_GAMMA};
 use schlupf::interface::roughness::tangential_curve::TangentialCurve;
+use schlupf::interface::roughness::{ExponentialFit, LoadCurve, TYPICAL_GAMMA};
 use schlupf::reporting::{Message, Record};
-use schlupf::surface::Lattice;
-use schlupf::surface::statistics::Statistics;
+use schlupf::surface::{Lattice, Statistics};
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 

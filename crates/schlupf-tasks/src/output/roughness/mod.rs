@@ -9,7 +9,7 @@ mod spectrum_figure;
 mod summary;
 
 use schlupf::Status;
-use schlupf::interface::roughness::micro_model::MicroModelResult;
+use schlupf::interface::roughness::MicroModelResult;
 use schlupf::interface::roughness::tangential_curve::{SimilarBodies, TangentialCurve};
 use schlupf::reporting::Message;
 use schlupf::surface::HeightMap;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use schlupf::interface::roughness::stiffness::TYPICAL_GAMMA;
+use schlupf::interface::roughness::TYPICAL_GAMMA;
 
 use super::RoughnessReport;
 use crate::output::number::significant as number;

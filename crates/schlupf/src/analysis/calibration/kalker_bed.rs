@@ -1,12 +1,11 @@
 //! Winkler bedding with Kalker's flexibilities: under small creepages its forces are those of the
 //! half-space.
 
-use crate::elasticity::half_space::HalfSpace;
-use crate::elasticity::{Compliance, Elasticity, Winkler};
+use crate::elasticity::{Compliance, Elasticity, HalfSpace, Winkler};
 use crate::normal::Grid;
 use crate::reporting::Error;
 use crate::solver::kalker_coefficients::interpolated_coefficients;
-use crate::solver::reference::kalker_linear::CreepCoefficients;
+use crate::solver::reference::CreepCoefficients;
 
 /// A Winkler bedding whose stiffnesses follow from the patch, of semi-axes a and b:
 ///
@@ -20,7 +19,7 @@ use crate::solver::reference::kalker_linear::CreepCoefficients;
 /// ```
 /// use schlupf::analysis::calibration::KalkerBed;
 /// use schlupf::bodies::Material;
-/// use schlupf::elasticity::half_space::HalfSpace;
+/// use schlupf::elasticity::HalfSpace;
 /// use schlupf::Problem;
 ///
 /// let bodies = HalfSpace::new(&Material::STEEL, &Material::STEEL)?;

@@ -4,16 +4,15 @@
 use std::f64::consts::PI;
 
 use crate::bodies::{Body, Kinematics, Material};
-use crate::elasticity::half_space::HalfSpace;
+use crate::elasticity::HalfSpace;
 use crate::interface::Incremental;
-use crate::interface::friction::constant::Constant;
-use crate::interface::heat::Heat;
-use crate::interface::heat::partition::Partition;
+use crate::interface::friction::Constant;
+use crate::interface::heat::{Heat, Partition};
 use crate::normal::Ellipse;
 use crate::problem::Problem;
 use crate::reporting::Error;
 use crate::solver::kalker_coefficients::creep_coefficients;
-use crate::solver::reference::kalker_linear::CreepCoefficients;
+use crate::solver::reference::CreepCoefficients;
 
 /// √(ab), in m; any value would do.
 pub(super) const SIZE: f64 = 6e-3;

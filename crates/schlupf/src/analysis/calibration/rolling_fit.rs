@@ -10,8 +10,7 @@ use crate::numerics::vector::norm;
 use crate::problem::{Options, Problem};
 use crate::reporting::{Error, Progress, Stage, Watch, within};
 use crate::solution::{Solution, Status};
-use crate::solver::Solver;
-use crate::solver::SteadySolver;
+use crate::solver::{Solver, SteadySolver};
 
 use super::Deviation;
 use super::displacements::{Sample, fit};
@@ -148,7 +147,7 @@ impl<'a> Motions<'a> {
             .contact
             .problem
             .clone()
-            .with(|interface| interface.elasticity = Arc::clone(elasticity));
+            .with_interface(|interface| interface.elasticity = Arc::clone(elasticity));
         let chains = self.ways.chunks(CHAIN).collect();
         let answers = parallel::try_map(chains, |ways| self.chain(&base, ways))?;
         let answers: Option<Vec<Vec<Solution>>> = answers.into_iter().collect();

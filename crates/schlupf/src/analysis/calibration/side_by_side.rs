@@ -135,8 +135,10 @@ fn course(
     };
     let answer = |(model, elasticity): &(Model, Arc<dyn Elasticity>)| {
         let mut solver = model.method().solver(&options());
-        let problem =
-            contact.problem.clone().with(|interface| interface.elasticity = Arc::clone(elasticity));
+        let problem = contact
+            .problem
+            .clone()
+            .with_interface(|interface| interface.elasticity = Arc::clone(elasticity));
         let mut solve = |part: f64| {
             let problem = Problem { kinematics: motion(part), ..problem.clone() };
             solver.solve(&problem, watch)

@@ -6,12 +6,12 @@
 //! found by additional solutions. Along a prescribed force ([`Path::over_force`]) the creepages are
 //! found, and there is neither slope nor maximum.
 
-mod columns;
 mod initial_slope;
 mod maximum;
 mod path;
 mod sampling;
 mod warnings;
+mod columns;
 
 use crate::bodies::{Kinematics, ReferencePoint};
 use crate::normal::NormalSummary;

@@ -18,7 +18,6 @@
 //! (1 − (y/b)²) over its width 2b, as if all of it slid; wear does not change the profiles; fatigue
 //! and wear do not compete.
 
-mod columns;
 mod cracks;
 mod fatigue;
 mod histogram;
@@ -27,6 +26,7 @@ mod profile;
 mod shakedown;
 mod wear;
 mod wear_map;
+mod columns;
 
 use crate::reporting::{Error, Quantity, require_finite, require_positive};
 

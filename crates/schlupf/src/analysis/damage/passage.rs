@@ -116,8 +116,7 @@ pub struct Melting {
 ///
 /// ```
 /// use schlupf::analysis::damage::{Laws, of_passage};
-/// use schlupf::solver;
-/// use schlupf::{Options, Problem, unwatched};
+/// use schlupf::{solver, Options, Problem, unwatched};
 ///
 /// let problem = Problem::builder().creepage_x(0.002).build()?;
 /// let options = Options { cells_x: 10, cells_y: 10, ..Options::default() };

@@ -1,6 +1,6 @@
 //! The shakedown map of a rolling and sliding line contact.
 
-use crate::solver::reference::sliding_line_contact::SlidingLineContact;
+use crate::solver::reference::SlidingLineContact;
 
 /// What happens to a material under repeated passages of a sliding line contact (Johnson 1985,
 /// §9.2), in plane strain, elastic and perfectly plastic with the yield stress in pure shear k by

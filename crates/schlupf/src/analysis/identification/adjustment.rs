@@ -3,8 +3,7 @@
 use std::sync::Arc;
 
 use crate::interface::ThirdBodyLayer;
-use crate::interface::friction::Friction;
-use crate::interface::friction::constants::{AdjustableFriction, Changes, FrictionConstant};
+use crate::interface::friction::{AdjustableFriction, Changes, Friction, FrictionConstant};
 use crate::normal::{AtLoad, PressureSource};
 use crate::problem::Problem;
 use crate::reporting::{Error, FitError, ForceError};

@@ -59,8 +59,7 @@ const MOST_CONDITIONS: usize = 12;
 /// ```
 /// use schlupf::analysis::identification::{Component, Condition, DataPoint, Parameter};
 /// use schlupf::analysis::identification::{PolachModel, sample_curves};
-/// use schlupf::interface::friction::constant::Constant;
-/// use schlupf::interface::friction::constants::FrictionConstant;
+/// use schlupf::interface::friction::{Constant, FrictionConstant};
 /// use schlupf::bodies::Kinematics;
 /// use schlupf::problem::AreaReduction;
 /// use schlupf::{Problem, unwatched};

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::interface::friction::constants::FrictionConstant;
+use crate::interface::friction::FrictionConstant;
 use crate::numerics::least_squares::{Minimum, column_norms};
 use crate::reporting::{Error, FitError};
 

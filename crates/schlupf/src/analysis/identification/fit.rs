@@ -110,8 +110,7 @@ fn knows_scatter(data: &[DataPoint]) -> bool {
 /// ```
 /// use schlupf::analysis::identification::{Component, Condition, DataPoint, Parameter};
 /// use schlupf::analysis::identification::{PolachModel, fit};
-/// use schlupf::interface::friction::constant::Constant;
-/// use schlupf::interface::friction::constants::FrictionConstant;
+/// use schlupf::interface::friction::{Constant, FrictionConstant};
 /// use schlupf::bodies::Kinematics;
 /// use schlupf::problem::AreaReduction;
 /// use schlupf::{Problem, unwatched};

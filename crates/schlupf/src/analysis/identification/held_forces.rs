@@ -3,26 +3,24 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::bodies::Kinematics;
 use crate::interface::InterfaceConstant;
 use crate::problem::{Direction, Method, Options, Problem};
 use crate::reporting::{Error, ForceError, Watch};
 use crate::solution::{Resultant, Solution};
-use crate::solver::Solver;
-use crate::solver::SteadySolver;
-use crate::solver::prescribed::ForceSolver;
+use crate::solver::{Solver, SteadySolver};
 
 /// Finds states and their derivatives by constants, with whatever forces a problem prescribes.
 pub(super) struct HeldForces {
     /// At given creepages.
     steady: SteadySolver,
     /// Finds creepages; used only where forces are prescribed.
-    motions: ForceSolver,
+    motions: Box<dyn Solver>,
 }
 
 impl HeldForces {
     pub fn new(options: &Options) -> Self {
-        let motions = ForceSolver::new(Method::Full.solver(options));
-        Self { steady: SteadySolver::new(options), motions }
+        Self { steady: SteadySolver::new(options), motions: Method::Full.solver(options) }
     }
 
     /// Discards all solutions.
@@ -55,7 +53,8 @@ impl HeldForces {
         let directions: Vec<Direction> = wanted.iter().map(|(direction, _)| *direction).collect();
         let by = self.steady.solve_with_derivatives_by(&given, constants, watch)?;
         let Some((mut solution, by)) = by else { return Ok(None) };
-        let slopes = self.steady.solve_with_slopes(&given, &directions, watch)?;
+        let changes: Vec<Kinematics> = directions.iter().map(|of| of.unit()).collect();
+        let slopes = self.steady.solve_with_slopes(&given, &changes, watch)?;
         let Some((again, slopes)) = slopes else { return Ok(None) };
         for work in [found.work, again.work] {
             solution.work.add(&work);

@@ -19,11 +19,10 @@ pub struct ForceRatio {
 /// A model of creep forces with parameters to be fitted. Extension point.
 ///
 /// ```
-/// use schlupf::analysis::identification::{
-///     Component, Condition, CreepForceModel, DataPoint, ForceRatio, Parameter, fit,
-/// };
+/// use schlupf::analysis::identification::{Component, Condition, CreepForceModel, DataPoint};
+/// use schlupf::analysis::identification::{ForceRatio, Parameter, fit};
 /// use schlupf::bodies::Kinematics;
-/// use schlupf::interface::friction::constants::FrictionConstant;
+/// use schlupf::interface::friction::FrictionConstant;
 /// use schlupf::solution::Work;
 /// use schlupf::{Error, Watch, unwatched};
 ///

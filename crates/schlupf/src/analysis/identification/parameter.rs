@@ -1,6 +1,6 @@
 //! The parameters that can be fitted.
 
-use crate::interface::friction::constants::FrictionConstant;
+use crate::interface::friction::FrictionConstant;
 use crate::reporting::Quantity;
 
 /// A constant that can be fitted.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::interface::InterfaceConstant;
-use crate::interface::friction::constants::FrictionConstant;
+use crate::interface::friction::FrictionConstant;
 use crate::normal::PressureSource;
 use crate::numerics::parallel;
 use crate::problem::{Options, Problem};
@@ -233,7 +233,7 @@ impl CreepForceModel for RollingContactModel {
         if let Some(height) = height {
             stiffness = self.roughness_number / (coefficient * height);
         }
-        let mut problem = self.problem.clone().with(|interface| {
+        let mut problem = self.problem.clone().with_interface(|interface| {
             interface.layer = layer;
             interface.friction = friction;
         });

@@ -1,7 +1,7 @@
 //! Stiffness of the contact law from the height of the roughness.
 
 use crate::bodies::Material;
-use crate::elasticity::half_space::HalfSpace;
+use crate::elasticity::HalfSpace;
 use crate::reporting::Error;
 
 /// Default γ (dimensionless): theory and measurements give 0.4 to 0.5.

@@ -111,8 +111,7 @@ impl SubsurfaceStress {
     /// ```
     /// use schlupf::analysis::subsurface::{Measure, SubsurfaceStress};
     /// use schlupf::analysis::temperature_field::Side;
-    /// use schlupf::solver;
-    /// use schlupf::{Options, Problem, unwatched};
+    /// use schlupf::{solver, Options, Problem, unwatched};
     ///
     /// let problem = Problem::builder().creepage_x(0.002).build()?;
     /// let options = Options { cells_x: 10, cells_y: 10, ..Options::default() };

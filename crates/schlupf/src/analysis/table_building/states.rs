@@ -3,17 +3,15 @@
 use std::f64::consts::PI;
 
 use crate::bodies::{Body, Kinematics, Material};
-use crate::elasticity::half_space::HalfSpace;
+use crate::elasticity::HalfSpace;
 use crate::interface::ContactLaw;
-use crate::interface::friction::constant::Constant;
-use crate::interface::heat::Heat;
-use crate::interface::heat::partition::Partition;
+use crate::interface::friction::Constant;
+use crate::interface::heat::{Heat, Partition};
 use crate::normal::Ellipse;
 use crate::problem::{Options, Problem};
 use crate::reporting::{Error, Watch};
 use crate::solution::{Resultant, Solution, Status};
-use crate::solver::Solver;
-use crate::solver::SteadySolver;
+use crate::solver::{Solver, SteadySolver};
 
 /// Cells along the longer side of the patch over those across the narrower one: the ratio of the
 /// sides to this power, dimensionless.

@@ -17,9 +17,7 @@ const ROUNDING: f64 = 1e-6;
 /// constants of the law. Limits: μ0, by which forces are normalised, is that at y = 0.
 ///
 /// ```
-/// use schlupf::interface::friction::{FrictionLaw, FrictionState};
-/// use schlupf::interface::friction::constant::Constant;
-/// use schlupf::interface::friction::across::Across;
+/// use schlupf::interface::friction::{FrictionLaw, FrictionState, Constant, Across};
 ///
 /// let law = Across::new(
 ///     std::sync::Arc::new(Constant::new(0.4)?),

@@ -9,8 +9,7 @@ use crate::reporting::Error;
 /// μ = μ0 everywhere.
 ///
 /// ```
-/// use schlupf::interface::friction::{FrictionLaw, FrictionState};
-/// use schlupf::interface::friction::constant::Constant;
+/// use schlupf::interface::friction::{FrictionLaw, FrictionState, Constant};
 ///
 /// let law = Constant::new(0.3)?;
 /// let state = FrictionState { slip_speed: 2.0, ..FrictionState::default() };

@@ -15,9 +15,7 @@ use crate::reporting::Error;
 /// it jumps at the onset of sliding; neither term may increase.
 ///
 /// ```
-/// use schlupf::interface::friction::{FrictionLaw, FrictionState};
-/// use schlupf::interface::friction::exponential::Exponential;
-/// use schlupf::interface::friction::slip_terms::SlipTerms;
+/// use schlupf::interface::friction::{FrictionLaw, FrictionState, Exponential, SlipTerms};
 ///
 /// let law = Exponential(SlipTerms::new(0.4, 0.2, 1.5, None)?);
 /// let state = FrictionState { slip_speed: 1.5, ..FrictionState::default() };
@@ -60,7 +58,7 @@ fn halving(x: f64) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::interface::friction::slip_terms::SecondTerm;
+    use crate::interface::friction::SecondTerm;
     use approx::assert_relative_eq;
 
     fn at(law: &Exponential, slip_speed: f64) -> f64 {

@@ -15,9 +15,7 @@ use crate::reporting::Error;
 /// increase.
 ///
 /// ```
-/// use schlupf::interface::friction::{FrictionLaw, FrictionState};
-/// use schlupf::interface::friction::linear::Linear;
-/// use schlupf::interface::friction::slip_terms::SlipTerms;
+/// use schlupf::interface::friction::{FrictionLaw, FrictionState, Linear, SlipTerms};
 ///
 /// let law = Linear(SlipTerms::new(0.4, 0.2, 1.5, None)?);
 /// let state = FrictionState { slip_speed: 1.5, ..FrictionState::default() };
@@ -59,7 +57,7 @@ fn ramp(x: f64) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::interface::friction::slip_terms::SecondTerm;
+    use crate::interface::friction::SecondTerm;
     use approx::assert_relative_eq;
 
     fn at(law: &Linear, slip_speed: f64) -> f64 {

@@ -1,16 +1,18 @@
-//! Friction memory: the coefficient of a material point relaxes towards the value of the law over a
-//! sliding distance d_c,
-//!
-//! dμ/dt = (μ_law − μ) max(s, s_0)/d_c,
-//!
-//! where s is its slip speed. It enters the contact with the coefficient of the law without slip.
-//! (Rice and Ruina 1983, near the steady state of their law; likewise in Vollebregt, User guide for
-//! CONTACT, "friction memory".) Without memory μ jumps at the onset of sliding, if the law falls
-//! with the slip speed.
+//! Friction memory.
 
 use crate::reporting::{Error, Quantity, Requirement, require, require_positive};
 
 /// Parameters of friction memory.
+///
+/// Friction memory: the coefficient of a material point relaxes towards the value of the law over a
+/// sliding distance d_c,
+///
+/// dμ/dt = (μ_law − μ) max(s, s_0)/d_c,
+///
+/// where s is its slip speed. It enters the contact with the coefficient of the law without slip.
+/// (Rice and Ruina 1983, near the steady state of their law; likewise in Vollebregt, User guide for
+/// CONTACT, "friction memory".) Without memory μ jumps at the onset of sliding, if the law falls
+/// with the slip speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrictionMemory {
     distance: f64,
@@ -34,7 +36,7 @@ impl FrictionMemory {
     ///
     /// ```
     /// use schlupf::Problem;
-    /// use schlupf::interface::friction::memory::FrictionMemory;
+    /// use schlupf::interface::friction::FrictionMemory;
     ///
     /// let mut problem = Problem::builder().build()?;
     /// problem.interface.friction.memory = Some(FrictionMemory::new(0.02e-3, 0.01)?);

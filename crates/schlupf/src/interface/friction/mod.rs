@@ -1,30 +1,40 @@
 //! Coefficient of friction.
 //!
-//! Temperature laws: [`temperature_linear`], Eq. (23), and [`temperature_piecewise_linear`].
-//! Slip-speed laws: [`exponential`], [`rational`] and [`linear`], which share the parameters of
-//! [`slip_terms`], and [`polach`]. One of each kind may be combined, [`product`], and any law may
-//! vary [`across`] the patch. Any law may lag, [`memory`].
+//! Temperature laws: [`TemperatureLinear`], Eq. (23), and [`TemperaturePiecewiseLinear`].
+//! Slip-speed laws: [`Exponential`], [`Rational`] and [`Linear`], which share the parameters of
+//! [`SlipTerms`], and [`Polach`]. One of each kind may be combined, [`Product`], and any law may
+//! vary [`Across`] the patch. Any law may lag, [`FrictionMemory`].
 
-pub mod across;
-pub mod constant;
-pub mod constants;
-pub mod exponential;
-pub mod linear;
-pub mod memory;
-pub mod polach;
-pub mod product;
-pub mod rational;
-pub mod slip_terms;
-pub mod temperature_linear;
-pub mod temperature_piecewise_linear;
+mod across;
+mod constant;
+mod constants;
+mod exponential;
+mod linear;
+mod memory;
+mod polach;
+mod product;
+mod rational;
+mod slip_terms;
+mod temperature_linear;
+mod temperature_piecewise_linear;
+
+pub use across::Across;
+pub use constant::Constant;
+pub use constants::{AdjustableFriction, Changes, FrictionConstant};
+pub use exponential::Exponential;
+pub use linear::Linear;
+pub use memory::{FrictionMemory, Kept};
+pub use polach::Polach;
+pub use product::Product;
+pub use rational::Rational;
+pub use slip_terms::{SecondTerm, SlipTerms};
+pub use temperature_linear::TemperatureLinear;
+pub use temperature_piecewise_linear::TemperaturePiecewiseLinear;
 
 use std::fmt::Debug;
 use std::sync::Arc;
 
 use crate::reporting::{Error, Quantity, Requirement, require, require_finite, require_positive};
-
-use self::constants::AdjustableFriction;
-use self::memory::FrictionMemory;
 
 /// Variables on which a coefficient of friction may depend.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

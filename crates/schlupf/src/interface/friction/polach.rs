@@ -15,8 +15,7 @@ use crate::reporting::{Error, Quantity, Requirement, require, require_positive};
 /// decrease due to heating, which an additional temperature law would count twice.
 ///
 /// ```
-/// use schlupf::interface::friction::{FrictionLaw, FrictionState};
-/// use schlupf::interface::friction::polach::Polach;
+/// use schlupf::interface::friction::{FrictionLaw, FrictionState, Polach};
 ///
 /// let law = Polach::new(0.55, 0.4, 0.6)?;
 /// let state = FrictionState { slip_speed: 1e3, ..FrictionState::default() };
@@ -90,7 +89,7 @@ impl AdjustableFriction for Polach {
 mod tests {
     use super::super::exponential::Exponential;
     use super::*;
-    use crate::interface::friction::slip_terms::SlipTerms;
+    use crate::interface::friction::SlipTerms;
     use approx::assert_relative_eq;
 
     fn at(law: &dyn FrictionLaw, slip_speed: f64) -> f64 {

@@ -16,9 +16,7 @@ const ROUNDING: f64 = 1e-12;
 /// the product is positive where both are.
 ///
 /// ```
-/// use schlupf::interface::friction::{FrictionLaw, FrictionState};
-/// use schlupf::interface::friction::constant::Constant;
-/// use schlupf::interface::friction::product::Product;
+/// use schlupf::interface::friction::{FrictionLaw, FrictionState, Constant, Product};
 ///
 /// let law = Product::new(
 ///     std::sync::Arc::new(Constant::new(0.3)?),

@@ -16,9 +16,7 @@ use crate::reporting::Error;
 /// increase.
 ///
 /// ```
-/// use schlupf::interface::friction::{FrictionLaw, FrictionState};
-/// use schlupf::interface::friction::rational::Rational;
-/// use schlupf::interface::friction::slip_terms::SlipTerms;
+/// use schlupf::interface::friction::{FrictionLaw, FrictionState, Rational, SlipTerms};
 ///
 /// let law = Rational(SlipTerms::new(0.4, 0.2, 1.5, None)?);
 /// let state = FrictionState { slip_speed: 1.5, ..FrictionState::default() };
@@ -67,7 +65,7 @@ fn bell(x: f64) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::interface::friction::slip_terms::SecondTerm;
+    use crate::interface::friction::SecondTerm;
     use approx::assert_relative_eq;
 
     fn at(law: &Rational, slip_speed: f64) -> f64 {

@@ -10,8 +10,7 @@ use crate::reporting::{Error, Quantity, require_positive};
 /// is zero).
 ///
 /// ```
-/// use schlupf::interface::friction::{FrictionLaw, FrictionState};
-/// use schlupf::interface::friction::temperature_linear::TemperatureLinear;
+/// use schlupf::interface::friction::{FrictionLaw, FrictionState, TemperatureLinear};
 ///
 /// let law = TemperatureLinear::new(0.4, 700.0, 0.0)?;
 /// let state = FrictionState { temperature: 350.0, ..FrictionState::default() };

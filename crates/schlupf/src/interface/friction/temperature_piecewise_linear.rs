@@ -13,8 +13,7 @@ use crate::reporting::{Error, Quantity, Requirement, require, require_positive};
 /// the reference temperature. Friction rises if μ_hot is larger than μ0, as on a drying rail.
 ///
 /// ```
-/// use schlupf::interface::friction::{FrictionLaw, FrictionState};
-/// use schlupf::interface::friction::temperature_piecewise_linear::TemperaturePiecewiseLinear;
+/// use schlupf::interface::friction::{FrictionLaw, FrictionState, TemperaturePiecewiseLinear};
 ///
 /// let law = TemperaturePiecewiseLinear::new(0.4, 0.1, 500.0)?;
 /// let state = FrictionState { temperature: 800.0, ..FrictionState::default() };

@@ -9,9 +9,7 @@ use super::{HeatModel, HeatStep};
 /// Exact for a constant source only. It cannot cool.
 ///
 /// ```
-/// use schlupf::interface::heat::{HeatModel, HeatStep};
-/// use schlupf::interface::heat::constant_source::ConstantSource;
-/// use schlupf::interface::heat::duhamel::Duhamel;
+/// use schlupf::interface::heat::{HeatModel, HeatStep, ConstantSource, Duhamel};
 ///
 /// let record = [HeatStep { flux: 1e8, duration: 1e-4 }];
 /// let rise = ConstantSource.rise_times_effusivity(&record);

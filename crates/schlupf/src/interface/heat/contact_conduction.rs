@@ -382,7 +382,7 @@ mod tests {
 
     use super::*;
     use crate::bodies::{Body, Kinematics};
-    use crate::interface::heat::partition::Partition;
+    use crate::interface::heat::Partition;
     use crate::normal::{Ellipse, PressureSource};
 
     const RADIUS: f64 = 5e-3;

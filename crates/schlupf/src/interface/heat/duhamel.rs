@@ -9,8 +9,7 @@ use super::{HeatModel, HeatStep};
 /// exactly: a step from s₁ to s₂ before now has the weight (2/√π)(√s₂ − √s₁).
 ///
 /// ```
-/// use schlupf::interface::heat::{HeatModel, HeatStep};
-/// use schlupf::interface::heat::duhamel::Duhamel;
+/// use schlupf::interface::heat::{HeatModel, HeatStep, Duhamel};
 ///
 /// let rise = |duration| Duhamel.rise_times_effusivity(&[HeatStep { flux: 1e8, duration }]);
 /// // Under a constant flux the rise goes with the root of the time (Carslaw and Jaeger 1959).
@@ -58,7 +57,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
-    use crate::interface::heat::constant_source::ConstantSource;
+    use crate::interface::heat::ConstantSource;
 
     /// Carslaw and Jaeger 1959, §2.9 (7): constant flux, T = (2/√π) q √t/β; exact for both models.
     #[test]

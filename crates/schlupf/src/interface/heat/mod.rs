@@ -6,20 +6,24 @@
 //! surface; then the steady driver solves for the temperatures of the whole patch
 //! (`contact_conduction`).
 
-pub mod constant_source;
+mod constant_source;
 pub(crate) mod contact_conduction;
-pub mod duhamel;
+mod duhamel;
 mod moving_half_space;
-pub mod partition;
-pub mod peclet;
+mod partition;
+mod peclet;
 pub(crate) mod strip_heat;
 mod strip_weights;
+
+pub use constant_source::ConstantSource;
+pub use duhamel::Duhamel;
+pub use partition::{Conduction, Partition, PartitionLaw};
+pub use peclet::Peclet;
 
 use std::fmt::Debug;
 use std::sync::Arc;
 
 use crate::reporting::{Error, Quantity, Requirement, require};
-use partition::Partition;
 
 /// Heat received by a material point in one step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -109,8 +113,7 @@ pub(crate) fn is_same(
 /// How friction heats the bodies.
 ///
 /// ```
-/// use schlupf::interface::heat::Heat;
-/// use schlupf::interface::heat::partition::Partition;
+/// use schlupf::interface::heat::{Heat, Partition};
 ///
 /// let half = Heat { partition: Partition::Given(0.5), ..Heat::default() };
 /// assert!(half.check().is_ok() && Heat::none().model.is_none());
@@ -126,7 +129,7 @@ pub struct Heat {
 impl Default for Heat {
     /// Conduction perpendicular to the surface, with equal surface temperatures of both bodies.
     fn default() -> Self {
-        Self { model: Some(Arc::new(duhamel::Duhamel)), partition: Partition::Velocity }
+        Self { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity }
     }
 }
 
@@ -138,12 +141,7 @@ impl Heat {
 
     /// Whether model and partition are known to be the same.
     pub(crate) fn is_same(&self, other: &Self) -> bool {
-        let is_divided_alike = match (&self.partition, &other.partition) {
-            (Partition::Given(one), Partition::Given(other)) => one == other,
-            (Partition::Law(one), Partition::Law(other)) => Arc::ptr_eq(one, other),
-            (one, other) => std::mem::discriminant(one) == std::mem::discriminant(other),
-        };
-        is_divided_alike && is_same(self.model.as_ref(), other.model.as_ref())
+        self.partition == other.partition && is_same(self.model.as_ref(), other.model.as_ref())
     }
 
     /// Checks the partition.

@@ -10,8 +10,7 @@ use crate::bodies::{Body, Kinematics};
 /// ```
 /// use std::sync::Arc;
 ///
-/// use schlupf::interface::heat::Heat;
-/// use schlupf::interface::heat::partition::{Partition, PartitionLaw};
+/// use schlupf::interface::heat::{Heat, Partition, PartitionLaw};
 ///
 /// /// In proportion to the speeds at which the surfaces pass.
 /// #[derive(Debug)]

@@ -1,7 +1,6 @@
 //! Péclet numbers: speed of a body through the contact relative to the speed at which heat spreads
 //! in it.
 
-use crate::normal::{BORDER, Grid, NormalSummary};
 use crate::reporting::Warning;
 
 /// The Péclet number v a/κ below which, times (b/a)² on patches that are longer than wide, heat
@@ -40,17 +39,6 @@ impl Peclet {
         let (peclet, is_narrow) = (self.numbers, self.aspect < 1.0);
         (!self.is_fast()).then_some(Warning::SlowRolling { peclet, is_narrow, is_field })
     }
-}
-
-/// Semi-axes of the patch that a grid spans, in m.
-pub(crate) fn semi_axes_of_grid(grid: &Grid) -> [f64; 2] {
-    let along = (grid.columns - 2 * BORDER) as f64 * grid.spacing_x;
-    [0.5 * along, 0.5 * grid.rows as f64 * grid.spacing_y]
-}
-
-/// Semi-axes of a normal contact, in m.
-pub(crate) fn semi_axes(normal: &NormalSummary) -> [f64; 2] {
-    [normal.semi_axis_x, normal.semi_axis_y]
 }
 
 #[cfg(test)]

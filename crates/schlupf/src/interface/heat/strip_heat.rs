@@ -263,7 +263,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
-    use crate::interface::heat::duhamel::Duhamel;
+    use crate::interface::heat::Duhamel;
     use crate::normal::{Ellipse, Grid, PressureSource};
 
     /// The heat of a patch whose cells have different fluxes; the cells are passed in equal times

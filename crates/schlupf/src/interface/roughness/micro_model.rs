@@ -5,8 +5,7 @@ use super::stiffness::{ContactStiffness, TYPICAL_GAMMA, closed_form};
 use super::tangential_curve::{SimilarBodies, TangentialCurve};
 use crate::normal::rough_contact::{Boundary, RoughContact};
 use crate::reporting::{Error, Quantity, Watch, require_positive};
-use crate::surface::HeightMap;
-use crate::surface::statistics::Statistics;
+use crate::surface::{HeightMap, Statistics};
 
 /// Two rough bodies.
 #[derive(Debug, Clone)]
@@ -52,8 +51,7 @@ impl MicroModel {
     /// Solves the normal contact as a function of load and fits k_c.
     ///
     /// ```
-    /// use schlupf::interface::roughness::load_curve::LoadCurveOptions;
-    /// use schlupf::interface::roughness::micro_model::MicroModel;
+    /// use schlupf::interface::roughness::{LoadCurveOptions, MicroModel};
     /// use schlupf::interface::roughness::tangential_curve::SimilarBodies;
     /// use schlupf::surface::synthesis::{Roughness, SelfAffine};
     /// use schlupf::surface::Lattice;
@@ -149,7 +147,7 @@ impl MicroModelResult {
 /// carried at pressures below p is (p/p0)³.
 ///
 /// ```
-/// use schlupf::interface::roughness::micro_model::pressures_of_patch;
+/// use schlupf::interface::roughness::pressures_of_patch;
 ///
 /// // One half of the load is carried at lower pressures.
 /// assert!((pressures_of_patch(1e9)[1] / 1e9 - 0.5_f64.cbrt()).abs() < 1e-12);

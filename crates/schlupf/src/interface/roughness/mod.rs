@@ -9,7 +9,11 @@
 //! of a tangential load on the normal contact is neglected. With a hardness the normal curve is
 //! that of first loading.
 
-pub mod load_curve;
-pub mod micro_model;
-pub mod stiffness;
+mod load_curve;
+mod micro_model;
+mod stiffness;
 pub mod tangential_curve;
+
+pub use load_curve::{EXPONENTIAL_RANGE, ExponentialRange, LoadCurve, LoadCurveOptions, LoadPoint};
+pub use micro_model::{MicroModel, MicroModelResult, pressures_of_patch};
+pub use stiffness::{ContactStiffness, ExponentialFit, TYPICAL_GAMMA, closed_form};

@@ -41,7 +41,7 @@ pub const TYPICAL_GAMMA: f64 = 0.45;
 /// as p ∝ exp(d/ℓ), with the length ℓ = γ h_rms in m.
 ///
 /// ```
-/// use schlupf::interface::roughness::stiffness::{TYPICAL_GAMMA, closed_form};
+/// use schlupf::interface::roughness::{TYPICAL_GAMMA, closed_form};
 /// use schlupf::interface::roughness::tangential_curve::SimilarBodies;
 ///
 /// let bodies = SimilarBodies { friction_coefficient: 0.4, poisson_ratio: 0.28 };

@@ -100,7 +100,7 @@ impl RoughContact {
     ///
     /// ```
     /// use schlupf::normal::rough_contact::{Boundary, RoughContact};
-    /// use schlupf::solver::reference::westergaard::Westergaard;
+    /// use schlupf::solver::reference::Westergaard;
     /// use schlupf::surface::{HeightMap, Lattice};
     ///
     /// let wave = Westergaard { amplitude: 1e-6, wavelength: 1e-3, contact_modulus: 115e9 };

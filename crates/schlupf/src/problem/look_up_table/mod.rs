@@ -15,7 +15,7 @@
 //! exactly Kalker's at zero, and F at r → ∞ is that of sliding without rolling.
 //!
 //! Limits: Coulomb's law, one coefficient of friction, elliptic patches, half-spaces. Bodies with
-//! different constants have those of [`HalfSpace`](crate::elasticity::half_space::HalfSpace), and
+//! different constants have those of [`HalfSpace`](crate::elasticity::HalfSpace), and
 //! another ν than the table's counts by its creep coefficients, which makes the forces exact
 //! where they are small.
 //!

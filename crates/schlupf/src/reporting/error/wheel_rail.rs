@@ -114,9 +114,9 @@ messages! {
          forces at one height of the wheelset; the last one changed it by {step:.1e} rad"
     );
 
-    /// A normal contact of profiles that is not solved yet.
+    /// No state of the wheel was found.
     "unsolved-wheel" Unsolved {} Quantity::WheelProfile, |name, words| format!(
-        "{name}: the contacts of a wheel on a rail are known only once they are solved for together"
+        "{name}: no state of the wheel on the rail was found"
     );
 }
 

@@ -15,9 +15,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use nalgebra::DMatrix;
 
 use crate::bodies::Material;
-use crate::elasticity::half_space::HalfSpace;
+use crate::elasticity::HalfSpace;
 use crate::reporting::{Error, Place, Quantity, Requirement, require, require_positive};
-use crate::solver::reference::kalker_linear::CreepCoefficients;
+use crate::solver::reference::CreepCoefficients;
 
 pub use interpolated::interpolated_coefficients;
 

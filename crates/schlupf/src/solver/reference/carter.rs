@@ -15,7 +15,7 @@ use std::f64::consts::FRAC_PI_2;
 /// spin.
 ///
 /// ```
-/// use schlupf::solver::reference::carter::Carter;
+/// use schlupf::solver::reference::Carter;
 ///
 /// let (half_length, peak_pressure) = (5e-3, 1e9);
 /// let (friction_coefficient, shear_modulus, poisson_ratio) = (0.3, 82e9, 0.28);

@@ -13,7 +13,7 @@
 /// neglected.
 ///
 /// ```
-/// use schlupf::solver::reference::cattaneo_mindlin::CattaneoMindlin;
+/// use schlupf::solver::reference::CattaneoMindlin;
 ///
 /// let (radius, load) = (5e-3, 50e3);
 /// let (friction_coefficient, shear_modulus, poisson_ratio) = (0.3, 82e9, 0.28);

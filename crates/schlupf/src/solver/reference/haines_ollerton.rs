@@ -19,7 +19,7 @@ use super::carter::Carter;
 /// ν = 0.25, and 1.9 % (4.9 %) for ν = 0 (compared with `data/kalker_coefficients.csv`).
 ///
 /// ```
-/// use schlupf::solver::reference::haines_ollerton::HainesOllerton;
+/// use schlupf::solver::reference::HainesOllerton;
 ///
 /// let (semi_axis_x, semi_axis_y, peak_pressure) = (1e-3, 8e-3, 1e9);
 /// let (friction_coefficient, shear_modulus, poisson_ratio) = (0.3, 82e9, 0.28);

@@ -1,10 +1,18 @@
 //! Exact solutions, for tests and comparisons.
 
-pub mod carter;
-pub mod cattaneo_mindlin;
-pub mod haines_ollerton;
-pub mod kalker_linear;
-pub mod moving_source;
-pub mod sliding_line_contact;
+mod carter;
+mod cattaneo_mindlin;
+mod haines_ollerton;
+mod kalker_linear;
+mod moving_source;
+mod sliding_line_contact;
 pub mod winkler_strip;
-pub mod westergaard;
+mod westergaard;
+
+pub use carter::Carter;
+pub use cattaneo_mindlin::CattaneoMindlin;
+pub use haines_ollerton::HainesOllerton;
+pub use kalker_linear::CreepCoefficients;
+pub use moving_source::SemiEllipticSource;
+pub use sliding_line_contact::SlidingLineContact;
+pub use westergaard::Westergaard;

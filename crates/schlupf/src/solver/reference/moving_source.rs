@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 /// receives.
 ///
 /// ```
-/// use schlupf::solver::reference::moving_source::SemiEllipticSource;
+/// use schlupf::solver::reference::SemiEllipticSource;
 ///
 /// let source =
 ///     SemiEllipticSource { flux: 1e8, half_length: 5e-3, speed: 30.0, effusivity: 13_290.0 };

@@ -20,7 +20,7 @@
 /// Limits: elastic, long across rolling compared with a.
 ///
 /// ```
-/// use schlupf::solver::reference::sliding_line_contact::SlidingLineContact;
+/// use schlupf::solver::reference::SlidingLineContact;
 ///
 /// let line = SlidingLineContact { half_length: 5e-3, peak_pressure: 1e9, traction_ratio: 0.3 };
 /// let [xx, zz, _] = line.stress(0.0, 0.0);

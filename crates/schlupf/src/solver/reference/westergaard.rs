@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 /// y.
 ///
 /// ```
-/// use schlupf::solver::reference::westergaard::Westergaard;
+/// use schlupf::solver::reference::Westergaard;
 ///
 /// let wave = Westergaard { amplitude: 1e-6, wavelength: 1e-3, contact_modulus: 115e9 };
 /// assert_eq!(wave.contact_fraction(wave.closing_pressure()), 1.0);

@@ -1,6 +1,7 @@
 //! Selection of the solver of steady states by method.
 
-use crate::problem::{Direction, Method, Options, Problem, Transient};
+use crate::bodies::Kinematics;
+use crate::problem::{Driver, Method, Options, Problem, Transient};
 use crate::reporting::{Error, Watch};
 use crate::solution::{Resultant, Solution};
 use crate::solver::Solver;
@@ -10,7 +11,7 @@ use super::marching::march;
 use super::steady::SteadySolver;
 
 impl Method {
-    /// The solver of steady states for this method.
+    /// The solver of steady states for this method, at given creepages or under prescribed forces.
     ///
     /// ```
     /// use schlupf::problem::FastMethod;
@@ -25,9 +26,15 @@ impl Method {
     /// # Ok::<(), schlupf::Error>(())
     /// ```
     pub fn solver(&self, options: &Options) -> Box<dyn Solver> {
-        match self {
-            Self::Full => Box::new(SteadySolver::new(options)),
-            Self::Fast(method) => Box::new(FastSolver::new(method.clone(), options)),
+        self.solver_by(Driver::Steady, options)
+    }
+
+    /// The same by a driver, which only the full equations have.
+    pub fn solver_by(&self, driver: Driver, options: &Options) -> Box<dyn Solver> {
+        match (self, driver) {
+            (Self::Full, Driver::Steady) => Box::new(SteadySolver::new(options)),
+            (Self::Full, Driver::Marching) => Box::new(MarchingSolver::new(options)),
+            (Self::Fast(method), _) => Box::new(FastSolver::new(method.clone(), options)),
         }
     }
 }
@@ -54,7 +61,7 @@ impl Solver for MarchingSolver {
         self.steady.options()
     }
 
-    fn solve(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
+    fn solve_given(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
         march(&Transient::to_steady_state(problem), self.options(), watch)
     }
 
@@ -62,21 +69,21 @@ impl Solver for MarchingSolver {
         true
     }
 
-    fn solve_with_derivatives(
+    fn solve_given_with_derivatives(
         &mut self,
         problem: &Problem,
         watch: Watch,
     ) -> Result<Option<Solution>, Error> {
-        self.steady.solve_with_derivatives(problem, watch)
+        self.steady.solve_given_with_derivatives(problem, watch)
     }
 
     fn solve_with_slopes(
         &mut self,
         problem: &Problem,
-        directions: &[Direction],
+        changes: &[Kinematics],
         watch: Watch,
     ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
-        self.steady.solve_with_slopes(problem, directions, watch)
+        self.steady.solve_with_slopes(problem, changes, watch)
     }
 
     fn forget(&mut self) {

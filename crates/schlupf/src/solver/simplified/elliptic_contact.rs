@@ -3,14 +3,14 @@
 use std::f64::consts::PI;
 
 use crate::bodies::Kinematics;
-use crate::elasticity::half_space::HalfSpace;
+use crate::elasticity::HalfSpace;
 use crate::interface::friction::FrictionState;
 use crate::normal::NormalSummary;
 use crate::problem::Problem;
 use crate::reporting::Error;
 use crate::solution::Resultant;
 use crate::solver::kalker_coefficients::interpolated_coefficients;
-use crate::solver::reference::kalker_linear::CreepCoefficients;
+use crate::solver::reference::CreepCoefficients;
 
 /// An elliptic contact of two half-spaces. A non-elliptical patch is represented by the ellipse
 /// with its length and width.
@@ -69,7 +69,7 @@ impl EllipticContact {
     /// bodies, L1 = 8a/(3 G C11), L2 = 8a/(3 G C22), L3 = π a²/(4 G √(ab) C23) (Kalker 1982) and 8
     /// b/(15 G C33) for the moment, are as much softer as the layer.
     fn softened(&self) -> CreepCoefficients {
-        let [a, b] = [self.normal.semi_axis_x, self.normal.semi_axis_y];
+        let [a, b] = self.normal.semi_axes();
         let relative = self.layer_compliance * self.shear_modulus;
         let soft = |c: f64, unit: f64| c / (1.0 + relative * c / unit);
         let CreepCoefficients { c11, c22, c23, c33 } = self.of_bodies;
@@ -88,7 +88,7 @@ impl EllipticContact {
 
     /// Forces and moment on the wheel in full adhesion.
     pub fn linear_force(&self, kinematics: &Kinematics) -> Resultant {
-        let semi_axes = [self.normal.semi_axis_x, self.normal.semi_axis_y];
+        let semi_axes = self.normal.semi_axes();
         self.coefficients.force(kinematics, semi_axes, self.shear_modulus)
     }
 

@@ -23,7 +23,6 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use crate::bodies::{Kinematics, ReferencePoint};
-use crate::interface::heat::peclet::semi_axes;
 use crate::normal::{Grid, NormalContact};
 use crate::problem::look_up_table::{AtShape, LookUpTable};
 use crate::problem::{AreaReduction, FastMethod, Method, Options, Problem, State};
@@ -301,7 +300,7 @@ impl FastContact {
             power,
             t_gamma: summary::t_gamma(&motion, &force, [0.0; 2]),
             temperature: None,
-            peclet: problem.interface.peclet(&motion, semi_axes(&normal)).numbers,
+            peclet: problem.interface.peclet(&motion, normal.semi_axes()).numbers,
             area: Area { contact: contact_area, stick: None, slip: None },
             fields: Fields::default(),
             history: account.history,
@@ -339,7 +338,7 @@ impl Solver for FastSolver {
         &self.options
     }
 
-    fn solve(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
+    fn solve_given(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
         let has_derivatives = self.options.sensitivity;
         Ok(self.contact(problem, watch)?.solution_with(has_derivatives))
     }
@@ -348,7 +347,7 @@ impl Solver for FastSolver {
         self.method.has_derivatives()
     }
 
-    fn solve_with_derivatives(
+    fn solve_given_with_derivatives(
         &mut self,
         problem: &Problem,
         watch: Watch,

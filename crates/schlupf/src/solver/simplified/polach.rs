@@ -172,7 +172,7 @@ fn spin_saturation_slope(gradient: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::normal::NormalSummary;
-    use crate::solver::reference::kalker_linear::CreepCoefficients;
+    use crate::solver::reference::CreepCoefficients;
     use approx::assert_relative_eq;
 
     /// Polach 1999, K_M as printed, where that form can be evaluated.

@@ -1,7 +1,6 @@
 //! Warnings for whoever uses the temperatures.
 
 use crate::bodies::Material;
-use crate::interface::heat::peclet::semi_axes;
 use crate::normal::NormalSummary;
 use crate::problem::Problem;
 use crate::reporting::{HeatLimit, Quantity, Unconverged, Warning};
@@ -44,7 +43,7 @@ fn of_slow_rolling(problem: &Problem, normal: &NormalSummary, now: &Snapshot) ->
     if now.surfaces.is_some() || !is_any || !is_rolling {
         return None;
     }
-    problem.interface.peclet(&now.kinematics, semi_axes(normal)).caveat(false)
+    problem.interface.peclet(&now.kinematics, normal.semi_axes()).caveat(false)
 }
 
 fn of_hot_body(body: Quantity, temperature: f64, material: &Material) -> Option<Warning> {

@@ -4,7 +4,6 @@ pub(crate) mod caveats;
 pub(crate) mod snapshot;
 
 use crate::bodies::{Kinematics, ReferencePoint};
-use crate::interface::heat::peclet::semi_axes;
 use crate::normal::NormalSummary;
 use crate::normal::patch::{Patch, Strip};
 use crate::problem::{Method, Options, Problem, State};
@@ -53,7 +52,7 @@ pub(crate) fn solution(
             .map(|power| Power { exchanged: Some(exchanged(problem, patch, now)), ..power }),
         t_gamma: t_gamma(&now.kinematics, &force, patch.row_powers(&now.traction)),
         temperature: problem.interface.heat.model.as_ref().map(|_| temperature(patch, now)),
-        peclet: problem.interface.peclet(&now.kinematics, semi_axes(normal)).numbers,
+        peclet: problem.interface.peclet(&now.kinematics, normal.semi_axes()).numbers,
         area: area(patch, now, options.slip_threshold),
         fields: fields(patch, now, options.slip_threshold),
         history: report.history,

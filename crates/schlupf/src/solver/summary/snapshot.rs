@@ -1,8 +1,8 @@
 //! Everything about the contact at one instant, cell by cell.
 
 use crate::bodies::Kinematics;
+use crate::interface::heat::Conduction;
 use crate::interface::heat::contact_conduction::Surfaces;
-use crate::interface::heat::partition::Conduction;
 use crate::normal::NormalSummary;
 use crate::normal::patch::Patch;
 

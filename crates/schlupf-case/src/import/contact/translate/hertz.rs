@@ -2,8 +2,7 @@
 
 use schlupf::Error;
 use schlupf::bodies::{Material, contact_modulus};
-use schlupf::normal::hertz::Hertz;
-use schlupf::normal::{NormalSummary, PressureSource};
+use schlupf::normal::{Hertz, NormalSummary, PressureSource};
 
 use crate::import::contact::material::Elastic;
 
@@ -79,7 +78,7 @@ mod tests {
         for curvatures in [[0.8, 2.5], [1.5, 1.5], [3.0, 0.2]] {
             let known = contact(curvatures, 1.1e11, 7e4).unwrap();
             let approach = known.approach.unwrap();
-            let axes = [known.semi_axis_x, known.semi_axis_y];
+            let axes = known.semi_axes();
             assert_relative_eq!(
                 load(curvatures, 1.1e11, approach).unwrap(),
                 7e4,

@@ -120,9 +120,7 @@ fn semi_axes(case: &mut Translation, given: NormalProblem, load: f64) -> Option<
     let contact = curvatures(area)
         .and_then(|curvatures| hertz::contact(curvatures, hertz::modulus(given.elastic), load));
     match contact {
-        Ok(contact) => {
-            Some([contact.semi_axis_x, contact.semi_axis_y].map(|axis| axis / MILLIMETRE))
-        }
+        Ok(contact) => Some(contact.semi_axes().map(|axis| axis / MILLIMETRE)),
         Err(error) => {
             case.refuse(area.kind, &format!("is no contact of Hertz: {error}"), "");
             None
@@ -267,7 +265,7 @@ fn quadratic(
     let found = curved(case, NormalProblem { motion: &motion, ..given }, curvatures);
     let load = accepted(case, b1, found)?;
     let contact = hertz::contact(curvatures, hertz::modulus(given.elastic), load).ok()?;
-    let axes = [contact.semi_axis_x, contact.semi_axis_y].map(|axis| axis / MILLIMETRE);
+    let axes = contact.semi_axes().map(|axis| axis / MILLIMETRE);
     let (first, side) = given.area.lattice();
     let mut inside = [0; 2];
     for k in 0..2 {

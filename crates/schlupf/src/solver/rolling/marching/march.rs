@@ -7,7 +7,7 @@ mod result;
 use crate::bodies::Kinematics;
 use crate::normal::VectorField;
 use crate::numerics::vector::norm;
-use crate::problem::{Element, History, Options, PrescribedForces, Problem, State, Transient};
+use crate::problem::{Element, History, Options, Problem, State, Transient};
 use crate::reporting::{Error, Quantity, Watch, require_finite, tell, within};
 use crate::solution::{FieldsAt, Instant, Solution, Strategy, Work};
 use crate::solver::equilibrium::{Newton, Outcome, measure};
@@ -19,7 +19,7 @@ use crate::solver::summary::snapshot::Snapshot;
 
 use super::arrival::{Arrival, carry_over, positions};
 use super::change::{largest_change, relative_change};
-use super::force_control::ForceControl;
+use super::forces_over_time::ForcesOverTime;
 use super::friction_heat::{FrictionPoint, remember, set_temperatures};
 use super::initial_state::{check_length, fitting, grid_over_history, on_patch};
 use super::moved::Moved;
@@ -56,7 +56,8 @@ pub fn march(transient: &Transient, options: &Options, watch: Watch) -> Result<S
     let transient = at.transient(transient);
     transient.check()?;
     let mut march = March::new(&transient, options)?;
-    march.prescribe(&prescribed, at.place())?;
+    let (forces, normal) = ((&prescribed, march.history), &march.contact.normal);
+    march.forces = ForcesOverTime::new(march.problem, forces, (normal, at.place()))?;
     check_length(&transient, march.contact.patch.grid.spacing_x)?;
     if let Some(shift) = transient.history.shift {
         march.shift(shift, watch)?;
@@ -117,8 +118,7 @@ struct March<'a> {
     law: TimeStepLaw,
     /// Change of the traction in the last step, if it was found and more than noise, in Pa.
     trend: Vec<f64>,
-    /// If forces are prescribed.
-    control: Option<ForceControl>,
+    forces: ForcesOverTime,
     /// The first step that did not end with the prescribed forces: what, and its end in s.
     missed: Option<(Quantity, f64)>,
     /// A p of the present traction on the whole grid, in m.
@@ -207,7 +207,7 @@ impl<'a> March<'a> {
             displacement: VectorField::zeros(grid.len()),
             displacement_of_bodies: VectorField::zeros(grid.len()),
             law,
-            control: None,
+            forces: ForcesOverTime::default(),
             contact,
         };
         march.now.traction = march.elements.iter().flat_map(|e| e.traction).collect();
@@ -216,14 +216,6 @@ impl<'a> March<'a> {
         march.displace();
         march.past = march.record();
         Ok(march)
-    }
-
-    /// Forces in place of creepages, about a reference point at a place (x and y in m).
-    fn prescribe(&mut self, forces: &PrescribedForces, place: [f64; 2]) -> Result<(), Error> {
-        let path = self.contact.patch.grid.spacing_x;
-        let (forces, normal) = ((forces, self.history), &self.contact.normal);
-        self.control = ForceControl::of(self.problem, forces, normal, (place, path))?;
-        Ok(())
     }
 
     fn is_finished(&self) -> bool {

@@ -5,17 +5,17 @@
 
 mod change;
 mod moved;
-mod step_response;
 mod past;
 mod moving_edge;
 mod arrival;
+mod step_response;
 mod time_step;
 mod step;
 mod initial_state;
 mod friction_heat;
 mod step_power;
 mod shift;
-mod force_control;
+mod forces_over_time;
 mod march;
 
 pub use march::{march, shift};

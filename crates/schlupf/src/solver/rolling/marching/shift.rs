@@ -9,10 +9,11 @@ use crate::normal::VectorField;
 use crate::problem::{Element, Places};
 use crate::reporting::{Error, Watch};
 use crate::solver::equilibrium::{Limits, Newton, Outcome};
+use crate::solver::prescribed::ForceGoal;
 use crate::solver::rolling::shared::contact::DiscreteContact;
 
 use super::step::Step;
-use super::step_response::Prescribed;
+use super::step_response::Known;
 use super::time_step::{TimeStepLaw, Track};
 
 /// Speed and creepages of bodies that do not roll.
@@ -39,7 +40,7 @@ impl Shift<'_> {
     pub fn find(
         self,
         newton: &mut Newton,
-        p: &mut [f64],
+        p: &mut Vec<f64>,
         limits: &Limits,
         watch: Watch,
     ) -> Result<Outcome, Error> {
@@ -47,10 +48,14 @@ impl Shift<'_> {
         self.contact.interpolation.gather(self.displacement, &mut before);
         self.law.contact.calibration.add_at_cells(p, &mut before);
         let sliding = before.chunks_exact(2);
-        let sliding = sliding.flat_map(|u| [0, 1].map(|c| self.distance[c] + u[c])).collect();
+        let displacement = sliding.flat_map(|u| [0, 1].map(|c| self.distance[c] + u[c])).collect();
         let cells = self.elements.len();
-        let prescribed =
-            Prescribed { sliding, in_contact: vec![1.0; cells], in_place: vec![false; cells] };
+        let known = Known {
+            displacement,
+            path: vec![0.0; cells],
+            in_contact: vec![1.0; cells],
+            in_place: vec![false; cells],
+        };
         let past = |element: &Element| Track {
             saturation: element.saturation,
             sliding: element.sliding,
@@ -61,10 +66,11 @@ impl Shift<'_> {
             contact: self.contact,
             law: self.law,
             bound: self.bound,
-            prescribed,
+            known,
             largest: 0.0,
         };
-        let (outcome, moved) = step.solve(newton, p, limits, watch)?;
+        let goal = (&ForceGoal::default(), &mut { AT_REST });
+        let (outcome, moved) = step.solve(newton, p, goal, (limits, watch))?;
         for (k, (element, moved)) in self.elements.iter_mut().zip(moved).enumerate() {
             element.traction = [p[2 * k], p[2 * k + 1]];
             element.saturation = moved.saturation;

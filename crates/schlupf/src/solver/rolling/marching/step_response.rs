@@ -3,15 +3,32 @@
 use crate::solver::rolling::shared::contact::DiscreteContact;
 use crate::solver::rolling::shared::strip::Calibration;
 
+use super::arrival::Arrival;
+
 /// Known data of a time step, cell by cell.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Prescribed {
-    /// D: sliding of each cell if the displacement were zero now, x and y in turn, in m.
-    pub sliding: Vec<f64>,
+pub(super) struct Known {
+    /// Sliding of each cell if neither the wheel moved nor the displacement were other than zero
+    /// now, x and y in turn, in m.
+    pub displacement: Vec<f64>,
+    /// Path of its material in contact, in m.
+    pub path: Vec<f64>,
     /// λ: fraction of the step that its material has spent in contact, dimensionless.
     pub in_contact: Vec<f64>,
     /// Whether its material came into contact in place, not over the leading edge.
     pub in_place: Vec<bool>,
+}
+
+impl Known {
+    /// What is known when the elements have arrived.
+    pub fn of(arrivals: &[Arrival]) -> Self {
+        Self {
+            displacement: arrivals.iter().flat_map(|arrival| arrival.displacement).collect(),
+            path: arrivals.iter().map(|arrival| arrival.path).collect(),
+            in_contact: arrivals.iter().map(|arrival| arrival.in_contact).collect(),
+            in_place: arrivals.iter().map(|arrival| arrival.in_place).collect(),
+        }
+    }
 }
 
 /// B = A − diag(1 − λ) A_lead: material that came into contact within the step is compared with the
@@ -20,7 +37,7 @@ pub(super) struct Prescribed {
 /// by the tractions of the other cells.
 pub(super) struct StepResponse<'a> {
     pub contact: &'a mut DiscreteContact,
-    pub prescribed: &'a Prescribed,
+    pub known: &'a Known,
     /// Whether entering material is displaced by the material in contact.
     pub is_coupled: bool,
     /// A p where the material of each cell entered, in m.
@@ -28,10 +45,10 @@ pub(super) struct StepResponse<'a> {
 }
 
 impl<'a> StepResponse<'a> {
-    pub fn new(contact: &'a mut DiscreteContact, prescribed: &'a Prescribed) -> Self {
+    pub fn new(contact: &'a mut DiscreteContact, known: &'a Known) -> Self {
         let is_coupled = contact.compliance.couples_cells();
-        let at_entry = vec![0.0; prescribed.sliding.len()];
-        Self { contact, prescribed, is_coupled, at_entry }
+        let at_entry = vec![0.0; known.displacement.len()];
+        Self { contact, known, is_coupled, at_entry }
     }
 
     /// u = B p, with the displacements calibrated.
@@ -40,7 +57,7 @@ impl<'a> StepResponse<'a> {
         made.at_cells(u);
         made.at_entries(&mut self.at_entry);
         let own = self.contact.cell_compliance();
-        let Prescribed { in_contact, in_place, .. } = self.prescribed;
+        let Known { in_contact, in_place, .. } = self.known;
         calibration.add_at_entries(p, &mut self.at_entry);
         for (at, u) in u.iter_mut().enumerate() {
             let k = at / 2;

@@ -6,13 +6,15 @@
 //! material has been in contact for three steps, of lower order after entry and after a shift. The
 //! end of a march is the steady state of the direct solver.
 
+use crate::bodies::Kinematics;
 use crate::interface::ContactLaw;
 use crate::normal::NormalContact;
-use crate::normal::patch::Patch;
+use crate::normal::patch::{Cell, Patch};
 use crate::numerics::vector::norm;
 use crate::problem::{Places, Problem, TrackPoint};
 use crate::reporting::Error;
 use crate::solver::equilibrium::{self, Directions, Equilibrium};
+use crate::solver::prescribed::MovedEquilibrium;
 use crate::solver::rolling::shared::cell::times;
 use crate::solver::rolling::shared::contact::DiscreteContact;
 use crate::solver::rolling::shared::passage::pair;
@@ -21,10 +23,10 @@ use crate::solver::rolling::shared::strip::{
     reduced, saturation, through,
 };
 
-use super::arrival::Arrival;
+use super::arrival::{Arrival, rigid_slip};
 use super::moved::Moved;
 use super::past::Past;
-use super::step_response::{Prescribed, StepResponse};
+use super::step_response::{Known, StepResponse};
 
 /// Stick and slip on a patch, kept from step to step.
 pub(super) struct TimeStepLaw {
@@ -137,6 +139,8 @@ pub(super) struct TimeStepEquilibrium<'a> {
     response: StepResponse<'a>,
     law: &'a mut TimeStepLaw,
     gamma: f64,
+    /// Rigid slip of each cell in the step, x and y in turn, in m.
+    rigid: Vec<f64>,
     /// μ pₙ of each cell, in Pa.
     bound: Vec<f64>,
     tracks: Vec<Track>,
@@ -149,7 +153,8 @@ pub(super) struct TimeStepEquilibrium<'a> {
 }
 
 impl<'a> TimeStepEquilibrium<'a> {
-    /// With residuals measured relative to a traction (‖p‖₂ in Pa) if that of this step is smaller.
+    /// Without motion; with residuals measured relative to a traction (‖p‖₂ in Pa) if that of this
+    /// step is smaller.
     pub fn new(
         response: StepResponse<'a>,
         law: &'a mut TimeStepLaw,
@@ -157,7 +162,7 @@ impl<'a> TimeStepEquilibrium<'a> {
         tracks: Vec<Track>,
         largest: f64,
     ) -> Self {
-        let Prescribed { in_contact, in_place, .. } = response.prescribed;
+        let Known { in_contact, in_place, .. } = response.known;
         if law.of.0 != *in_contact || law.of.1 != *in_place {
             law.directions = Directions::default();
             law.of = (in_contact.clone(), in_place.clone());
@@ -166,6 +171,7 @@ impl<'a> TimeStepEquilibrium<'a> {
         law.contact.slaved.complete_scalar(&mut bound);
         let mut equilibrium = Self {
             gamma: response.contact.cell_stiffness(),
+            rigid: vec![0.0; 2 * tracks.len()],
             slips: tracks.iter().map(Track::slip).collect(),
             resolvents: vec![Resolvent::default(); tracks.len()],
             is_factorised: false,
@@ -193,8 +199,8 @@ impl<'a> TimeStepEquilibrium<'a> {
 
     /// Change of the sliding since entry in the step, in m.
     fn change(&self, u: &[f64], k: usize) -> [f64; 2] {
-        let sliding = &self.response.prescribed.sliding;
-        [0, 1].map(|c| sliding[2 * k + c] - u[2 * k + c])
+        let (rigid, displacement) = (&self.rigid, &self.response.known.displacement);
+        [2 * k, 2 * k + 1].map(|at| rigid[at] + displacement[at] - u[at])
     }
 
     /// What the law of a cell takes for its sliding, in m.
@@ -245,7 +251,7 @@ impl<'a> TimeStepEquilibrium<'a> {
 
     /// The displacement that is a part of what the law of a cell sees; see [`StepResponse`].
     fn displaced(&self, cell: usize) -> Displaced {
-        let Prescribed { in_contact, in_place, .. } = self.response.prescribed;
+        let Known { in_contact, in_place, .. } = self.response.known;
         let whole = self.weight(cell);
         let entered = (1.0 - in_contact[cell]) * whole;
         if in_place[cell] && self.response.is_coupled {
@@ -355,6 +361,29 @@ impl Equilibrium for TimeStepEquilibrium<'_> {
             factors.solve(&self.law.contact.slaved.kept, v);
         }
         self.law.contact.slaved.complete(v);
+    }
+}
+
+impl MovedEquilibrium for TimeStepEquilibrium<'_> {
+    fn patch(&self) -> &Patch {
+        &self.response.contact.patch
+    }
+
+    fn set_motion(&mut self, motion: &Kinematics) {
+        let StepResponse { contact, known, .. } = &self.response;
+        let cells = contact.patch.cells.iter().zip(&known.path);
+        let rigid = cells.flat_map(|(cell, path)| rigid_slip(cell, *path, motion));
+        self.rigid = rigid.collect();
+    }
+
+    fn change_by_motion(&mut self, change: &Kinematics, of_residual: &mut [f64]) {
+        let StepResponse { contact, known, .. } = &self.response;
+        let cells = contact.patch.cells.iter().zip(&known.path);
+        let back = cells.flat_map(|(Cell { path_in, .. }, path)| {
+            path_in.rigid_slip(change).map(|slip| -path / path_in.distance * slip)
+        });
+        let back: Vec<f64> = back.collect();
+        self.tangent_product(&vec![0.0; back.len()], &back, of_residual);
     }
 }
 

@@ -1,10 +1,9 @@
 //! The state that is sought, and what has become of it.
 
-use crate::problem::{Direction, Problem};
+use crate::problem::Problem;
 use crate::reporting::Warning;
 use crate::solver::equilibrium::Outcome;
-
-use super::driven::Drives;
+use crate::solver::prescribed::ForceGoal;
 
 /// The state that is sought.
 #[derive(Clone, Copy)]
@@ -12,7 +11,7 @@ pub(super) struct Goal<'a> {
     /// Creepages whose force is prescribed are a first guess.
     pub problem: &'a Problem,
     /// The prescribed forces; none if all creepages are given.
-    pub drives: &'a Drives,
+    pub forces: &'a ForceGoal,
     /// Residual of the state at most, dimensionless.
     pub tolerance: f64,
 }
@@ -27,16 +26,13 @@ pub(super) struct Found {
 /// A goal that Newton's method has not reached, and where it ended.
 pub(super) struct Unsolved {
     problem: Problem,
-    forces: Vec<(Direction, f64)>,
-    /// Reference point of the forces, x and y in m.
-    place: [f64; 2],
+    forces: ForceGoal,
     pub found: Found,
 }
 
 impl Unsolved {
-    pub fn new(Goal { problem, drives, .. }: Goal, found: &Found) -> Self {
-        let (forces, place) = (drives.forces(), drives.place);
-        Self { problem: problem.clone(), forces, place, found: found.clone() }
+    pub fn new(Goal { problem, forces, .. }: Goal, found: &Found) -> Self {
+        Self { problem: problem.clone(), forces: forces.clone(), found: found.clone() }
     }
 
     /// Whether it is a goal of the same contact.
@@ -44,11 +40,11 @@ impl Unsolved {
         let kinematics = &self.problem.kinematics;
         let (one, other) = (&self.problem.interface, &goal.problem.interface);
         *kinematics == goal.problem.kinematics
+            && self.problem.branch == goal.problem.branch
             && (one.contact_law, one.wheel, one.rail)
                 == (other.contact_law, other.wheel, other.rail)
             && one.friction.is_same(&other.friction)
             && one.heat.is_same(&other.heat)
-            && self.forces == goal.drives.forces()
-            && self.place == goal.drives.place
+            && self.forces == *goal.forces
     }
 }

@@ -1,8 +1,7 @@
 //! The coefficient of friction of the cells in steady rolling, which may lag behind its law: the
 //! value with which the material leaves a cell is the initial value in the next one downstream.
 
-use crate::interface::friction::FrictionResponse;
-use crate::interface::friction::memory::{FrictionMemory, Kept};
+use crate::interface::friction::{FrictionMemory, FrictionResponse, Kept};
 use crate::normal::patch::Patch;
 use crate::problem::Problem;
 

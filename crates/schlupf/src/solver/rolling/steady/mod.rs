@@ -10,7 +10,6 @@ mod level;
 mod steady_state;
 mod sensitivity;
 mod branches;
-mod driven;
 mod goal;
 mod nested;
 mod result;

@@ -9,10 +9,10 @@ use crate::problem::{Options, Problem};
 use crate::reporting::{Error, Watch};
 use crate::solution::Work;
 use crate::solver::equilibrium::{Equilibrium, Limits, Newton, Outcome};
+use crate::solver::prescribed::{self, ForceGoal};
 use crate::solver::settings;
 
 use super::branches;
-use super::driven::{Driven, Drives};
 use super::goal::{Goal, Unsolved};
 use super::level::{self, Descent, Level};
 use super::steady_state::SteadyState;
@@ -59,23 +59,24 @@ impl NestedGrids {
     pub fn solve(&mut self, goal: Goal, search: &mut Search) -> Result<Outcome, Error> {
         search.work.cells = self.levels[0].contact.patch.len();
         search.work.outer_iterations = 1;
-        let Goal { problem, drives, tolerance } = goal;
-        let ahead = if drives.is_empty() { self.extrapolation(problem) } else { 0.0 };
+        let Goal { problem, forces, tolerance } = goal;
+        let ahead = if forces.is_none() { self.extrapolation(problem) } else { 0.0 };
+        let none = ForceGoal::default();
         self.problem = problem.clone();
         let mut outcome = Outcome::default();
         for depth in (0..self.levels.len()).rev() {
             self.levels[depth].set_problem(&self.problem);
             self.guess(depth, ahead);
             let is_coarsest = depth + 1 == self.levels.len();
-            if !drives.is_empty() && is_coarsest && self.earlier.is_empty() {
+            if !forces.is_none() && is_coarsest && self.earlier.is_empty() {
                 // Tractions at the guessed motion: from none at all the creepages would first grow
                 // as if everything stuck.
-                self.solve_level(depth, settings::coarse_tolerance(), (&drives.without(), search))?;
+                self.solve_level(depth, settings::coarse_tolerance(), (&none, search))?;
             }
-            let is_extrapolated = search.options.extrapolate && drives.is_empty();
+            let is_extrapolated = search.options.extrapolate && forces.is_none();
             let is_result = depth == 0 || (depth == 1 && is_extrapolated);
             let enough = if is_result { tolerance } else { settings::coarse_tolerance() };
-            outcome = self.solve_level(depth, enough, (drives, search))?;
+            outcome = self.solve_level(depth, enough, (forces, search))?;
             let level = &mut self.levels[depth];
             level.corrects = self.earlier.is_empty()
                 || outcome.first_residual > 1.5 * settings::coarse_tolerance();
@@ -88,40 +89,35 @@ impl NestedGrids {
         Ok(outcome)
     }
 
-    /// Newton's method on one level, for the tractions and the unknown creepages of the present
+    /// Newton's method on one level, for the tractions and the free creepages of the present
     /// problem, from its initial guess.
     fn solve_level(
         &mut self,
         depth: usize,
         tolerance: f64,
-        (drives, search): (&Drives, &mut Search),
+        (forces, search): (&ForceGoal, &mut Search),
     ) -> Result<Outcome, Error> {
         let limits = Limits {
             tolerance,
             max_iterations: search.options.max_iterations,
             is_monotone: branches::may_be_several(&self.problem, &self.levels[depth..], false),
         };
-        let mut unknowns = std::mem::take(&mut self.levels[depth].traction);
-        let size = unknowns.len();
-        unknowns.extend(Driven::unknowns(&self.problem, drives));
-        let mut system = Driven::new(&self.problem, &mut self.levels[depth..], drives);
-        let solved = search.newton.solve(&mut system, &mut unknowns, &limits, search.watch);
-        let kinematics = Driven::motion(&self.problem.kinematics, drives, &unknowns[size..]);
-        unknowns.truncate(size);
+        let mut traction = std::mem::take(&mut self.levels[depth].traction);
+        let mut motion = self.problem.kinematics;
+        let mut system = SteadyState::new(&self.problem, &mut self.levels[depth..]);
+        let (newton, goal) = (&mut *search.newton, (forces, &mut motion));
+        let how = (&limits, search.watch);
+        let solved = prescribed::solve(newton, &mut system, goal, &mut traction, how);
         let level = &mut self.levels[depth];
-        level.traction = unknowns;
-        let solved = solved?;
-        let response = &solved.response[..solved.response.len() - drives.all.len()];
+        level.traction = traction;
+        let outcome = solved?;
         level.response.clear();
-        level.response.extend_from_slice(response);
-        let mut outcome = solved.outcome;
+        let response = search.newton.response();
+        level.response.extend_from_slice(&response[..response.len() - forces.count()]);
         search.work.newton_iterations += outcome.iterations;
         search.work.operator_products += self.part_of_product(depth) * outcome.products as f64;
-        if !drives.is_empty() {
-            outcome.converged &= kinematics.check().is_ok();
-            if outcome.converged {
-                self.problem.kinematics = kinematics;
-            }
+        if !forces.is_none() {
+            self.problem.kinematics = motion;
             let level = &mut self.levels[depth];
             if !level.friction.is_coupled {
                 level.friction.set_problem(&self.problem, &level.contact.patch);
@@ -134,12 +130,12 @@ impl NestedGrids {
     /// cell can be solved by itself, or if the motion is nearer to pure rolling than to that of the
     /// last solution and, on the coarsest grid, the residual is smaller without them.
     pub fn drop_useless_start(&mut self, goal: Goal, search: &mut Search) {
-        let (Goal { problem, drives, .. }, coarsest) = (goal, self.levels.len() - 1);
+        let (Goal { problem, forces, .. }, coarsest) = (goal, self.levels.len() - 1);
         let Some(last) = self.earlier.first() else { return };
         let level = &mut self.levels[coarsest];
         level.set_problem(problem);
         let is_plane = level.contact.patch.rows.is_none();
-        let is_at_rest = problem.kinematics.is_pure_rolling() && is_plane && drives.is_empty();
+        let is_at_rest = problem.kinematics.is_pure_rolling() && is_plane && forces.is_none();
         let is_uncoupled = !level.contact.compliance.couples_cells() && !level.friction.is_coupled;
         let rest = Kinematics { creepage_x: 0.0, creepage_y: 0.0, spin: 0.0, ..*last };
         let square = |from: &Kinematics| {

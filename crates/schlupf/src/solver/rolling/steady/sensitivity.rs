@@ -7,17 +7,15 @@
 //! of two kernels.
 
 use crate::bodies::Kinematics;
-use crate::interface::friction::constants::FrictionConstant;
+use crate::interface::friction::FrictionConstant;
 use crate::interface::{InterfaceConstant, YieldLimit};
-use crate::normal::patch::Cell;
 use crate::numerics::vector::{add_scaled, norm};
 use crate::problem::{Direction, Problem};
 use crate::reporting::{Error, Progress, Stage, Watch, tell};
 use crate::solution::{Resultant, Sensitivity};
 use crate::solver::equilibrium::{Directions, Equilibrium};
 use crate::solver::rolling::shared::strip::Calibrated;
-use crate::solver::settings;
-use crate::solver::summary;
+use crate::solver::{settings, summary};
 
 use super::level::Level;
 use super::steady_friction::{Scaling, SteadyFriction};
@@ -346,24 +344,11 @@ impl<'a> Derivatives<'a> {
 }
 
 /// The motion of the frame alone.
-pub(super) fn standing(problem: &Problem) -> Kinematics {
+fn standing(problem: &Problem) -> Kinematics {
     let speed = problem.kinematics.speed;
     Kinematics { speed, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 }
 }
 
 fn scaled(resultant: &Resultant, factor: f64) -> Resultant {
     resultant.scaled(factor, factor)
-}
-
-impl Direct {
-    /// The changes in a cell when its motion changes.
-    pub(super) fn set_motion(&mut self, k: usize, cell: &Cell, motion: &Kinematics) {
-        let path = &cell.path_in;
-        let rigid = path.rigid_slip(motion);
-        let slip = motion.rigid_slip(cell.x, cell.y);
-        for c in 0..2 {
-            self.cause.rigid[2 * k + c] = rigid[c];
-            self.friction.slip[k][c] = motion.speed * slip[c];
-        }
-    }
 }

@@ -1,14 +1,15 @@
 //! The direct solver for steady states.
 
+use crate::bodies::Kinematics;
 use crate::interface::InterfaceConstant;
-use crate::problem::{Direction, Method, Options, PrescribedForces, Problem};
+use crate::problem::{Method, Options, PrescribedForces, Problem};
 use crate::reporting::{Error, Warning, Watch};
 use crate::solution::{Resultant, Solution, Work};
-use crate::solver::Solver;
 use crate::solver::equilibrium::{Directions, Newton};
+use crate::solver::prescribed::ForceGoal;
 use crate::solver::reference_point::AtPatch;
+use crate::solver::{Solver, settings};
 
-use super::driven::Drives;
 use super::goal::{Found, Goal};
 use super::level::Level;
 use super::nested::{NestedGrids, Search};
@@ -20,8 +21,7 @@ use super::sensitivity::{by_constants, by_motions, sensitivity};
 /// marches to it, and a warning says so.
 ///
 /// ```
-/// use schlupf::solver;
-/// use schlupf::{Options, Problem, unwatched};
+/// use schlupf::{solver, Options, Problem, unwatched};
 ///
 /// let problem = Problem::builder().creepage_x(0.003).build()?;
 /// let options = Options { cells_x: 12, cells_y: 12, ..Options::default() };
@@ -46,6 +46,8 @@ pub struct SteadySolver {
     options: Options,
     grids: Option<NestedGrids>,
     newton: Newton,
+    /// Searches on fewer cells, once needed.
+    scout: Option<Box<Self>>,
 }
 
 /// Outcome of Newton's method.
@@ -72,7 +74,7 @@ impl Solver for SteadySolver {
         &self.options
     }
 
-    fn solve(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
+    fn solve_given(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
         let at = AtPatch::new(problem, watch)?;
         match self.state(&at, &PrescribedForces::default(), self.options.sensitivity, watch)? {
             State::Found(solution) => Ok(at.back(*solution)),
@@ -84,7 +86,7 @@ impl Solver for SteadySolver {
         true
     }
 
-    fn solve_with_derivatives(
+    fn solve_given_with_derivatives(
         &mut self,
         problem: &Problem,
         watch: Watch,
@@ -97,18 +99,30 @@ impl Solver for SteadySolver {
     fn solve_with_slopes(
         &mut self,
         problem: &Problem,
-        directions: &[Direction],
+        changes: &[Kinematics],
         watch: Watch,
     ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
         self.solve_with(problem, watch, |at, state| {
             let to_centre = at.place().map(|part| -part);
-            let motions: Vec<_> = directions.iter().map(|of| of.unit().at(to_centre)).collect();
-            by_motions(&at.problem, state, &motions, watch)
+            let changes: Vec<_> = changes.iter().map(|change| change.at(to_centre)).collect();
+            by_motions(&at.problem, state, &changes, watch)
         })
     }
 
-    fn solves_for_forces(&self) -> bool {
-        true
+    fn scout(&mut self) -> Option<&mut dyn Solver> {
+        let (options, cells) = (&self.options, settings::cells_of_scout());
+        let scout = self.scout.get_or_insert_with(|| {
+            Box::new(Self::new(&Options {
+                cells_x: options.cells_x.min(cells),
+                cells_y: options.cells_y.min(cells),
+                tolerance: options.tolerance.max(settings::tolerance_of_scout()),
+                sensitivity: false,
+                extrapolate: false,
+                keeps_state: false,
+                ..options.clone()
+            }))
+        });
+        Some(&mut **scout)
     }
 
     fn solve_for_forces(
@@ -126,13 +140,16 @@ impl Solver for SteadySolver {
         if let Some(grids) = &mut self.grids {
             grids.earlier.clear();
         }
+        if let Some(scout) = &mut self.scout {
+            scout.forget();
+        }
     }
 }
 
 impl SteadySolver {
     /// A solver without previous solutions.
     pub fn new(options: &Options) -> Self {
-        Self { options: options.clone(), grids: None, newton: Newton::default() }
+        Self { options: options.clone(), grids: None, newton: Newton::default(), scout: None }
     }
 
     /// The steady state with the derivatives of forces and moment with respect to some constants of
@@ -200,15 +217,16 @@ impl SteadySolver {
         with_derivatives: bool,
         watch: Watch,
     ) -> Result<State, Error> {
-        let drives = &Drives::of(&at.problem, &grids.levels[0], (prescribed, at.place()))?;
+        let normal = &grids.levels[0].contact.normal;
+        let forces = &ForceGoal::new(&at.problem, prescribed, (normal, at.place()))?;
         let (options, work) = (&self.options, Work::default());
         let mut search = Search { options, newton: &mut self.newton, work, watch };
-        let goal = Goal { problem: &at.problem, drives, tolerance: options.tolerance };
+        let goal = Goal { problem: &at.problem, forces, tolerance: options.tolerance };
         let mut found = grids.find(goal, &mut search)?;
         let problem = grids.problem.clone();
-        if found.outcome.converged && !drives.is_empty() && options.extrapolate {
+        if found.outcome.converged && !forces.is_none() && options.extrapolate {
             // Forces are extrapolated at the same motion on all grids.
-            let given = Goal { problem: &problem, drives: &drives.without(), ..goal };
+            let given = Goal { problem: &problem, forces: &ForceGoal::default(), ..goal };
             found.outcome = grids.solve(given, &mut search)?;
         }
         let work = search.work;

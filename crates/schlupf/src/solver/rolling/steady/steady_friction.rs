@@ -16,9 +16,8 @@ use std::ops::Range;
 use crate::bodies::Kinematics;
 use crate::interface::YieldLimit;
 use crate::interface::friction::{FrictionResponse, FrictionState};
+use crate::interface::heat::Conduction;
 use crate::interface::heat::contact_conduction::{Conductors, ContactConduction, Surfaces};
-use crate::interface::heat::partition::Conduction;
-use crate::interface::heat::peclet::semi_axes_of_grid;
 use crate::interface::heat::strip_heat::StripHeat;
 use crate::normal::patch::Patch;
 use crate::numerics::root::fixed_point;
@@ -342,7 +341,7 @@ fn paths(patch: &Patch) -> impl Iterator<Item = [f64; 2]> {
 
 /// The conducting bodies of a problem if heat also flows along the surface.
 fn conductors_along(problem: &Problem, patch: &Patch) -> Option<Conductors> {
-    let peclet = problem.interface.peclet(&problem.kinematics, semi_axes_of_grid(&patch.grid));
+    let peclet = problem.interface.peclet(&problem.kinematics, patch.grid.semi_axes());
     let is_conduction =
         problem.interface.heat.model.as_ref().is_some_and(|model| model.is_conduction());
     (is_conduction && !peclet.is_fast()).then(|| Conductors {

@@ -1,10 +1,15 @@
 //! The steady state as one equilibrium: the history of an element, including its heat, is what lies
 //! upstream of it in its strip. Traction, temperature and friction are found together.
 
+use std::borrow::Cow;
+
+use crate::bodies::Kinematics;
+use crate::normal::patch::{Cell, Patch};
 use crate::numerics::vector::norm;
 use crate::problem::Problem;
 use crate::reporting::Error;
 use crate::solver::equilibrium::{self, Equilibrium};
+use crate::solver::prescribed::MovedEquilibrium;
 use crate::solver::rolling::shared::contact::Displaced;
 use crate::solver::rolling::shared::strip::Calibrated;
 
@@ -18,14 +23,14 @@ use super::strip_law::{Cause, Changed, StripLaw};
 /// The linear response to p is b, the change of A p from cell to cell; and if friction depends on
 /// heat or slip, also the change of A p along the passage of each cell.
 pub(super) struct SteadyState<'a> {
-    problem: &'a Problem,
+    problem: Cow<'a, Problem>,
     levels: &'a mut [Level],
 }
 
 impl<'a> SteadyState<'a> {
     /// The state on the first of `levels`, which must not be empty.
     pub fn new(problem: &'a Problem, levels: &'a mut [Level]) -> Self {
-        Self { problem, levels }
+        Self { problem: Cow::Borrowed(problem), levels }
     }
 
     fn level(&self) -> &Level {
@@ -41,7 +46,7 @@ impl<'a> SteadyState<'a> {
         if self.is_coupled() {
             let level = &mut self.levels[0];
             let passing = &u[level.size()..];
-            level.friction.evaluate(self.problem, &level.contact.patch, p, passing);
+            level.friction.evaluate(&self.problem, &level.contact.patch, p, passing);
             level.take_bound();
         }
     }
@@ -93,13 +98,33 @@ impl Equilibrium for SteadyState<'_> {
     /// The state of rigid bodies, which is a good guess where friction follows a high slip speed.
     fn other_guess(&mut self, p: &mut [f64]) -> bool {
         if self.is_coupled() {
-            self.levels[0].rigid_state(self.problem, p);
+            self.levels[0].rigid_state(&self.problem, p);
         }
         self.is_coupled()
     }
 
     fn precondition(&mut self, v: &mut [f64]) {
         precondition(self.levels, v);
+    }
+}
+
+impl MovedEquilibrium for SteadyState<'_> {
+    fn patch(&self) -> &Patch {
+        &self.level().contact.patch
+    }
+
+    fn set_motion(&mut self, motion: &Kinematics) {
+        self.problem.to_mut().kinematics = *motion;
+        self.levels[0].set_motion(&self.problem);
+    }
+
+    fn change_by_motion(&mut self, change: &Kinematics, of_residual: &mut [f64]) {
+        let change = Kinematics { speed: self.problem.kinematics.speed, ..*change };
+        let mut direct = Direct::nothing(self.level().strips.len());
+        for (k, cell) in self.level().contact.patch.cells.iter().enumerate() {
+            direct.set_motion(k, cell, &change);
+        }
+        self.change_by(&direct, of_residual);
     }
 }
 
@@ -132,6 +157,17 @@ impl Direct {
             response: Vec::new(),
             bound: vec![0.0; cells],
             friction: FrictionCause::nothing(cells),
+        }
+    }
+
+    /// The changes in a cell when its motion changes.
+    pub fn set_motion(&mut self, k: usize, cell: &Cell, motion: &Kinematics) {
+        let path = &cell.path_in;
+        let rigid = path.rigid_slip(motion);
+        let slip = motion.rigid_slip(cell.x, cell.y);
+        for c in 0..2 {
+            self.cause.rigid[2 * k + c] = rigid[c];
+            self.friction.slip[k][c] = motion.speed * slip[c];
         }
     }
 }
@@ -169,7 +205,7 @@ impl SteadyState<'_> {
         let Level { contact, friction, traction, .. } = &mut self.levels[0];
         let mut passing = vec![0.0; traction.len()];
         contact.product(traction).change_in_passing(&mut passing);
-        friction.evaluate(self.problem, &contact.patch, traction, &passing);
+        friction.evaluate(&self.problem, &contact.patch, traction, &passing);
     }
 
     /// A part or a derivative of the linear response at the solution; returns whether the
@@ -196,7 +232,7 @@ impl SteadyState<'_> {
             made.change_in_passing(passing);
         }
         let normal = self.problem.normal.normal_contact(None)?;
-        strips.relate_part(what, (self.problem, &normal), contact, (traction, b))
+        strips.relate_part(what, (&self.problem, &normal), contact, (traction, b))
     }
 }
 

@@ -6,18 +6,17 @@
 //! 4. [`Strategy::March`], if all creepages are given; a march has no derivatives.
 //!
 //! All but the last are Newton's method on nested grids from different initial guesses. Where
-//! forces are prescribed, the creepages that they cause are unknown, too, and the continuation is
-//! that from the state of the guessed motion, or the path of forces
-//! ([`crate::solver::ForceSolver`]): where friction depends on slip or heat, and where all else
-//! fails.
+//! forces are prescribed, their creepages are free, too, and the continuation is that from the
+//! state of the guessed motion, or the path of forces ([`crate::solver::prescribed`]): where
+//! friction depends on slip or heat, and where all else fails.
 
 use crate::problem::{Branch, Options, Problem, Transient};
 use crate::reporting::{Error, Warning, Watch};
 use crate::solution::{Resultant, Solution, Strategy, Work};
 use crate::solver::equilibrium::Outcome;
+use crate::solver::prescribed::ForceGoal;
 use crate::solver::rolling::marching::march;
-use crate::solver::settings;
-use crate::solver::summary;
+use crate::solver::{settings, summary};
 
 use super::branches;
 use super::goal::{Found, Goal, Unsolved};
@@ -49,7 +48,7 @@ impl NestedGrids {
             found = Found { outcome: self.solve(goal, search)?, warning: None };
             let converged = found.outcome.converged;
             // Without creepage there is no branch to follow.
-            may_be_several = goal.drives.is_empty()
+            may_be_several = goal.forces.is_none()
                 && !goal.problem.kinematics.is_pure_rolling()
                 && branches::may_be_several(goal.problem, &self.levels, converged);
             if converged && !may_be_several {
@@ -72,9 +71,9 @@ impl NestedGrids {
         may_be_several: bool,
         search: &mut Search,
     ) -> Result<Found, Error> {
-        if !goal.drives.is_empty() {
+        if !goal.forces.is_none() {
             self.earlier.clear();
-            let guessed = Goal { drives: &goal.drives.without(), ..goal };
+            let guessed = Goal { forces: &ForceGoal::default(), ..goal };
             let mut outcome = self.solve(guessed, search)?;
             if outcome.converged {
                 outcome = self.solve(goal, search)?;
@@ -85,7 +84,7 @@ impl NestedGrids {
             let (outcome, _) = self.follow(goal, Branch::HighSlip, search)?;
             return Ok(Found { outcome, warning: None });
         }
-        let branch = search.options.branch;
+        let branch = goal.problem.branch;
         let other = match branch {
             Branch::LowSlip => Branch::HighSlip,
             Branch::HighSlip => Branch::LowSlip,

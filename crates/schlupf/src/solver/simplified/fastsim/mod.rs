@@ -323,14 +323,11 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
-    use crate::interface::friction::exponential::Exponential;
-    use crate::interface::friction::polach::Polach;
-    use crate::interface::friction::product::Product;
-    use crate::interface::friction::slip_terms::SlipTerms;
-    use crate::interface::friction::temperature_linear::TemperatureLinear;
-    use crate::interface::friction::{FrictionLaw, FrictionResponse, FrictionState};
-    use crate::interface::heat::Heat;
-    use crate::interface::heat::constant_source::ConstantSource;
+    use crate::interface::friction::{
+        Exponential, FrictionLaw, FrictionResponse, FrictionState, Polach, Product, SlipTerms,
+        TemperatureLinear,
+    };
+    use crate::interface::heat::{ConstantSource, Heat};
 
     /// A law that counts how often it is asked.
     #[derive(Debug)]

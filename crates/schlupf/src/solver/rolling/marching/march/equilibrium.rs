@@ -1,15 +1,16 @@
 //! The equilibrium of a time step.
 
 use crate::numerics::vector::{add_scaled, norm};
-use crate::problem::Element;
+use crate::problem::{Element, Places};
 use crate::reporting::{Error, Watch, within};
 use crate::solver::equilibrium::{Limits, Outcome, measure};
-use crate::solver::rolling::marching::arrival::{Arrival, places_passed, rigid_slip};
+use crate::solver::prescribed::ForceGoal;
+use crate::solver::rolling::marching::arrival::{Arrival, places_passed};
 use crate::solver::rolling::marching::change::relative_change;
-use crate::solver::rolling::marching::force_control::ForceControl;
+use crate::solver::rolling::marching::forces_over_time::Start;
 use crate::solver::rolling::marching::moved::Moved;
 use crate::solver::rolling::marching::step::Step;
-use crate::solver::rolling::marching::step_response::Prescribed;
+use crate::solver::rolling::marching::step_response::Known;
 use crate::solver::rolling::marching::time_step::Track;
 use crate::solver::summary;
 
@@ -24,37 +25,32 @@ impl March<'_> {
     ) -> Result<(), Error> {
         let bound = self.now.bound(&self.contact.patch);
         let old_traction = self.now.traction.clone();
-        add_scaled(&mut self.now.traction, 1.0, &self.trend);
         self.outcome = Outcome::default();
-        let mut control = self.control.take();
-        let (time, load) = (self.time, self.contact.normal.load);
-        if let Some(control) = &mut control {
-            control.begin(self.history, time);
+        let mut forces = std::mem::take(&mut self.forces);
+        forces.begin(self.history, self.time, self.contact.normal.load);
+        let mut moved = Vec::new();
+        let mut is_missed = false;
+        let mut tried = None;
+        for Start { motion, goal, goes_on } in forces.starts(&self.now.over_step) {
+            let mut traction = old_traction.clone();
+            if goes_on {
+                add_scaled(&mut traction, 1.0, &self.trend);
+            }
+            let start = Some((traction.clone(), motion, goal.is_none()));
+            if tried == start {
+                continue;
+            }
+            tried = start;
+            (self.now.traction, self.now.over_step) = (traction, motion);
+            moved = self.balance(arrivals, (&bound, &goal), watch)?;
+            is_missed = goal.is_none() && !forces.goal.is_none();
+            if self.outcome.converged {
+                break;
+            }
         }
-        let moved = loop {
-            if let Some(control) = &control {
-                self.now.over_step = control.motion(&self.now.over_step);
-                self.now.kinematics = control.motion(&self.now.kinematics);
-                self.now.conduction = self.problem.interface.conduction(&self.now.over_step);
-            }
-            let starts_elsewhere = self.now.traction != old_traction;
-            let mut moved = self.balance(arrivals, &bound, watch)?;
-            if !self.outcome.converged && starts_elsewhere {
-                // Once more from the tractions before the step.
-                self.now.traction.clone_from(&old_traction);
-                moved = self.balance(arrivals, &bound, watch)?;
-            }
-            let Some(control) = &mut control else { break moved };
-            let force = summary::resultant(&self.contact.patch, &self.now.traction);
-            let accuracy = (self.options.tolerance, norm(&bound), norm(&self.now.traction));
-            if control.is_reached((&force, load), accuracy) {
-                self.outcome.residual = self.outcome.residual.max(control.missing);
-                break moved;
-            }
-        };
-        let missed = control.as_ref().and_then(ForceControl::missed);
-        self.missed = self.missed.or(missed.map(|force| (force, time)));
-        self.control = control;
+        let creepages = forces.goal.creepages(&self.now.over_step);
+        self.now.kinematics = forces.goal.motion(&self.now.kinematics, creepages.as_slice());
+        self.now.conduction = self.problem.interface.conduction(&self.now.over_step);
         self.displace();
         self.largest_traction = self.largest_traction.max(norm(&self.now.traction));
         let scale = measure(norm(&bound), self.largest_traction);
@@ -67,11 +63,21 @@ impl March<'_> {
             track: moved.track,
             ..Element::default()
         };
-        self.trend.clone_from(&self.now.traction);
-        add_scaled(&mut self.trend, -1.0, &old_traction);
-        if !self.outcome.converged || missed.is_some() || self.change <= self.options.tolerance {
-            self.trend.fill(0.0);
+        let goes_on = self.outcome.converged && !is_missed && self.change > self.options.tolerance;
+        self.trend.fill(0.0);
+        if goes_on {
+            self.trend.clone_from(&self.now.traction);
+            add_scaled(&mut self.trend, -1.0, &old_traction);
         }
+        if is_missed {
+            let force = summary::resultant(&self.contact.patch, &self.now.traction);
+            let missing = forces.goal.forces(&force).map(|has| (has - &forces.goal.target).norm());
+            self.outcome.residual = self.outcome.residual.max(missing.unwrap_or(0.0));
+            let quantity = forces.goal.prescribed().first();
+            self.missed = self.missed.or(quantity.map(|force| (force, self.time)));
+        }
+        forces.note(&self.now.over_step, (is_missed, goes_on));
+        self.forces = forces;
         self.elements = moved.iter().enumerate().map(element).collect();
         self.past = self.record();
         self.moved = moved;
@@ -82,23 +88,44 @@ impl March<'_> {
     fn balance(
         &mut self,
         arrivals: &[Arrival],
-        bound: &[f64],
+        (bound, goal): (&[f64], &ForceGoal),
+        watch: Watch,
+    ) -> Result<Vec<Moved>, Error> {
+        let places = self.places(arrivals);
+        let moved = self.step(arrivals, &places, (bound, goal), watch)?;
+        let found = self.places(arrivals);
+        let is_same = places.iter().map(|of| of.len()).eq(found.iter().map(|of| of.len()));
+        if is_same || !self.outcome.converged {
+            return Ok(moved);
+        }
+        // With the creepages that were found other places count.
+        self.step(arrivals, &found, (bound, goal), watch)
+    }
+
+    /// The places of the material that count with the present motion.
+    fn places(&self, arrivals: &[Arrival]) -> Vec<Places> {
+        let motions = [&self.motion_before, &self.now.over_step];
+        places_passed(&self.contact.patch, arrivals, motions)
+    }
+
+    fn step(
+        &mut self,
+        arrivals: &[Arrival],
+        places: &[Places],
+        (bound, goal): (&[f64], &ForceGoal),
         watch: Watch,
     ) -> Result<Vec<Moved>, Error> {
         let (limits, watch) = (self.limits(), within(watch, self.progress()));
-        let prescribed = self.prescribed(arrivals);
-        let motions = [&self.motion_before, &self.now.over_step];
-        let places = places_passed(&self.contact.patch, arrivals, motions);
         let step = Step {
             contact: &mut self.contact,
             law: &mut self.law,
             bound,
-            prescribed,
-            tracks: arrivals.iter().zip(places).map(Track::of).collect(),
+            known: Known::of(arrivals),
+            tracks: arrivals.iter().zip(places.iter().copied()).map(Track::of).collect(),
             largest: self.largest_traction,
         };
-        let traction = &mut self.now.traction;
-        let (outcome, moved) = step.solve(&mut self.newton, traction, &limits, &watch)?;
+        let (goal, traction) = ((goal, &mut self.now.over_step), &mut self.now.traction);
+        let (outcome, moved) = step.solve(&mut self.newton, traction, goal, (&limits, &watch))?;
         let Outcome { iterations, products, .. } = self.outcome;
         self.outcome = Outcome {
             iterations: iterations + outcome.iterations,
@@ -106,18 +133,6 @@ impl March<'_> {
             ..outcome
         };
         Ok(moved)
-    }
-
-    /// What is known of a step when the elements have arrived.
-    fn prescribed(&self, arrivals: &[Arrival]) -> Prescribed {
-        let mut prescribed = Prescribed::default();
-        for (cell, arrival) in self.contact.patch.cells.iter().zip(arrivals) {
-            let rigid = rigid_slip(cell, arrival.path, &self.now.over_step);
-            prescribed.sliding.extend((0..2).map(|c| rigid[c] + arrival.displacement[c]));
-            prescribed.in_contact.push(arrival.in_contact);
-            prescribed.in_place.push(arrival.in_place);
-        }
-        prescribed
     }
 
     pub(super) fn limits(&self) -> Limits {

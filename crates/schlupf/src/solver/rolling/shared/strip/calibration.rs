@@ -180,7 +180,7 @@ impl Exact {
             return Ok(Some(Self::Nothing));
         }
         let summary = &normal.summary;
-        let semi_axes = [summary.semi_axis_x, summary.semi_axis_y];
+        let semi_axes = summary.semi_axes();
         if let Pressure::Elliptic = normal.pressure
             && let Some(known) = problem.interface.elasticity.under_ellipsoid(semi_axes)
         {
