@@ -3,11 +3,14 @@
 use std::collections::BTreeSet;
 
 use crate::common::{RECIPE, solution};
-use schlupf::reporting::{Message, Record};
+use schlupf::reporting::{Column, Message, Record};
 use schlupf::solution::{Extrapolation, Resultant};
-use schlupf::{Solution, Status};
+use schlupf::wheel_rail::{Contact, WheelSolution};
+use schlupf::{Solution, Status, unwatched};
+use schlupf_case::{CaseFile, Folder, Overrides};
 use schlupf_tasks::output::Report;
 use schlupf_tasks::output::solution::SolutionReport;
+use schlupf_tasks::solve::solve;
 
 /// The keys that the interface fixes, as paths.
 const KEYS: &str = "program title status normal normal.load normal.semi_axis_x normal.semi_axis_y \
@@ -205,6 +208,25 @@ fn minus_zero_is_zero() {
     assert!(!report("", solution.clone()).csv().unwrap().contains("-0e0"));
 }
 
+/// The number of columns with a value, each of which is that of the JSON under its dotted keys.
+fn count_in_json<R: Record>(record: &R, document: &serde_json::Value) -> usize {
+    let compare = |column: &Column<R>| {
+        let path = column.name.replace('.', "/");
+        let found = document.pointer(&format!("/{path}"));
+        let found = found.unwrap_or_else(|| panic!("no {} in the JSON", column.name));
+        let number = (column.value)(record, 0).number();
+        // Reading JSON rounds the last digit. A list counts by its length.
+        let length = found.as_array().map(|list| list.len() as f64);
+        let is_same = match (found.as_f64().or(length), number) {
+            (Some(found), Some(number)) => (found - number).abs() <= 1e-15 * number.abs(),
+            (found, number) => found == number,
+        };
+        assert!(is_same, "{}: {found} is not {number:?}", column.name);
+        number.is_some()
+    };
+    R::COLUMNS.iter().filter(|column| compare(column)).count()
+}
+
 /// The columns of a study are the scalars of the JSON under their dotted keys, with their values.
 #[test]
 fn columns_of_a_solution_are_the_keys_of_its_json() {
@@ -214,21 +236,7 @@ fn columns_of_a_solution_are_the_keys_of_its_json() {
     solution.extrapolation = Some(Extrapolation { force, normalised, error });
     let document: serde_json::Value =
         serde_json::from_str(&report("case", solution.clone()).json()).unwrap();
-    let mut count = 0;
-    for column in Solution::COLUMNS {
-        let mut value = &document;
-        for key in column.name.split('.') {
-            value = value.get(key).unwrap_or_else(|| panic!("no {} in the JSON", column.name));
-        }
-        let number = (column.value)(&solution, 0).number();
-        // Reading JSON rounds the last digit.
-        let is_same = match (value.as_f64(), number) {
-            (Some(found), Some(number)) => (found - number).abs() <= 1e-15 * number.abs(),
-            (found, number) => found == number,
-        };
-        assert!(is_same, "{}: {value} is not {number:?}", column.name);
-        count += usize::from(number.is_some());
-    }
+    let count = count_in_json(&solution, &document);
     assert!(count > 30, "{count}");
     // The other way round: every scalar of these sections has a column.
     let sections = "normal kinematics force normalised power t_gamma temperature area";
@@ -239,5 +247,27 @@ fn columns_of_a_solution_are_the_keys_of_its_json() {
             let has_column = Solution::COLUMNS.iter().any(|column| column.name == name);
             assert!(has_column || known.contains(&&*name), "{name} has no column");
         }
+    }
+}
+
+/// The same of a wheel and of each of its contacts.
+#[test]
+fn columns_of_a_wheel_and_its_contacts_are_the_keys_of_their_json() {
+    let text = r#"
+kinematics = { speed = "20 m/s", creepage_x = 0.002 }
+wheel = { profile = "S1002", radius_x = "460 mm" }
+rail = { profile = "60E1", cant = 0.025 }
+normal = { model = "wheel-rail", load = "80 kN", cells = 24 }
+wheelset = { side = "right", lateral_position = "-6 mm" }
+grid = { cells_x = 10, cells_y = 10 }
+"#;
+    let file = CaseFile::from_str(text, "a wheel", Folder::new(""), Overrides::NONE).unwrap();
+    let case = file.pose(&unwatched).unwrap();
+    let report = solve(&case, case.rolling(None).unwrap(), &unwatched).unwrap();
+    let document: serde_json::Value = serde_json::from_str(&report.json()).unwrap();
+    let wheel = report.wheel.unwrap();
+    assert_eq!(count_in_json(&*wheel, &document), WheelSolution::COLUMNS.len());
+    for (contact, document) in wheel.contacts.iter().zip(document["contacts"].as_array().unwrap()) {
+        assert_eq!(count_in_json(contact, document), Contact::COLUMNS.len());
     }
 }

@@ -2,7 +2,7 @@
 
 use schlupf::Status;
 use schlupf::normal::NormalSummary;
-use schlupf::solution::{Resultant, TGamma};
+use schlupf::solution::{Area, Resultant, TGamma};
 use schlupf::wheel_rail::{Contact, WheelSolution};
 use serde::Serialize;
 
@@ -53,6 +53,8 @@ struct ContactDocument<'a> {
     normalised: &'a Resultant,
     t_gamma: &'a TGamma,
     friction_power: Option<f64>,
+    max_rise: Option<f64>,
+    area: &'a Area,
     residual: f64,
 }
 
@@ -100,6 +102,8 @@ impl<'a> ContactDocument<'a> {
             normalised: &solution.normalised,
             t_gamma: &solution.t_gamma,
             friction_power: solution.power.map(|power| power.friction),
+            max_rise: solution.temperature.map(|temperature| temperature.max_rise),
+            area: &solution.area,
             residual: solution.residual,
         }
     }
