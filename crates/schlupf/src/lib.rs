@@ -67,7 +67,7 @@
 //! [`FrictionLaw`](interface::friction::FrictionLaw),
 //! [`PressureSource`](normal::PressureSource), [`Elasticity`](elasticity::Elasticity),
 //! [`HeatModel`](interface::heat::HeatModel),
-//! [`PartitionLaw`](interface::heat::partition::PartitionLaw), and
+//! [`PartitionLaw`](interface::heat::PartitionLaw), and
 //! [`CreepForceModel`](analysis::identification::CreepForceModel).
 //!
 //! The modules are listed in the order of data flow: each uses only modules above it.

@@ -151,7 +151,8 @@ fn the_table_is_that_of_the_computation() {
         text.push_str("    ],\n");
     }
     text.push_str("];\n");
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/solver/kalker_coefficients/table.rs");
+    let file =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("src/solver/kalker_coefficients/table.rs");
     let old = std::fs::read_to_string(&file).unwrap();
     let start = old.find(head).unwrap();
     if std::env::var_os("SCHLUPF_PIN").is_some() {

@@ -8,7 +8,7 @@ use crate::reporting::{Error, Quantity, require_positive};
 /// Semi-ellipsoidal pressure on an ellipse with given semi-axes, N = (2/3) π a b p0.
 ///
 /// Whatever the load is, the semi-axes are those given and the pressure is scaled, as in
-/// derivatives with respect to the load: a patch that grows is one of bodies, [`super::hertz`].
+/// derivatives with respect to the load: a patch that grows is one of bodies, [`super::Hertz`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ellipse {
     semi_axis_x: f64,

@@ -34,7 +34,7 @@ pub trait Solver: Send + Sync {
     /// Solves for the steady state of a problem, with the creepages that it gives, or with those
     /// that the forces cause that it prescribes: the motion of the solution is the one found.
     ///
-    /// With falling friction two motions may have the same forces. [`Options::branch`] asks for the
+    /// With falling friction two motions may have the same forces. [`Problem::branch`] asks for the
     /// one on the rising branch of the creep curve or for the other, and a warning has the
     /// creepages of the one that was not asked for.
     ///

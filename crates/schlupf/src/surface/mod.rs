@@ -125,7 +125,7 @@ impl HeightMap {
     ///
     /// # Errors
     /// A lattice without cells, a wrong number of heights, a height that is not finite: holes must
-    /// be filled beforehand (see [`holes`]).
+    /// be filled beforehand (see [`Holes`]).
     pub fn new(lattice: Lattice, heights: Vec<f64>) -> Result<Self, Error> {
         lattice.check()?;
         require_count(&lattice, heights.len())?;

@@ -11,7 +11,7 @@ use crate::reporting::Error;
 /// halves with every further s1 or s2.
 ///
 /// Source: Vollebregt, User guide for CONTACT, "Slip velocity dependent friction", L = 4. With one
-/// term it is the law of [`super::polach`]. Limits: μ follows the slip speed immediately, so that
+/// term it is the law of [`super::Polach`]. Limits: μ follows the slip speed immediately, so that
 /// it jumps at the onset of sliding; neither term may increase.
 ///
 /// ```

@@ -1,9 +1,9 @@
 //! From a rough surface to the contact law, Eq. (8): the micro model.
 //!
-//! The normal contact of the surface at increasing load gives the approach d(P) ([`load_curve`]).
+//! The normal contact of the surface at increasing load gives the approach d(P) ([`LoadCurve`]).
 //! For similar elastic bodies the tangential curve follows from it by superposition (Ciavarella
 //! 1998; Jäger 1998; [`tangential_curve`]), and the stiffness k_c is fitted to that curve
-//! ([`stiffness`]). [`micro_model`] combines the steps.
+//! ([`ContactStiffness`]). [`MicroModel`] combines the steps.
 //!
 //! Limits: Coulomb friction in every spot, half-spaces, bodies of similar material; the influence
 //! of a tangential load on the normal contact is neglected. With a hardness the normal curve is
