@@ -15,24 +15,13 @@ pub const RULE: Rule = Rule {
 
 const CORE: &str = "crates/schlupf/src/";
 
-/// The folders of the core with ordered modules, each with the file that lists them.
-const ORDERED: [(&str, &str); 12] = [
-    ("", "lib.rs"),
-    ("reporting/", "mod.rs"),
-    ("bodies/", "mod.rs"),
-    ("problem/", "mod.rs"),
-    ("solution/", "mod.rs"),
-    ("solver/", "mod.rs"),
-    ("solver/rolling/", "mod.rs"),
-    ("solver/rolling/shared/", "mod.rs"),
-    ("solver/rolling/marching/", "mod.rs"),
-    ("solver/rolling/steady/", "mod.rs"),
-    ("wheel_rail/", "mod.rs"),
-    ("analysis/", "mod.rs"),
-];
-
 fn check(sources: &[Source]) -> Vec<Finding> {
-    ORDERED.iter().flat_map(|(folder, root)| check_folder(sources, folder, root)).collect()
+    let core = sources.iter().filter_map(|source| source.path.strip_prefix(CORE));
+    let lists = core.filter_map(|path| {
+        let folder = path.strip_suffix("mod.rs").or_else(|| path.strip_suffix("lib.rs"))?;
+        Some((folder, path.strip_prefix(folder)?))
+    });
+    lists.flat_map(|(folder, root)| check_folder(sources, folder, root)).collect()
 }
 
 fn check_folder(sources: &[Source], folder: &str, root: &str) -> Vec<Finding> {

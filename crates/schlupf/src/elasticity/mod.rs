@@ -1,10 +1,10 @@
 //! Elastic deformation of the two bodies under tangential traction, u = A t.
 
-mod calibrated_layer;
 mod calibration_table;
 pub mod elastic_layer;
 mod ellipsoidal_traction;
 mod half_space;
+mod calibrated_layer;
 mod rigid;
 mod winkler;
 

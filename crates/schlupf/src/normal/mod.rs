@@ -1,13 +1,13 @@
 //! Normal contact: the pressure, an input of the tangential problem.
 
 mod grid;
+mod tabulated;
 pub mod patch;
 mod at_load;
 mod ellipse;
 mod hertz;
-pub mod profile;
 pub mod rough_contact;
-mod tabulated;
+pub mod profile;
 
 pub use hertz::{Hertz, Radii};
 

@@ -2,6 +2,7 @@
 //! over the corners of rectangles.
 
 pub mod parallel;
+pub(crate) mod vector;
 pub(crate) mod least_squares;
 pub(crate) mod fourier;
 
@@ -9,4 +10,3 @@ pub(crate) mod interpolation;
 pub(crate) mod lanes;
 pub(crate) mod love;
 pub(crate) mod root;
-pub(crate) mod vector;

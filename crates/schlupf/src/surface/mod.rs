@@ -3,15 +3,15 @@
 //! Heights are positive out of the material. They are given at the centres of rectangular cells;
 //! the first row contains the cells along x with the smallest y.
 
-mod filter;
 pub mod form;
-mod holes;
-mod profile;
-mod resampling;
 pub mod ring_spectrum;
 pub mod spectrum;
-mod statistics;
 pub mod synthesis;
+mod profile;
+mod filter;
+mod holes;
+mod resampling;
+mod statistics;
 
 pub use holes::{Holes, require_few};
 pub use profile::Profile;

@@ -6,9 +6,9 @@
 //! found by additional solutions. Along a prescribed force ([`Path::over_force`]) the creepages are
 //! found, and there is neither slope nor maximum.
 
+mod path;
 mod initial_slope;
 mod maximum;
-mod path;
 mod sampling;
 mod warnings;
 mod columns;

@@ -21,11 +21,11 @@
 mod cracks;
 mod fatigue;
 mod histogram;
+mod shakedown;
 mod passage;
 mod profile;
-mod shakedown;
-mod wear;
 mod wear_map;
+mod wear;
 mod columns;
 
 use crate::reporting::{Error, Quantity, require_finite, require_positive};

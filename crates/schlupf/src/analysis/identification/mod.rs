@@ -6,20 +6,20 @@
 //! The results include confidence intervals and correlations, and data that do not determine a
 //! parameter are rejected.
 
+mod parameter;
 mod adjustment;
 mod confidence;
-mod curves;
 mod data;
+mod model;
+mod curves;
 mod determinacy;
+mod residuals;
+mod statistics;
 mod fit;
 mod held_forces;
-mod model;
-mod parameter;
 mod polach_method;
-mod residuals;
-mod rolling_contact;
-mod statistics;
 pub mod roughness;
+mod rolling_contact;
 
 pub use curves::{FittedCurves, ModelPoint, Series, sample_curves};
 pub use data::{Component, Condition, DataPoint, FittedPoint};

@@ -12,10 +12,10 @@
 //! a depth of about one piece: there the stresses at the middles of the pieces are interpolated.
 
 mod kernel;
-mod largest;
-mod layer;
 mod load;
 mod stress;
+mod layer;
+mod largest;
 
 use crate::analysis::temperature_field::Side;
 use crate::normal::Grid;

@@ -11,12 +11,12 @@
 //! are added until it alone is right everywhere. Then, after each round of solutions, intervals
 //! around random states in which the table is off are halved.
 
-mod first_nodes;
 mod full_sliding;
-mod kept;
-mod random_states;
-mod refinement;
+mod first_nodes;
 mod states;
+mod kept;
+mod refinement;
+mod random_states;
 
 use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -8,8 +8,8 @@
 //! contact rows: this is the static condensation (6), (7) of the paper, done once. A product costs
 //! O(n log n).
 
-mod compliance;
 mod tridiagonal;
+mod compliance;
 
 use compliance::LayerCompliance;
 

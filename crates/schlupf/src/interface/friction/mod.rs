@@ -5,16 +5,16 @@
 //! [`SlipTerms`], and [`Polach`]. One of each kind may be combined, [`Product`], and any law may
 //! vary [`Across`] the patch. Any law may lag, [`FrictionMemory`].
 
+mod constants;
 mod across;
 mod constant;
-mod constants;
+mod slip_terms;
 mod exponential;
 mod linear;
 mod memory;
 mod polach;
 mod product;
 mod rational;
-mod slip_terms;
 mod temperature_linear;
 mod temperature_piecewise_linear;
 

@@ -7,13 +7,13 @@
 //! (`contact_conduction`).
 
 mod constant_source;
-pub(crate) mod contact_conduction;
-mod duhamel;
 mod moving_half_space;
 mod partition;
+pub(crate) mod contact_conduction;
+mod duhamel;
 mod peclet;
-pub(crate) mod strip_heat;
 mod strip_weights;
+pub(crate) mod strip_heat;
 
 pub use constant_source::ConstantSource;
 pub use duhamel::Duhamel;

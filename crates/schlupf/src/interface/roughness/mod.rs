@@ -10,9 +10,9 @@
 //! that of first loading.
 
 mod load_curve;
-mod micro_model;
-mod stiffness;
 pub mod tangential_curve;
+mod stiffness;
+mod micro_model;
 
 pub use load_curve::{EXPONENTIAL_RANGE, ExponentialRange, LoadCurve, LoadCurveOptions, LoadPoint};
 pub use micro_model::{MicroModel, MicroModelResult, pressures_of_patch};

@@ -25,8 +25,8 @@
 //! the load changes the shape, so the contact is recomputed instead of scaled (there is no
 //! `growth`).
 
-mod distance;
 mod interpolation;
+mod distance;
 mod search;
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};

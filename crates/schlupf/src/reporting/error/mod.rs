@@ -1,10 +1,10 @@
 //! What can go wrong before and during a solution.
 
+mod place;
 mod demand;
 mod fit;
 mod force;
 mod over_time;
-mod place;
 mod purpose;
 mod surface;
 mod wheel_rail;

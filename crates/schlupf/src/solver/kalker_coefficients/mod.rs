@@ -7,8 +7,8 @@
 //! two edges (x = h cos φ), where the traction rises steeply. There are no partly covered cells,
 //! and the remaining error decreases regularly with the grid, so it is removed by extrapolation.
 
-mod interpolated;
 mod table;
+mod interpolated;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 

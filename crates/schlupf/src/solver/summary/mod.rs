@@ -1,7 +1,7 @@
 //! Forces, powers and all other reported results from the fields of an instant.
 
-pub(crate) mod caveats;
 pub(crate) mod snapshot;
+pub(crate) mod caveats;
 
 use crate::bodies::{Kinematics, ReferencePoint};
 use crate::normal::NormalSummary;

@@ -9,8 +9,8 @@
 
 mod slaved_cells;
 mod calibration;
-mod slip_stencil;
 mod resolvent;
+mod slip_stencil;
 mod lone_cell;
 mod contact;
 mod block;
