@@ -27,19 +27,13 @@ const ORIGIN: [f64; 2] = [2.5e-3, -11e-3];
 /// ξ, η, φ at the middle of the patch.
 const MOTION: [f64; 3] = [0.0015, -0.0008, 0.35];
 
-const EXACT: Options = Options { tolerance: 1e-10, ..OPTIONS };
-const OPTIONS: Options = Options {
-    cells_x: 14,
-    cells_y: 14,
-    tolerance: 1e-6,
-    max_iterations: 200,
-    max_steps: 2000,
-    slip_threshold: 0.95,
-    sensitivity: false,
-    fields_every: 0,
-    extrapolate: false,
-    keeps_state: true,
-};
+fn options() -> Options {
+    Options { cells_x: 14, cells_y: 14, ..Options::default() }
+}
+
+fn exact() -> Options {
+    Options { tolerance: 1e-10, ..options() }
+}
 
 /// Hertz's pressure with a = 6 mm, b = 5 mm, p0 = 1 GPa on a lattice whose origin is such that the
 /// middle of the patch lies at `middle` (in m).
@@ -167,7 +161,7 @@ fn a_displaced_table_is_the_same_contact() {
         for method in &methods {
             let [patch, file] = pair
                 .each_ref()
-                .map(|problem| method.solver(&EXACT).solve(problem, &unwatched).unwrap());
+                .map(|problem| method.solver(&exact()).solve(problem, &unwatched).unwrap());
             if method.has_fields() {
                 assert_same_contact(&file, &patch);
             } else {
@@ -175,14 +169,14 @@ fn a_displaced_table_is_the_same_contact() {
             }
             if let Method::Fast(method) = method {
                 let [still, displaced] = pair.each_ref().map(|problem| {
-                    let mut contact = FastContact::new(problem, method.clone(), &EXACT).unwrap();
+                    let mut contact = FastContact::new(problem, method.clone(), &exact()).unwrap();
                     contact.force(&problem.kinematics).unwrap()
                 });
                 assert_displaced(&displaced, &still, 1e-7 * 0.4 * patch.normal.load);
             }
         }
     }
-    let [patch, file] = both(MOTION).map(|problem| common::solve(&problem, &EXACT));
+    let [patch, file] = both(MOTION).map(|problem| common::solve(&problem, &exact()));
     assert_same_contact(&file, &patch);
 }
 
@@ -197,8 +191,8 @@ fn a_history_is_that_of_the_same_body() {
     let across = spin.iter().map(|spin| MOTION[1] - spin * x0).collect();
     let own = History { time, spin: Some(spin), ..History::default() };
     let displaced = History { creepage_x: Some(along), creepage_y: Some(across), ..own.clone() };
-    let patch = solve_over(&patch, History { creepage_x: Some(xi), ..own }, &EXACT);
-    let file = solve_over(&file, displaced, &EXACT);
+    let patch = solve_over(&patch, History { creepage_x: Some(xi), ..own }, &exact());
+    let file = solve_over(&file, displaced, &exact());
     assert_same_contact(&file, &patch);
     assert_eq!(file.history.len(), patch.history.len());
     assert!(file.history.len() > 10);
@@ -219,7 +213,7 @@ fn a_history_is_that_of_the_same_body() {
 #[test]
 fn derivatives_are_those_of_central_differences() {
     let [_, file] = both(MOTION);
-    let options = Options { sensitivity: true, tolerance: 1e-11, ..OPTIONS };
+    let options = Options { sensitivity: true, tolerance: 1e-11, ..options() };
     let exact = solve(&file, &options).sensitivity.unwrap();
     let limit = 0.4 * file.normal.normal_contact(None).unwrap().summary.load;
     let at =
@@ -252,7 +246,7 @@ fn derivatives_are_those_of_central_differences() {
 fn derivatives_by_constants_are_about_the_origin_of_the_file() {
     let constants = [InterfaceConstant::ContactStiffness];
     let [patch, file] = both(MOTION).map(|problem| {
-        let mut solver = SteadySolver::new(&EXACT);
+        let mut solver = SteadySolver::new(&exact());
         solver.solve_with_derivatives_by(&problem, &constants, &unwatched).unwrap().unwrap()
     });
     assert_displaced(&file.0.force, &patch.0.force, 1e-7 * 0.4 * patch.0.normal.load);
@@ -266,7 +260,7 @@ fn bulk_temperature_is_that_of_the_same_contact() {
     let [patch, file] = both(MOTION).map(|mut problem| {
         problem.interface.heat =
             Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
-        bulk_temperature(&problem, &mut SteadySolver::new(&EXACT), &cooling, &unwatched).unwrap()
+        bulk_temperature(&problem, &mut SteadySolver::new(&exact()), &cooling, &unwatched).unwrap()
     });
     assert_relative_eq!(file.temperature, patch.temperature, max_relative = 1e-6);
     assert_same_contact(&file.solution, &patch.solution);
@@ -281,7 +275,7 @@ fn creep_curves_are_over_the_creepages_of_the_file() {
     let sampling = Sampling { points: 4, spacing: Spacing::Even };
     let over = |problem: &Problem, end: Creepages| {
         let path = Path::new(Creepages::default(), end).unwrap();
-        trace(&mut SteadySolver::new(&EXACT), problem, &path, &sampling, &unwatched).unwrap()
+        trace(&mut SteadySolver::new(&exact()), problem, &path, &sampling, &unwatched).unwrap()
     };
     let along = Creepages { x: 0.003, ..Creepages::default() };
     let [still, displaced] = [&patch, &file].map(|problem| over(problem, along));
@@ -340,7 +334,7 @@ fn a_displaced_profile_is_the_same_contact() {
 fn without_a_file_there_is_no_other_origin() {
     let hertzian = Problem { reference: ReferencePoint::File, ..problem(rolling(0.001, 0.0, 0.1)) };
     for method in [Method::Full, Method::Fast(FastMethod::KalkerLinear)] {
-        let error = method.solver(&OPTIONS).solve(&hertzian, &unwatched).unwrap_err().to_string();
+        let error = method.solver(&options()).solve(&hertzian, &unwatched).unwrap_err().to_string();
         assert!(error.contains("reference") && error.contains("file"), "{error}");
     }
 }

@@ -6,6 +6,7 @@ pub mod subsurface;
 pub mod bulk_temperature;
 pub mod damage;
 pub mod creep_curve;
+mod ideal_contact;
 pub mod calibration;
 pub mod identification;
 pub mod table_building;

@@ -130,7 +130,7 @@ pub trait Solver: Send + Sync {
 
     /// A solver of the same method on few cells that finds its way to prescribed forces, near which
     /// [`Self::solve_for_forces`] then finds the state.
-    fn scout(&mut self) -> Option<&mut dyn Solver> {
+    fn coarser(&mut self) -> Option<&mut dyn Solver> {
         None
     }
 

@@ -150,10 +150,10 @@ settings! {
     distinct_motions: f64 = 1e-3;
 
     /// Cells across the patch of the grid on which the path is followed first. [0.94, 1.33]
-    cells_of_scout: usize = 10;
+    cells_of_coarse_search: usize = 10;
 
     /// Tolerance of the solutions on that grid.
-    tolerance_of_scout: f64 = 1e-4;
+    tolerance_of_coarse_search: f64 = 1e-4;
 
     /// Force at rest over that prescribed below which there is none.
     no_force: f64 = 1e-9;

@@ -3,12 +3,10 @@
 
 use std::f64::consts::PI;
 
-use crate::bodies::{Body, Kinematics, Material};
+use crate::analysis::ideal_contact::IdealContact;
+use crate::bodies::Kinematics;
 use crate::elasticity::HalfSpace;
 use crate::interface::Incremental;
-use crate::interface::friction::Constant;
-use crate::interface::heat::{Heat, Partition};
-use crate::normal::Ellipse;
 use crate::problem::Problem;
 use crate::reporting::Error;
 use crate::solver::kalker_coefficients::creep_coefficients;
@@ -39,21 +37,10 @@ pub(super) struct RollingContact {
 impl RollingContact {
     pub fn new(axis_ratio: f64, poisson_ratio: f64) -> Result<Self, Error> {
         let coefficients = creep_coefficients(axis_ratio, poisson_ratio)?;
-        let semi_axes = [SIZE * axis_ratio.sqrt(), SIZE / axis_ratio.sqrt()];
-        let material = Material { poisson_ratio, ..Material::STEEL };
-        let bodies = HalfSpace::new(&material, &material)?;
-        let ellipse = Ellipse::from_peak_pressure(semi_axes[0], semi_axes[1], PEAK_PRESSURE)?;
-        let body = Body { material, ..Body::STEEL };
-        let problem = Problem::builder()
-            .kinematics(Kinematics::free_rolling(1.0))
-            .wheel(body)
-            .rail(body)
-            .normal(ellipse)
-            .elasticity(bodies)
-            .contact_law(Incremental::new(STIFFNESS)?)
-            .friction(Constant::new(FRICTION)?)
-            .heat(Heat { model: None, partition: Partition::Given(0.5) })
-            .build()?;
+        let ideal = IdealContact { size: SIZE, peak_pressure: PEAK_PRESSURE, friction: FRICTION };
+        let law = Incremental::new(STIFFNESS)?;
+        let (problem, bodies) = ideal.problem(axis_ratio, poisson_ratio, law)?;
+        let semi_axes = ideal.semi_axes(axis_ratio);
         Ok(Self { bodies, coefficients, semi_axes, problem })
     }
 

@@ -2,12 +2,9 @@
 
 use std::f64::consts::PI;
 
-use crate::bodies::{Body, Kinematics, Material};
-use crate::elasticity::HalfSpace;
+use crate::analysis::ideal_contact::IdealContact;
+use crate::bodies::Kinematics;
 use crate::interface::ContactLaw;
-use crate::interface::friction::Constant;
-use crate::interface::heat::{Heat, Partition};
-use crate::normal::Ellipse;
 use crate::problem::{Options, Problem};
 use crate::reporting::{Error, Watch};
 use crate::solution::{Resultant, Solution, Status};
@@ -54,21 +51,8 @@ pub struct Solved {
 impl StateSolver {
     /// On so many cells across the narrower side of the patch, and on twice as many.
     pub fn new(axis_ratio: f64, poisson_ratio: f64, cells: usize) -> Result<Self, Error> {
-        let semi_axes = [SIZE * axis_ratio.sqrt(), SIZE / axis_ratio.sqrt()];
-        let material = Material { poisson_ratio, ..Material::STEEL };
-        let bodies = HalfSpace::new(&material, &material)?;
-        let ellipse = Ellipse::from_peak_pressure(semi_axes[0], semi_axes[1], PEAK_PRESSURE)?;
-        let body = Body { material, ..Body::STEEL };
-        let problem = Problem::builder()
-            .kinematics(Kinematics::free_rolling(1.0))
-            .wheel(body)
-            .rail(body)
-            .normal(ellipse)
-            .elasticity(bodies)
-            .contact_law(ContactLaw::Coulomb)
-            .friction(Constant::new(FRICTION)?)
-            .heat(Heat { model: None, partition: Partition::Given(0.5) })
-            .build()?;
+        let ideal = IdealContact { size: SIZE, peak_pressure: PEAK_PRESSURE, friction: FRICTION };
+        let (problem, bodies) = ideal.problem(axis_ratio, poisson_ratio, ContactLaw::Coulomb)?;
         let load = 2.0 / 3.0 * PI * SIZE * SIZE * PEAK_PRESSURE;
         let unit = bodies.shear_modulus() * SIZE * SIZE / (FRICTION * load);
         let on = |cells: usize| {

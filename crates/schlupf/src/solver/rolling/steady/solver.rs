@@ -47,7 +47,7 @@ pub struct SteadySolver {
     grids: Option<NestedGrids>,
     newton: Newton,
     /// Searches on fewer cells, once needed.
-    scout: Option<Box<Self>>,
+    coarser: Option<Box<Self>>,
 }
 
 /// Outcome of Newton's method.
@@ -109,20 +109,20 @@ impl Solver for SteadySolver {
         })
     }
 
-    fn scout(&mut self) -> Option<&mut dyn Solver> {
-        let (options, cells) = (&self.options, settings::cells_of_scout());
-        let scout = self.scout.get_or_insert_with(|| {
+    fn coarser(&mut self) -> Option<&mut dyn Solver> {
+        let (options, cells) = (&self.options, settings::cells_of_coarse_search());
+        let coarser = self.coarser.get_or_insert_with(|| {
             Box::new(Self::new(&Options {
                 cells_x: options.cells_x.min(cells),
                 cells_y: options.cells_y.min(cells),
-                tolerance: options.tolerance.max(settings::tolerance_of_scout()),
+                tolerance: options.tolerance.max(settings::tolerance_of_coarse_search()),
                 sensitivity: false,
                 extrapolate: false,
                 keeps_state: false,
                 ..options.clone()
             }))
         });
-        Some(&mut **scout)
+        Some(&mut **coarser)
     }
 
     fn solve_for_forces(
@@ -140,8 +140,8 @@ impl Solver for SteadySolver {
         if let Some(grids) = &mut self.grids {
             grids.earlier.clear();
         }
-        if let Some(scout) = &mut self.scout {
-            scout.forget();
+        if let Some(coarser) = &mut self.coarser {
+            coarser.forget();
         }
     }
 }
@@ -149,7 +149,7 @@ impl Solver for SteadySolver {
 impl SteadySolver {
     /// A solver without previous solutions.
     pub fn new(options: &Options) -> Self {
-        Self { options: options.clone(), grids: None, newton: Newton::default(), scout: None }
+        Self { options: options.clone(), grids: None, newton: Newton::default(), coarser: None }
     }
 
     /// The steady state with the derivatives of forces and moment with respect to some constants of
