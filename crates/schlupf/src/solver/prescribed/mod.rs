@@ -52,7 +52,7 @@ pub(crate) fn find<S: Solver + ?Sized>(
             return Ok(found);
         }
     }
-    match sought.from_coarser(solver)? {
+    match sought.by_coarser(solver)? {
         Some(found) => Ok(found),
         None => sought.along_path(solver),
     }
@@ -93,7 +93,7 @@ impl Sought<'_> {
 
     /// The state from those that a solver on fewer cells finds along the path; `None` if there is
     /// no such solver, or if the states on fewer cells are not those of this grid.
-    fn from_coarser<S: Solver + ?Sized>(&self, solver: &mut S) -> Result<Option<Solution>, Error> {
+    fn by_coarser<S: Solver + ?Sized>(&self, solver: &mut S) -> Result<Option<Solution>, Error> {
         let Some(coarser) = solver.coarser() else { return Ok(None) };
         let (path, products) = self.path(coarser, self.is_single)?;
         let products = products * cells(coarser.options()) / cells(solver.options());
