@@ -7,7 +7,7 @@ use std::sync::Arc;
 use approx::assert_relative_eq;
 use common::{at_once, cells, problem, rolling};
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::{Across, Linear, SlipTerms};
+use schlupf::interface::friction::{Across, Linear, SlipTerms, Variation};
 use schlupf::problem::Branch;
 use schlupf::solution::Strategy;
 use schlupf::{Problem, Solution, Warning};
@@ -58,7 +58,7 @@ fn a_factor_over_y_hides_no_branch() {
     let mut written = several.clone();
     let law = Linear(SlipTerms::new(0.004, 0.0005, 0.004, None).unwrap());
     let y = vec![-1e-5, 0.0, 1e-5];
-    let across = Across::new(Arc::new(law), y, vec![100.0, 1.0, 100.0]).unwrap();
+    let across = Across::new(Arc::new(law), Variation::over_y(y, vec![100.0, 1.0, 100.0]).unwrap());
     written.interface.friction.law = Arc::new(across);
     let low = on_branch(&written, Branch::LowSlip);
     assert_eq!(low.work.strategy, Some(Strategy::Continuation), "{:?}", low.work);

@@ -78,6 +78,7 @@ fn wheel(pair: &Arc<Pair>, side: Side, position: Position, drive: Drive) -> Whee
         support: Support::Force(10e3),
         joining: Joining::default(),
         rows: RowsMove::WithPlane,
+        friction_variation: None,
         cells: 64,
     }
 }

@@ -12,7 +12,7 @@ use schlupf::elasticity::Rigid;
 use schlupf::interface::Incremental;
 use schlupf::interface::friction::{
     Across, Constant, Exponential, FrictionLaw, Polach, Product, SecondTerm, SlipTerms,
-    TemperaturePiecewiseLinear,
+    TemperaturePiecewiseLinear, Variation,
 };
 use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::normal::{Hertz, Radii};
@@ -25,8 +25,8 @@ fn all_at_once(coefficient: f64) -> Law {
     let hot = TemperaturePiecewiseLinear::new(coefficient, 0.2, 600.0).unwrap();
     let polach = Polach::new(coefficient, 0.4, 0.6).unwrap();
     let product = Product::new(Arc::new(hot), Arc::new(polach)).unwrap();
-    let across = Across::new(Arc::new(product), vec![-5e-3, 7e-3], vec![1.25, 0.65]);
-    Arc::new(across.unwrap())
+    let across = Variation::over_y(vec![-5e-3, 7e-3], vec![1.25, 0.65]);
+    Arc::new(Across::new(Arc::new(product), across.unwrap()))
 }
 
 fn warm(law: Law, creepage: f64) -> Problem {
@@ -58,7 +58,7 @@ fn hertz_1882_moment_of_friction_that_varies_across() {
     let mut sliding = problem(rolling(0.1, 0.0, 0.0));
     sliding.interface.elasticity = Arc::new(Rigid);
     let constant: Law = Arc::new(Constant::new(0.4).unwrap());
-    let across = Across::new(constant, vec![-b, b], vec![0.5, 1.5]).unwrap();
+    let across = Across::new(constant, Variation::over_y(vec![-b, b], vec![0.5, 1.5]).unwrap());
     sliding.interface.friction.law = Arc::new(across);
     let solution = at_once(&sliding, &cells(40));
     let limit = 0.4 * solution.normal.load;

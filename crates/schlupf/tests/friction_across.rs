@@ -9,7 +9,7 @@ use approx::assert_relative_eq;
 use common::{cells, half_space, problem, rolling};
 use schlupf::elasticity::Winkler;
 use schlupf::interface::Incremental;
-use schlupf::interface::friction::{Across, Constant};
+use schlupf::interface::friction::{Across, Constant, Variation};
 use schlupf::normal::Ellipse;
 use schlupf::{Problem, Solution, Status, unwatched};
 
@@ -17,7 +17,8 @@ use schlupf::{Problem, Solution, Status, unwatched};
 /// a film of lubricant on its right.
 fn lubricated(base: Problem, mu0: f64) -> Problem {
     let constant = Arc::new(Constant::new(mu0).unwrap());
-    let across = Across::new(constant, vec![-4e-3, -1e-3], vec![0.5, 1.0]).unwrap();
+    let across =
+        Across::new(constant, Variation::over_y(vec![-4e-3, -1e-3], vec![0.5, 1.0]).unwrap());
     let mut lubricated = base;
     lubricated.interface.friction.law = Arc::new(across);
     lubricated

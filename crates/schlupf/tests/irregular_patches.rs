@@ -74,6 +74,7 @@ fn contacts_of_wheels_on_rails_are_found_directly() {
             support: Support::Force([40e3, 80e3, 120e3][random.between(0.0, 3.0) as usize]),
             joining: Joining::default(),
             rows: RowsMove::default(),
+            friction_variation: None,
             cells: across,
         };
         let options = cells(across);

@@ -213,6 +213,7 @@ fn on_arc(profile: ProfileCurve, radius: f64, side: Side, position: Position) ->
         support: Support::Force(80e3),
         joining: Joining::default(),
         rows: RowsMove::WithSurface,
+        friction_variation: None,
         cells: 48,
     }
 }

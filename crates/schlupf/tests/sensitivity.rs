@@ -11,7 +11,7 @@ use schlupf::elasticity::elastic_layer::{ElasticLayer, Springs};
 use schlupf::elasticity::{CalibratedLayer, HalfSpace, Winkler};
 use schlupf::interface::friction::{
     Across, Changes, Constant, Exponential, Friction, FrictionLaw, FrictionMemory, Polach, Product,
-    SecondTerm, SlipTerms, TemperatureLinear,
+    SecondTerm, SlipTerms, TemperatureLinear, Variation,
 };
 use schlupf::interface::heat::{ConstantSource, Duhamel, Heat, Partition};
 use schlupf::interface::{Incremental, InterfaceConstant, TotalDisplacement};
@@ -231,7 +231,8 @@ fn with_friction_that_remembers() {
             Arc::new(TemperatureLinear::new(coefficient, 700.0, 0.05).unwrap());
         let polach = Arc::new(Polach::new(coefficient, 0.4, 0.6).unwrap());
         let product = Arc::new(Product::new(by_heat, polach).unwrap());
-        let across = Across::new(product, vec![-8e-3, 8e-3], vec![1.25, 0.75]).unwrap();
+        let across =
+            Across::new(product, Variation::over_y(vec![-8e-3, 8e-3], vec![1.25, 0.75]).unwrap());
         let mut problem = problem.clone();
         problem.interface.friction.law = Arc::new(across);
         problem.interface.friction.memory = Some(FrictionMemory::new(3e-5, 1e-3).unwrap());
@@ -276,7 +277,13 @@ fn by_the_constants_of_friction() {
         ("heat", by_heat),
         ("Polach", polach),
         ("two terms", Arc::new(Exponential(terms))),
-        ("product", Arc::new(Across::new(product, vec![-8e-3, 8e-3], vec![1.25, 0.75]).unwrap())),
+        (
+            "product",
+            Arc::new(Across::new(
+                product,
+                Variation::over_y(vec![-8e-3, 8e-3], vec![1.25, 0.75]).unwrap(),
+            )),
+        ),
     ];
     for (name, law) in laws {
         let memory = (name == "product").then(|| FrictionMemory::new(3e-5, 1e-3).unwrap());

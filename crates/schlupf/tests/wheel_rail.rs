@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use schlupf::bodies::{Body, Material, contact_modulus};
 use schlupf::elasticity::HalfSpace;
-use schlupf::interface::friction::Constant;
+use schlupf::interface::friction::{Constant, FrictionState, Variation};
 use schlupf::interface::{ContactLaw, Incremental};
 use schlupf::reporting::WheelRailError;
 use schlupf::wheel_rail::{
@@ -67,6 +67,7 @@ fn wheel(pair: &Arc<Pair>, side: Side, position: Position) -> WheelOnRail {
         support: Support::Force(10e3),
         joining: Joining::default(),
         rows: RowsMove::default(),
+        friction_variation: None,
         cells: 64,
     }
 }
@@ -275,6 +276,32 @@ fn hertz_1882_a_cone_on_an_arc() {
         // The flatter direction is along rolling.
         close("semi-axis along rolling", normal.semi_axis_x / b, 1.0, 1e-2);
         close("semi-axis across", normal.semi_axis_y / a, 1.0, 1e-2);
+    }
+}
+
+/// On an arc the inclination of the surface is linear over y, and so is a factor over it.
+#[test]
+fn friction_follows_the_inclination_of_the_rail() {
+    let pair = cone_on_arc();
+    let position = Position { lateral: 0.0, yaw: 0.0, roll: 0.0 };
+    let variation = Variation::over_inclination(vec![-0.1, 0.0, 0.1], vec![0.5, 1.0, 1.0]);
+    for side in [Side::Left, Side::Right] {
+        let friction_variation = Some(variation.clone().unwrap());
+        let cone = WheelOnRail { friction_variation, ..wheel(&pair, side, position) };
+        let contact = &solve(&cone).unwrap().contacts[0];
+        let normal = contact.problem.normal.normal_contact(None).unwrap().summary;
+        let [_, middle] = normal.origin.unwrap();
+        for part in [-0.8, 0.0, 0.5] {
+            let y = part * normal.semi_axis_y;
+            let outwards = side.outwards() * (y + middle) / 0.3;
+            let expected = 0.3 * (1.0 + 5.0 * (outwards - 0.05_f64.atan()));
+            let state = FrictionState { y, ..FrictionState::default() };
+            let found = contact.problem.interface.friction.law.respond(&state).coefficient;
+            close("friction", found, expected, 1e-5);
+        }
+        let cells = contact.solution.fields.friction_coefficient.iter().copied();
+        let most = cells.fold(0.0, f64::max);
+        assert!((0.225..0.26).contains(&most), "{most}");
     }
 }
 

@@ -206,8 +206,17 @@ pub const ALTERNATIVES: &[Alternatives] = &[
     },
     Alternatives {
         first: &fields!["friction.variation_file"],
-        second: &fields!["friction.variation_y", "friction.variation_factor"],
+        second: &fields![
+            "friction.variation_y",
+            "friction.variation_inclination",
+            "friction.variation_factor",
+        ],
         reason: "friction over y comes from a file or stands in the case",
+    },
+    Alternatives {
+        first: &fields!["friction.variation_y"],
+        second: &fields!["friction.variation_inclination"],
+        reason: "friction varies over the patch or over the profile of the rail",
     },
     Alternatives {
         first: &fields!["damage.wear_map"],

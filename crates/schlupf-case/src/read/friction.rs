@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use schlupf::interface::friction::{
     Across, Constant, Exponential, Friction, FrictionLaw, FrictionMemory, Linear, Polach, Product,
-    Rational, SecondTerm, SlipTerms, TemperatureLinear, TemperaturePiecewiseLinear,
+    Rational, SecondTerm, SlipTerms, TemperatureLinear, TemperaturePiecewiseLinear, Variation,
 };
 
 use crate::error::CaseError;
@@ -16,7 +16,9 @@ type Law = Arc<dyn FrictionLaw>;
 
 const MODEL: FieldPath = field!("friction.model");
 const SPEED_MODEL: FieldPath = field!("friction.speed_model");
-const VARIATION: [FieldPath; 2] = fields!["friction.variation_y", "friction.variation_factor"];
+const OVER_Y: FieldPath = field!("friction.variation_y");
+const OVER_INCLINATION: FieldPath = field!("friction.variation_inclination");
+const FACTOR: FieldPath = field!("friction.variation_factor");
 const FILE: FieldPath = field!("friction.variation_file");
 
 /// The law of friction and the temperature that it counts from.
@@ -27,9 +29,8 @@ pub fn friction(settings: &Settings) -> Result<Friction, CaseError> {
         let product = Product::new(law, falling).map_err(|error| settings.explain(&error))?;
         law = Arc::new(product);
     }
-    if let Some([y, factor]) = variation(settings)? {
-        let across = Across::new(law, y, factor).map_err(|error| settings.explain(&error))?;
-        law = Arc::new(across);
+    if let Some(variation) = variation_over_patch(settings)? {
+        law = Arc::new(Across::new(law, variation));
     }
     let reference_temperature = settings.number(field!("friction.reference_temperature"))?;
     let memory = match settings.optional_number(field!("friction.memory_distance"))? {
@@ -121,17 +122,33 @@ fn terms(settings: &Settings) -> Result<SlipTerms, CaseError> {
     terms.map_err(|error| settings.explain(&error))
 }
 
-/// Positions and factors, where friction varies over y.
-fn variation(settings: &Settings) -> Result<Option<[Vec<f64>; 2]>, CaseError> {
-    if settings.is_given(FILE) {
+/// A factor over the position across the patch.
+fn variation_over_patch(settings: &Settings) -> Result<Option<Variation>, CaseError> {
+    let table = if settings.is_given(FILE) {
         let (name, bytes) = settings.read_file(FILE)?;
-        return tables::variation_from_csv(name, bytes).map(Some);
-    }
-    let [y, factor] = VARIATION.map(|path| settings.series(path));
-    match (y, factor) {
-        (None, None) => Ok(None),
-        (Some(y), Some(factor)) => Ok(Some([y.to_vec(), factor.to_vec()])),
-        (Some(_), None) => Err(settings.missing_beside(VARIATION[1], VARIATION[0])),
-        (None, Some(_)) => Err(settings.missing_beside(VARIATION[0], VARIATION[1])),
+        Some(tables::variation_from_csv(name, bytes)?)
+    } else {
+        table(settings, OVER_Y)?
+    };
+    let variation = table.map(|[y, factor]| Variation::over_y(y, factor)).transpose();
+    variation.map_err(|error| settings.explain(&error))
+}
+
+/// A factor over the inclination of the rail's profile.
+pub fn variation_over_rail(settings: &Settings) -> Result<Option<Variation>, CaseError> {
+    let table = table(settings, OVER_INCLINATION)?;
+    let variation = table.map(|[at, factor]| Variation::over_inclination(at, factor)).transpose();
+    variation.map_err(|error| settings.explain(&error))
+}
+
+/// The points of a table of factors, if they are over this field.
+fn table(settings: &Settings, over: FieldPath) -> Result<Option<[Vec<f64>; 2]>, CaseError> {
+    match [over, FACTOR].map(|path| settings.series(path)) {
+        [Some(at), Some(factor)] => Ok(Some([at.to_vec(), factor.to_vec()])),
+        [Some(_), None] => Err(settings.missing_beside(FACTOR, over)),
+        [None, Some(_)] if !settings.is_given(OVER_Y) && !settings.is_given(OVER_INCLINATION) => {
+            Err(settings.missing_beside(OVER_Y, FACTOR))
+        }
+        [None, _] => Ok(None),
     }
 }

@@ -8,6 +8,7 @@ use schlupf::wheel_rail::{
 };
 use schlupf::{Error, Watch};
 
+use super::friction;
 use super::roughness::OfRoughness;
 use crate::FieldPath;
 use crate::error::CaseError;
@@ -89,6 +90,7 @@ pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
             RowMotion::Surface => RowsMove::WithSurface,
             RowMotion::Plane => RowsMove::WithPlane,
         },
+        friction_variation: friction::variation_over_rail(settings)?,
         cells: settings
             .optional_number(field!("normal.cells"))?
             .map_or(CELLS, |cells| cells as usize),

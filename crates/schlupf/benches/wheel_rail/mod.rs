@@ -114,6 +114,7 @@ fn manchester() -> Vec<WheelOnRail> {
         support: Support::Force(10e3),
         joining: Joining::default(),
         rows: RowsMove::default(),
+        friction_variation: None,
         cells: 64,
     };
     let given = rows("manchester_a22.csv");

@@ -1,6 +1,9 @@
 //! The tangential problems of all contacts of a wheel at an angular velocity.
 
+use std::sync::Arc;
+
 use super::creepage::{Motion, Moving, creepages};
+use super::distance::PlaneView;
 use super::drive::Drive;
 use super::equilibrium::{Lowered, Lowering};
 use super::pair::Pair;
@@ -11,6 +14,8 @@ use super::rows::{Passing, RowsMove};
 use super::side::Side;
 use crate::bodies::{Kinematics, ReferencePoint, RowMotion};
 use crate::interface::Interface;
+use crate::interface::friction::{Across, Friction, Variation};
+use crate::normal::PressureSource;
 use crate::problem::{Branch, Driver, Method, Options, PrescribedForces, Problem};
 use crate::reporting::{Error, Watch};
 use crate::solution::Solution;
@@ -68,6 +73,8 @@ pub(super) struct Sliding<'a> {
     pub drive: Drive,
     /// With what the rows of a contact move.
     pub rows: RowsMove,
+    /// A factor of friction over the inclination of the rail's profile.
+    pub variation: Option<&'a Variation>,
     pub lowering: &'a Lowering<'a>,
     pub lowered: &'a Lowered,
     pub tangential: &'a Tangential<'a>,
@@ -78,6 +85,8 @@ pub(super) struct Sliding<'a> {
 /// What solves a contact at one angular velocity after the other.
 pub(super) struct ContactSolver {
     pub solver: Box<dyn Solver>,
+    /// Friction under the contact, once it is known.
+    friction: Option<Friction>,
     /// The problem of the last one, if only its motion is another one now.
     problem: Option<Problem>,
 }
@@ -95,13 +104,20 @@ impl ContactSolver {
             Problem { kinematics, ..problem }
         } else {
             let rows = sliding.rows_of(pressed, angular_velocity)?;
+            let normal = ContactPatch::new(pressed, rows.as_ref(), sliding.side)?;
+            let interface = sliding.tangential.interface.clone();
+            let friction = match self.friction.take() {
+                Some(friction) => friction,
+                None => sliding.friction(pressed, &normal, interface.friction)?,
+            };
+            self.friction = Some(friction.clone());
             Problem {
                 kinematics,
                 prescribed: PrescribedForces::default(),
                 reference: ReferencePoint::File,
                 branch: sliding.tangential.branch,
-                normal: ContactPatch::new(pressed, rows.as_ref(), sliding.side)?,
-                interface: sliding.tangential.interface.clone(),
+                normal,
+                interface: Interface { friction, ..interface },
             }
         };
         problem.check()?;
@@ -117,7 +133,7 @@ impl Sliding<'_> {
         let counts = |contact: &&Pressed| contact.force > NEGLIGIBLE * largest;
         let with_solver = |contact| {
             let solver = self.tangential.solver(self.options);
-            (contact, ContactSolver { solver, problem: None })
+            (contact, ContactSolver { solver, friction: None, problem: None })
         };
         self.lowered.contacts.iter().filter(counts).map(with_solver).collect()
     }
@@ -155,6 +171,30 @@ impl Sliding<'_> {
         let passing = Passing { pair: self.lowering.pair, pose, plane: &pressed.plane };
         let rows = passing.rows(&touched(pressed), &moving, &motion)?;
         Ok(rows.map(|rows| if share == 1.0 { rows } else { rows.scaled(share) }))
+    }
+
+    /// Friction in the contact frame of a patch, which varies with the inclination of the rail.
+    fn friction(
+        &self,
+        pressed: &Pressed,
+        patch: &ContactPatch,
+        friction: Friction,
+    ) -> Result<Friction, Error> {
+        let Some(variation) = self.variation else { return Ok(friction) };
+        let (pair, plane, sign) = (self.lowering.pair, &pressed.plane, self.side.outwards());
+        let [_, middle] = patch.normal_contact(None)?.summary.origin.unwrap_or_default();
+        let pose = self.pose();
+        let view = PlaneView::new(pair, &pose, plane);
+        let inclination = |y: f64| {
+            let s = sign * (y + middle);
+            let near = plane.arcs[0] + s;
+            let arc = view.rail_point(s, near).map_or(near, |point| point.arc);
+            -pair.rail_profile.at(arc).inclination()
+        };
+        let mut y: Vec<f64> = pressed.s.iter().map(|s| sign * s - middle).collect();
+        y.sort_by(f64::total_cmp);
+        let law = Arc::new(Across::new(friction.law, variation.mapped(y, inclination)));
+        Ok(Friction { law, ..friction })
     }
 
     pub fn pose(&self) -> Pose {

@@ -15,6 +15,7 @@ use super::rows::{CONFORMAL, RowsMove};
 use super::side::Side;
 use super::sliding::{Slid, Sliding, Tangential, turn};
 use super::turning::Turning;
+use crate::interface::friction::Variation;
 use crate::problem::{Options, Problem};
 use crate::reporting::{
     Error, Quantity, Requirement, Warning, Watch, WheelRailError, require, require_finite,
@@ -64,6 +65,8 @@ pub struct WheelOnRail {
     pub joining: Joining,
     /// With what the rows of a contact move.
     pub rows: RowsMove,
+    /// A factor of friction over the inclination of the rail's profile, if there is one.
+    pub friction_variation: Option<Variation>,
     /// Number of cells across a contact each way on which its pressure is found.
     pub cells: usize,
 }
@@ -325,7 +328,7 @@ impl WheelOnRail {
     }
 
     pub(super) fn sliding<'a>(
-        &self,
+        &'a self,
         (lowering, lowered): (&'a Lowering<'a>, &'a Lowered),
         (tangential, options): (&'a Tangential<'a>, &'a Options),
         watch: Watch<'a>,
@@ -335,7 +338,19 @@ impl WheelOnRail {
             Side::Left => self.motion,
             Side::Right => self.motion.mirrored(),
         };
-        Sliding { side, motion, drive, rows, lowering, lowered, tangential, options, watch }
+        let variation = self.friction_variation.as_ref();
+        Sliding {
+            side,
+            motion,
+            drive,
+            rows,
+            variation,
+            lowering,
+            lowered,
+            tangential,
+            options,
+            watch,
+        }
     }
 
     /// Depth below first touch (in m) without friction, on coarse cells; zero where the height is

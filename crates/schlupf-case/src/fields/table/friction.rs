@@ -16,6 +16,7 @@ const DECAY: Requirement = Between(1e-9, 1e9);
 const MEMORY_DISTANCE: Requirement = Between(1e-9, 1e2);
 const MEMORY_SPEED: Requirement = Between(0.0, 1e6);
 const POSITION: Requirement = Magnitude(1e2);
+const INCLINATION: Requirement = Magnitude(std::f64::consts::FRAC_PI_2);
 
 /// What coefficients are in almost all cases: clean metal in air stays below.
 const USUAL: Requirement = Between(1e-3, 1.5);
@@ -24,6 +25,9 @@ const USUAL_PART: Requirement = Between(0.0, 1.5);
 const MODEL: FieldPath = field!("friction.model");
 const SPEED_MODEL: FieldPath = field!("friction.speed_model");
 
+const NORMAL_MODEL: FieldPath = field!("normal.model");
+
+const WHEEL_RAIL: &[&str] = &["wheel-rail"];
 const LINEAR: &[&str] = &["temperature-linear"];
 const PIECEWISE: &[&str] = &["temperature-piecewise-linear"];
 const OF_TEMPERATURE: &[&str] = &["temperature-linear", "temperature-piecewise-linear"];
@@ -95,8 +99,15 @@ section! {
     "variation_y" [VariationY] Kind::Quantities(&Measure::LENGTH), POSITION, Nothing,
         "positions across the patch, ascending, at which variation_factor is given",
         example("[\"-5 mm\", \"0 mm\", \"5 mm\"]");
+    "variation_inclination" [VariationInclination] Kind::Quantities(&Measure::ANGLE), INCLINATION,
+        Nothing,
+        "inclinations of the surface of the rail's profile, ascending, in place of positions: negative \
+         on the gauge face, positive where the surface falls outwards",
+        example("[\"-60 deg\", \"-20 deg\", \"0 deg\"]"),
+        with(NORMAL_MODEL, WHEEL_RAIL);
     "variation_factor" [VariationFactor] Kind::Numbers, PART, Nothing,
-        "factors on μ, 1 at y = 0; linear in between, constant outside", example("[0.5, 1.0, 1.0]");
+        "factors on μ, 1 at y = 0 or inclination 0; linear in between, constant outside",
+        example("[0.5, 1.0, 1.0]");
     "variation_file" [] Kind::Path, Finite, Nothing,
         "CSV with the header `y [mm],factor`, in place of the arrays", example("friction.csv");
 }

@@ -13,6 +13,8 @@ pub struct Friction {
     pub variation: Given,
     /// The parameters: one set, or one for each place.
     pub sets: Vec<[Given; 5]>,
+    /// The places: ALPHA in rad, or SVF in mm; none for rows of the grid.
+    pub places: Vec<Given>,
     /// MEMDST and MEM_S0, unless the law is that of Coulomb.
     pub memory: Option<[Given; 2]>,
 }
@@ -41,11 +43,15 @@ impl Friction {
         } else {
             1
         };
-        let set = |_| parameters(reader, law, place);
-        let sets = (0..count).map(set).collect::<Reading<_>>()?;
+        let (mut sets, mut places) = (Vec::new(), Vec::new());
+        for _ in 0..count {
+            let (at, set) = parameters(reader, law, place)?;
+            sets.push(set);
+            places.extend(at);
+        }
         let memory =
             if law.is(0) { None } else { Some(reader.numbers([real("MEMDST"), real("MEM_S0")])?) };
-        Ok(Self { law, variation, sets, memory })
+        Ok(Self { law, variation, sets, places, memory })
     }
 
     /// The coefficient of friction without slip at low temperatures, of the first set.
@@ -63,6 +69,39 @@ impl Friction {
         if matches!(self.variation.whole(), 1 | 3) { 1.0 } else { self.static_coefficient() }
     }
 
+    /// Each set by itself.
+    pub fn each(&self) -> impl Iterator<Item = Self> {
+        self.sets.iter().map(|set| Self { sets: vec![*set], ..self.clone() })
+    }
+
+    /// The set at a place, linear between ascending ones and constant outside.
+    pub fn between(&self, places: &[f64], at: f64) -> Self {
+        let mut set = self.first();
+        for (k, given) in set.iter_mut().enumerate() {
+            let values: Vec<f64> = self.sets.iter().map(|set| set[k].value).collect();
+            given.value = interpolated(places, &values, at);
+        }
+        Self { sets: vec![set], ..self.clone() }
+    }
+
+    /// Whether the first set is that of another one with coefficients that are so many times as
+    /// large.
+    pub fn is(&self, other: &Self, factor: f64) -> bool {
+        let coefficients: &[usize] = match self.law.whole() {
+            0 => &[0, 1],
+            6 => &[0, 2],
+            _ => &[0, 1, 3],
+        };
+        let expected = |k: usize| {
+            let value = other.first()[k].value;
+            if coefficients.contains(&k) { factor * value } else { value }
+        };
+        let is_so = |(k, given): (usize, &Given)| {
+            (given.value - expected(k)).abs() <= ROUNDING * given.value.abs()
+        };
+        self.first().iter().enumerate().all(is_so)
+    }
+
     /// The first set; there is one always.
     pub fn first(&self) -> [Given; 5] {
         let none = Given { value: 0.0, ..self.law };
@@ -70,8 +109,27 @@ impl Friction {
     }
 }
 
-/// A set of parameters, in the order of the input; those that the law does not have are zero.
-fn parameters(reader: &mut Reader, law: Given, place: Option<Item>) -> Reading<[Given; 5]> {
+/// Rounding of parameters in an input file, relative.
+const ROUNDING: f64 = 1e-6;
+
+/// Linear between ascending places, constant outside.
+fn interpolated(places: &[f64], values: &[f64], at: f64) -> f64 {
+    let next = places.partition_point(|place| *place < at).clamp(1, places.len().max(2) - 1);
+    match (places.get(next - 1..=next), values.get(next - 1..=next)) {
+        (Some(&[left, right]), Some(&[below, above])) => {
+            let part = ((at - left) / (right - left)).clamp(0.0, 1.0);
+            below + part * (above - below)
+        }
+        _ => values.first().copied().unwrap_or_default(),
+    }
+}
+
+/// A place and its parameters, in the order of the input; those that the law does not have are zero.
+fn parameters(
+    reader: &mut Reader,
+    law: Given,
+    place: Option<Item>,
+) -> Reading<(Option<Given>, [Given; 5])> {
     let items: &[Item] = match law.whole() {
         0 => &[real("FSTAT"), real("FKIN")],
         2 => &[real("FKIN"), real("FLIN1"), real("SABSH1"), real("FLIN2"), real("SABSH2")],
@@ -86,8 +144,9 @@ fn parameters(reader: &mut Reader, law: Given, place: Option<Item>) -> Reading<[
     };
     let items: Vec<Item> = place.into_iter().chain(items.iter().copied()).collect();
     let given = reader.group_of(&items)?;
-    let given = &given[usize::from(place.is_some())..];
-    Ok(std::array::from_fn(|k| {
+    let (at, given) = given.split_at(usize::from(place.is_some()));
+    let set = std::array::from_fn(|k| {
         given.get(k).copied().unwrap_or(Given { name: "", value: 0.0, at: law.at })
-    }))
+    });
+    Ok((at.first().copied(), set))
 }

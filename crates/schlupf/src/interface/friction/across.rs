@@ -3,26 +3,22 @@
 use std::sync::Arc;
 
 use super::constants::{AdjustableFriction, Changes, FrictionConstant};
+use super::variation::Variation;
 use super::{FrictionLaw, FrictionResponse, FrictionState};
-use crate::numerics::interpolation::piecewise_linear;
-use crate::reporting::{Error, Place, Quantity, Requirement, require_at};
+use crate::reporting::Error;
 
-/// Tolerance of the factor at y = 0: tables have few digits.
-const ROUNDING: f64 = 1e-6;
-
-/// μ = f(y) μ(T, s): any law times a factor that depends on y, linear between the points of a table
-/// and constant outside. The factor is 1 at y = 0, where friction is that of the law.
+/// μ = f(y) μ(T, s): any law times a factor that depends on y.
 ///
 /// Source: Vollebregt, User guide for CONTACT, "Friction variation", with one factor for all
 /// constants of the law. Limits: μ0, by which forces are normalised, is that at y = 0.
 ///
 /// ```
-/// use schlupf::interface::friction::{FrictionLaw, FrictionState, Constant, Across};
+/// use schlupf::interface::friction::{
+///     Across, Constant, FrictionLaw, FrictionState, Variation,
+/// };
 ///
-/// let law = Across::new(
-///     std::sync::Arc::new(Constant::new(0.4)?),
-///     vec![0.0, 4e-3], vec![1.0, 0.5],
-/// )?;
+/// let variation = Variation::over_y(vec![0.0, 4e-3], vec![1.0, 0.5])?;
+/// let law = Across::new(std::sync::Arc::new(Constant::new(0.4)?), variation);
 /// let state = FrictionState { y: 2e-3, ..FrictionState::default() };
 /// assert!((law.respond(&state).coefficient - 0.3).abs() < 1e-12);
 /// # Ok::<(), schlupf::Error>(())
@@ -30,59 +26,26 @@ const ROUNDING: f64 = 1e-6;
 #[derive(Debug, Clone)]
 pub struct Across {
     law: Arc<dyn FrictionLaw>,
-    y: Vec<f64>,
-    factor: Vec<f64>,
+    variation: Variation,
 }
 
 impl Across {
-    /// The product of a law and factors (dimensionless) at positions y (in m, ascending).
-    pub fn new(law: Arc<dyn FrictionLaw>, y: Vec<f64>, factor: Vec<f64>) -> Result<Self, Error> {
-        let (fewest, count) = (2, y.len());
-        if count < fewest {
-            return Err(Error::TooFew { quantity: Quantity::VariationY, fewest, count });
-        }
-        if factor.len() != count {
-            let (quantity, expected) = (Quantity::VariationFactor, count);
-            return Err(Error::WrongCount { quantity, expected, count: factor.len() });
-        }
-        for (k, y) in y.iter().enumerate() {
-            require_at(Quantity::VariationY, Requirement::Finite, *y, Place::Index(k + 1))?;
-        }
-        if let Some(pair) = y.windows(2).find(|pair| pair[1] <= pair[0]) {
-            let (quantity, before, after) = (Quantity::VariationY, pair[0], pair[1]);
-            return Err(Error::NotAscending { quantity, axis: "", before, after });
-        }
-        for (y, factor) in y.iter().zip(&factor) {
-            let place = Place::Across(*y);
-            require_at(Quantity::VariationFactor, Requirement::NotNegative, *factor, place)?;
-        }
-        let mut across = Self { law, y, factor };
-        let [centre, _] = across.factor_at(0.0);
-        if (centre - 1.0).abs() > ROUNDING {
-            return Err(Error::OffCentreFactor { factor: centre });
-        }
-        for factor in &mut across.factor {
-            *factor /= centre;
-        }
-        Ok(across)
-    }
-
-    /// The factor at a position (in m), and its derivative (in 1/m).
-    fn factor_at(&self, y: f64) -> [f64; 2] {
-        piecewise_linear(&self.y, &self.factor, y)
+    /// The product of a law and a factor over y.
+    pub fn new(law: Arc<dyn FrictionLaw>, variation: Variation) -> Self {
+        Self { law, variation }
     }
 }
 
 impl FrictionLaw for Across {
     fn respond(&self, state: &FrictionState) -> FrictionResponse {
-        let [factor, slope] = self.factor_at(state.y);
+        let [factor, slope] = self.variation.at(state.y);
         let law = self.law.respond(state);
         FrictionResponse {
             coefficient: factor * law.coefficient,
             by_temperature: factor * law.by_temperature,
             by_slip_speed: factor * law.by_slip_speed,
             by_y: slope * law.coefficient + factor * law.by_y,
-            by_cold_coefficient: factor * law.by_cold_coefficient,
+            by_cold_coefficient: factor / self.variation.at(0.0)[0] * law.by_cold_coefficient,
         }
     }
 
@@ -117,7 +80,7 @@ impl AdjustableFriction for Across {
     }
 
     fn by_constant(&self, constant: FrictionConstant, state: &FrictionState) -> f64 {
-        let [factor, _] = self.factor_at(state.y);
+        let [factor, _] = self.variation.at(state.y);
         self.law.adjustable().map_or(0.0, |law| factor * law.by_constant(constant, state))
     }
 }
@@ -130,7 +93,8 @@ mod tests {
     use approx::assert_relative_eq;
 
     fn across(y: &[f64], factor: &[f64]) -> Result<Across, Error> {
-        Across::new(Arc::new(Constant::new(0.4).unwrap()), y.to_vec(), factor.to_vec())
+        let variation = Variation::over_y(y.to_vec(), factor.to_vec())?;
+        Ok(Across::new(Arc::new(Constant::new(0.4).unwrap()), variation))
     }
 
     /// Linear interpolation by hand, constant beyond the ends.
@@ -157,7 +121,8 @@ mod tests {
     fn the_law_decides_whether_friction_changes_with_temperature() {
         assert!(across(&[-1e-3, 1e-3], &[1.2, 0.8]).unwrap().is_constant());
         let falling = Arc::new(TemperatureLinear::new(0.4, 700.0, 0.0).unwrap());
-        let law = Across::new(falling, vec![-1e-3, 1e-3], vec![1.2, 0.8]).unwrap();
+        let variation = Variation::over_y(vec![-1e-3, 1e-3], vec![1.2, 0.8]).unwrap();
+        let law = Across::new(falling, variation);
         assert!(!law.is_constant());
         assert_eq!(law.temperature_limit(), 700.0);
     }
@@ -169,7 +134,7 @@ mod tests {
         assert!(message(&[0.0, 1.0], &[1.0]).contains("variation_factor needs 2 values, got 1"));
         assert!(message(&[0.0, f64::NAN], &[1.0; 2]).contains("but is NaN m in place 2"));
         assert!(message(&[0.0, 1e-3, 1e-3], &[1.0; 3]).contains("0.001 m comes after 0.001 m"));
-        assert!(message(&[0.0, 1e-3], &[1.0, -0.1]).contains("but is -0.1 at y = 1e-3 m"));
+        assert!(message(&[0.0, 1e-3], &[1.0, -0.1]).contains("but is -0.1 in place 2"));
         assert!(message(&[0.0, 1e-3], &[1.0, f64::INFINITY]).contains("is inf"));
         let centre = message(&[-1e-3, 1e-3], &[0.5, 1.0]);
         assert!(centre.contains("must be 1 at y = 0") && centre.contains("is 0.75 there"));

@@ -6,6 +6,7 @@
 //! vary [`Across`] the patch. Any law may lag, [`FrictionMemory`].
 
 mod constants;
+mod variation;
 mod across;
 mod constant;
 mod slip_terms;
@@ -30,6 +31,7 @@ pub use rational::Rational;
 pub use slip_terms::{SecondTerm, SlipTerms};
 pub use temperature_linear::TemperatureLinear;
 pub use temperature_piecewise_linear::TemperaturePiecewiseLinear;
+pub use variation::Variation;
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -192,6 +194,7 @@ mod tests {
     use super::slip_terms::{SecondTerm, SlipTerms};
     use super::temperature_linear::TemperatureLinear;
     use super::temperature_piecewise_linear::TemperaturePiecewiseLinear;
+    use super::variation::Variation;
     use super::*;
 
     type Law = Arc<dyn FrictionLaw>;
@@ -216,7 +219,8 @@ mod tests {
         let table = || (vec![-4e-3, -1e-3, 3e-3], vec![0.5, 1.1, 0.7]);
         for k in 0..laws.len() {
             let (y, factor) = table();
-            laws.push(Arc::new(Across::new(Arc::clone(&laws[k]), y, factor).unwrap()));
+            let variation = Variation::over_y(y, factor).unwrap();
+            laws.push(Arc::new(Across::new(Arc::clone(&laws[k]), variation)));
         }
         laws
     }

@@ -264,13 +264,16 @@ messages! {
 
     /// Friction that varies across rolling is not that of the law in the middle.
     "off-centre-factor" OffCentreFactor {
-        /// The factor at y = 0, dimensionless.
+        /// What the factors are over.
+        over: Quantity,
+        /// The factor where it is zero, dimensionless.
         factor: f64,
     } Quantity::VariationFactor, |name, words| {
         let coefficient = words.word(Quantity::FrictionCoefficient);
+        let over = words.word(*over);
         format!(
-            "{name}: the factor must be 1 at y = 0, where friction is {coefficient}, but is {factor} \
-             there: divide all factors by it, and multiply {coefficient} by it"
+            "{name}: the factor must be 1 at {over} = 0, where friction is {coefficient}, but is \
+             {factor} there: divide all factors by it, and multiply {coefficient} by it"
         )
     };
 

@@ -12,6 +12,7 @@ use crate::import::contact::friction::Friction;
 use super::case::Translation;
 use super::contact::{Contact, NormalProblem};
 use super::frame::{Frame, WheelBody};
+use super::friction;
 use super::laws;
 use super::normal;
 
@@ -59,9 +60,7 @@ pub fn write(
         case.miss(control.influence, "the materials");
     }
     laws::heat(case, control, basic.heat.as_ref(), wheel);
-    if let Some(friction) = &basic.friction {
-        laws::friction(case, friction);
-    } else {
+    if basic.friction.is_none() {
         case.miss(control.friction_law, "the law of friction");
     }
     extra_slip(case, basic);
@@ -76,7 +75,7 @@ pub fn write(
     let given = NormalProblem { control, motion, elastic, area, frame };
     let contact = normal::write(case, given, basic, stem)?;
     if let Some(friction) = &basic.friction {
-        variation(case, friction, frame, contact);
+        write_friction(case, friction, frame, contact);
     }
     speed(case, rolling);
     let written = Written { frame, contact };
@@ -233,52 +232,30 @@ pub fn write_shift(case: &mut Translation, control: &Control, motion: &Motion, f
     case.document.quantity(field!("history.shift_y"), frame.component_y * y, "mm");
 }
 
-/// Friction that varies across the contact: factors on that at its middle.
-fn variation(case: &mut Translation, friction: &Friction, frame: Frame, contact: Contact) {
+/// The law of friction, also one that varies across the contact.
+fn write_friction(case: &mut Translation, friction: &Friction, frame: Frame, contact: Contact) {
     let digit = friction.variation;
-    let what = match (digit.whole(), contact.rows) {
-        (0, _) => return,
-        (3, Some(rows)) if friction.law.is(0) => {
-            return by_row(case, friction, frame, rows);
+    match (digit.whole(), contact.rows) {
+        (0, _) => friction::uniform(case, friction),
+        (3, Some([from, width])) => {
+            let mut rows = friction.clone();
+            let place = |row: usize| frame.coordinate_y * (from + row as f64 * width);
+            let mut places: Vec<f64> = (0..rows.sets.len()).map(place).collect();
+            if frame.coordinate_y < 0.0 {
+                places.reverse();
+                rows.sets.reverse();
+            }
+            friction::varying(case, &rows, (field!("friction.variation_y"), &places, "mm"));
         }
-        (3, Some(_)) => "a law other than that of Coulomb that varies by row is not available",
-        (3, None) => "friction by row is available for Hertz's contact only",
-        _ => "friction that varies along the track is not available",
-    };
-    case.refuse(digit, what, "V = 0 is the same everywhere");
-}
-
-fn by_row(case: &mut Translation, friction: &Friction, frame: Frame, [from, width]: [f64; 2]) {
-    let count = friction.sets.len();
-    let mut places: Vec<f64> =
-        (0..count).map(|row| frame.coordinate_y * (from + row as f64 * width)).collect();
-    let mut levels: Vec<f64> = friction.sets.iter().map(|[level, ..]| level.value).collect();
-    if let Some([_, other, ..]) =
-        friction.sets.iter().find(|[level, other, ..]| level.value != other.value)
-    {
-        case.refuse(*other, "FKIN must equal FSTAT, as it must in CONTACT", "");
-    }
-    if frame.coordinate_y < 0.0 {
-        places.reverse();
-        levels.reverse();
-    }
-    // Linear in between, constant beyond the ends.
-    let next = places.partition_point(|place| *place < 0.0).clamp(1, count.max(2) - 1);
-    let middle = match (places.get(next - 1..=next), levels.get(next - 1..=next)) {
-        (Some(&[left, right]), Some(&[below, above])) => {
-            let part = (-left / (right - left)).clamp(0.0, 1.0);
-            below + part * (above - below)
+        (3, None) => {
+            let what = "friction by row is available for Hertz's contact only";
+            case.refuse(digit, what, "V = 0 is the same everywhere");
         }
-        _ => levels.first().copied().unwrap_or_default(),
-    };
-    if middle <= 0.0 {
-        let digit = friction.variation;
-        return case.refuse(digit, "friction must be positive at the middle of the contact", "");
+        _ => {
+            let what = "friction over the rail or the track is of two profiles";
+            case.refuse(digit, what, "V = 3 is by row, V = 0 the same everywhere");
+        }
     }
-    let factors: Vec<f64> = levels.iter().map(|level| level / middle).collect();
-    case.document.number(field!("friction.coefficient"), middle);
-    case.document.quantities(field!("friction.variation_y"), &places, "mm");
-    case.document.numbers(field!("friction.variation_factor"), &factors);
 }
 
 fn extra_slip(case: &mut Translation, basic: &Basic) {

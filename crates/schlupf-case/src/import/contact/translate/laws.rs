@@ -4,7 +4,6 @@ use crate::FieldPath;
 use crate::import::Notice;
 use crate::import::contact::basic::Motion;
 use crate::import::contact::control::Control;
-use crate::import::contact::friction::Friction;
 use crate::import::contact::given::Given;
 use crate::import::contact::material::{Elastic, Heat};
 
@@ -158,67 +157,6 @@ pub fn notice_fastsim(
     let is_along = motion.tangential[1].value == 0.0 && motion.spin.value == 0.0;
     if falls && !is_along {
         case.notice(Notice::OtherSlopeReduction {}, decay);
-    }
-}
-
-/// The law of friction.
-pub fn friction(case: &mut Translation, friction: &Friction) {
-    let [a, b, c, d, e] = friction.first();
-    let level = friction.static_coefficient();
-    match friction.law.whole() {
-        0 => {
-            case.document.text(field!("friction.model"), "constant");
-            if b.value != a.value {
-                case.refuse(
-                    b,
-                    &format!("FKIN must equal FSTAT, {}, as it must in CONTACT", a.value),
-                    "L = 2, 3 and 4 are laws of friction that falls with the slip",
-                );
-            }
-        }
-        6 => {
-            case.document.text(field!("friction.model"), "temperature-piecewise-linear");
-            case.document.number(field!("friction.hot_coefficient"), a.value + c.value);
-            case.stands(field!("friction.hot_coefficient"), c);
-            case.quantity(field!("friction.reference_temperature"), b, (1.0, "degC"));
-            case.quantity(field!("friction.temperature_range"), d, (1.0, "K"));
-        }
-        law => {
-            falling(case, law, [(b, c), (d, e)]);
-            if b.value != 0.0 || d.value != 0.0 {
-                case.document.number(field!("friction.kinetic_coefficient"), a.value);
-                case.stands(field!("friction.kinetic_coefficient"), a);
-            }
-        }
-    }
-    case.document.number(field!("friction.coefficient"), level);
-    case.stands(field!("friction.coefficient"), a);
-    if let Some([distance, speed]) = friction.memory.filter(|[distance, _]| distance.value > 0.0) {
-        // mm in µm, mm/s.
-        case.quantity(field!("friction.memory_distance"), distance, (1e3, "um"));
-        case.quantity(field!("friction.memory_speed"), speed, (1.0, "mm/s"));
-    }
-}
-
-/// A law of two terms, each with its size and the slip speed (in mm/s) at which it has halved.
-fn falling(case: &mut Translation, law: i64, [first, second]: [(Given, Given); 2]) {
-    if first.0.value == 0.0 && second.0.value == 0.0 {
-        case.document.text(field!("friction.model"), "constant");
-        return;
-    }
-    let model = match law {
-        2 => "linear-in-speed",
-        3 => "rational",
-        _ => "exponential",
-    };
-    case.document.text(field!("friction.model"), model);
-    // The first term needs a speed even where it vanishes.
-    let first_speed = if first.0.value == 0.0 { second.1 } else { first.1 };
-    case.quantity(field!("friction.half_speed"), first_speed, (1.0, "mm/s"));
-    if second.0.value != 0.0 {
-        case.document.number(field!("friction.second_coefficient"), second.0.value);
-        case.stands(field!("friction.second_coefficient"), second.0);
-        case.quantity(field!("friction.second_half_speed"), second.1, (1.0, "mm/s"));
     }
 }
 

@@ -6,6 +6,7 @@ mod hertz;
 mod contact;
 mod elements;
 mod laws;
+mod friction;
 mod normal;
 mod basic;
 mod wheel_rail;

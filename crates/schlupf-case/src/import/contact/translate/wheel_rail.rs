@@ -7,11 +7,13 @@ use crate::{FieldPath, Source};
 
 use crate::import::Notice;
 use crate::import::contact::control::Control;
+use crate::import::contact::friction::Friction;
 use crate::import::contact::given::Given;
 use crate::import::contact::wheel_rail::{Profile, Track, WheelRail};
 
 use super::case::Translation;
 use super::frame::WheelBody;
+use super::friction;
 use super::laws;
 
 /// Translates a steady state; `folder` stands before the names of profiles.
@@ -92,19 +94,33 @@ fn materials(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) 
         case.miss(control.influence, "the materials");
     }
     laws::heat(case, control, wheel_rail.heat.as_ref(), BODY);
-    let Some(friction) = &wheel_rail.friction else {
-        return case.miss(control.friction_law, "the law of friction");
-    };
+    match &wheel_rail.friction {
+        Some(friction) => write_friction(case, control, friction, wheel_rail.position),
+        None => case.miss(control.friction_law, "the law of friction"),
+    }
+}
+
+fn write_friction(
+    case: &mut Translation,
+    control: &Control,
+    friction: &Friction,
+    position: Option<[Given; 6]>,
+) {
     if control.tangential.is(0) {
         case.remark("Without friction (T = 0): as good as none.");
         case.document.text(field!("friction.model"), "constant");
         case.document.number(field!("friction.coefficient"), FRICTIONLESS);
-    } else {
-        laws::friction(case, friction);
+        return;
     }
-    if !friction.variation.is(0) {
-        let what = "friction that varies across the rail or along the track is not available";
-        case.refuse(friction.variation, what, "V = 0 is the same everywhere");
+    let places: Vec<f64> = friction.places.iter().map(|place| place.value).collect();
+    match (friction.variation.whole(), position) {
+        (1, _) => {
+            let places: Vec<f64> = places.iter().map(|angle| angle.to_degrees()).collect();
+            let path = field!("friction.variation_inclination");
+            friction::varying(case, friction, (path, &places, "deg"));
+        }
+        (2, Some([s, ..])) => friction::uniform(case, &friction.between(&places, s.value)),
+        _ => friction::uniform(case, friction),
     }
 }
 
