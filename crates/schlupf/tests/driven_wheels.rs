@@ -8,8 +8,8 @@ use schlupf::interface::friction::{Constant, Friction, Polach};
 use schlupf::interface::{ContactLaw, Interface};
 use schlupf::reporting::ForceError;
 use schlupf::wheel_rail::{
-    Along, Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side,
-    Support, Tangential, Track, WheelOnRail, WheelShape, WheelSolution,
+    Along, Drive, Joining, Motion, NormalMethod, Pair, Position, ProfileCurve, RailShape, RowsMove,
+    Side, Support, Tangential, Track, WheelOnRail, WheelShape, WheelSolution,
 };
 use schlupf::{Error, Options, Problem, Quantity, unwatched};
 
@@ -79,6 +79,7 @@ fn wheel(pair: &Arc<Pair>, side: Side, position: Position, drive: Drive) -> Whee
         joining: Joining::default(),
         rows: RowsMove::WithPlane,
         friction_variation: None,
+        normal_method: NormalMethod::HalfSpaces,
         cells: 64,
     }
 }

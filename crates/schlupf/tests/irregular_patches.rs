@@ -15,8 +15,8 @@ use schlupf::interface::friction::Constant;
 use schlupf::normal::{PressureTable, Tabulated};
 use schlupf::solution::Strategy;
 use schlupf::wheel_rail::{
-    Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side, Support,
-    Tangential, Track, WheelOnRail, WheelShape,
+    Drive, Joining, Motion, NormalMethod, Pair, Position, ProfileCurve, RailShape, RowsMove, Side,
+    Support, Tangential, Track, WheelOnRail, WheelShape,
 };
 use schlupf::{Error, Options, Problem, Quantity, Solution, unwatched};
 
@@ -75,6 +75,7 @@ fn contacts_of_wheels_on_rails_are_found_directly() {
             joining: Joining::default(),
             rows: RowsMove::default(),
             friction_variation: None,
+            normal_method: NormalMethod::HalfSpaces,
             cells: across,
         };
         let options = cells(across);

@@ -14,8 +14,8 @@ use schlupf::interface::friction::Constant;
 use schlupf::interface::heat::Heat;
 use schlupf::reporting::Error;
 use schlupf::wheel_rail::{
-    Contact, Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side,
-    Support, Tangential, Track, WheelOnRail, WheelShape, WheelSolution,
+    Contact, Drive, Joining, Motion, NormalMethod, Pair, Position, ProfileCurve, RailShape,
+    RowsMove, Side, Support, Tangential, Track, WheelOnRail, WheelShape, WheelSolution,
 };
 use schlupf::{Options, Problem, Quantity, unwatched};
 
@@ -214,6 +214,7 @@ fn on_arc(profile: ProfileCurve, radius: f64, side: Side, position: Position) ->
         joining: Joining::default(),
         rows: RowsMove::WithSurface,
         friction_variation: None,
+        normal_method: NormalMethod::HalfSpaces,
         cells: 48,
     }
 }
@@ -309,6 +310,8 @@ fn at(pair: &Arc<Pair>, lateral: f64, rows: RowsMove) -> WheelOnRail {
         support: Support::Force(80e3),
         joining: Joining::default(),
         rows,
+        friction_variation: None,
+        normal_method: NormalMethod::HalfSpaces,
         cells: 48,
     }
 }

@@ -91,6 +91,16 @@ choices! {
         Plane "plane" "all rows move with the plane of the contact";
     }
 
+    /// `normal.method`.
+    NormalSolution {
+        HalfSpaces "half-spaces" "the pressure of two elastic half-spaces";
+        KikPiotrowski "kik-piotrowski"
+            "patch and pressure from the overlap at 0.55 of the approach (virtual penetration)";
+        EllipseCorrected "ellipse-corrected"
+            "the same with shares of the approach from Hertz's theory, exact for ellipses";
+        EquivalentEllipse "equivalent-ellipse" "Hertz's ellipse with the curvatures of the distance";
+    }
+
     /// `wheelset.side`.
     WheelSide {
         Right "right" "the wheel at negative y";

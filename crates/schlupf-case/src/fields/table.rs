@@ -41,8 +41,8 @@ mod subsurface;
 mod wheel_rail;
 
 use super::choice::{
-    Choose, HeatChoice, LateralAxis, NormalModel, PartitionChoice, Reference, RowMotion,
-    VerticalAxis,
+    Choose, HeatChoice, LateralAxis, NormalModel, NormalSolution, PartitionChoice, Reference,
+    RowMotion, VerticalAxis,
 };
 use super::field::Default::{Computed, Nothing, Same, Text};
 use super::field::{Field, Kind, Section};
@@ -370,6 +370,8 @@ section! {
     "row_motion" [RowMotion] Kind::Choice(RowMotion::CHOICES), Finite, Text("automatic"),
         "with what the rows across a curved contact move", shaping(),
         with(NORMAL_MODEL, WHEEL_RAIL);
+    "method" [] Kind::Choice(NormalSolution::CHOICES), Finite, Text("half-spaces"),
+        "how the contacts of two profiles are found", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
 }
 
 /// Path of the source of the pressure.

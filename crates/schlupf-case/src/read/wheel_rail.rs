@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use schlupf::wheel_rail::{
-    Along, Drive, Joining, Motion, Pair, Position, RailShape, RowsMove, Side, Support, Tangential,
-    Track, WheelOnRail, WheelShape, WheelSolution,
+    Along, Drive, Joining, Motion, NormalMethod, Pair, Position, RailShape, RowsMove, Side,
+    Support, Tangential, Track, WheelOnRail, WheelShape, WheelSolution,
 };
 use schlupf::{Error, Watch};
 
@@ -12,7 +12,9 @@ use super::friction;
 use super::roughness::OfRoughness;
 use crate::FieldPath;
 use crate::error::CaseError;
-use crate::fields::choice::{BranchChoice, ForceAxis, NormalModel, RowMotion, WheelSide};
+use crate::fields::choice::{
+    BranchChoice, ForceAxis, NormalModel, NormalSolution, RowMotion, WheelSide,
+};
 use crate::fields::{HISTORY, ROUGHNESS};
 use crate::notice::Notice;
 use crate::profiles::{self, ProfileReading};
@@ -89,6 +91,12 @@ pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
             RowMotion::Automatic => RowsMove::Automatic,
             RowMotion::Surface => RowsMove::WithSurface,
             RowMotion::Plane => RowsMove::WithPlane,
+        },
+        normal_method: match settings.chosen(field!("normal.method"))? {
+            NormalSolution::HalfSpaces => NormalMethod::HalfSpaces,
+            NormalSolution::KikPiotrowski => NormalMethod::KikPiotrowski,
+            NormalSolution::EllipseCorrected => NormalMethod::EllipseCorrected,
+            NormalSolution::EquivalentEllipse => NormalMethod::EquivalentEllipse,
         },
         friction_variation: friction::variation_over_rail(settings)?,
         cells: settings

@@ -9,8 +9,8 @@ use schlupf::interface::friction::Constant;
 use schlupf::interface::heat::Heat;
 use schlupf::interface::{ContactLaw, Incremental};
 use schlupf::wheel_rail::{
-    Drive, Joining, Motion, Pair, Position, ProfileCurve, RailShape, RowsMove, Side, Support,
-    Tangential, Track, WheelOnRail, WheelShape,
+    Drive, Joining, Motion, NormalMethod, Pair, Position, ProfileCurve, RailShape, RowsMove, Side,
+    Support, Tangential, Track, WheelOnRail, WheelShape,
 };
 use schlupf::{Options, Problem, Quantity, Status, unwatched};
 
@@ -115,6 +115,7 @@ fn manchester() -> Vec<WheelOnRail> {
         joining: Joining::default(),
         rows: RowsMove::default(),
         friction_variation: None,
+        normal_method: NormalMethod::HalfSpaces,
         cells: 64,
     };
     let given = rows("manchester_a22.csv");

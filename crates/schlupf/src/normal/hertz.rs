@@ -157,6 +157,24 @@ fn axis_ratio(curvature_ratio: f64) -> f64 {
     (0.5 * (low + high)).exp()
 }
 
+/// Shares A a²/δ and B b²/δ of the approach by which the distance grows up to the ends of the
+/// ellipse, dimensionless, for the ratio A/B of curvature sums; from the largest ratio on those of
+/// a line.
+pub(crate) fn approach_shares(curvature_ratio: f64) -> [f64; 2] {
+    let range = [1.0 / LARGEST_CURVATURE_RATIO, LARGEST_CURVATURE_RATIO];
+    let curvature_ratio = curvature_ratio.clamp(range[0], range[1]);
+    let square = axis_ratio(curvature_ratio).powi(2);
+    let under = 3.0 * carlson_f(square, 1.0);
+    [square * carlson_d(1.0, square) / under, carlson_d(square, 1.0) / under]
+}
+
+/// ∫₀¹ √((1 − t²)/(t² + η²)) dt, dimensionless: what a row of a semi-elliptic pressure does at a
+/// distance of η times its half length.
+pub(crate) fn row_potential(eta: f64) -> f64 {
+    let square = 1.0 + eta * eta;
+    carlson_d(eta * eta / square, 1.0) / (3.0 * square.sqrt())
+}
+
 /// R_D(0, y, z). The arguments are positive here, which is the whole domain.
 fn carlson_d(y: f64, z: f64) -> f64 {
     elliprd(0.0, y, z).unwrap_or(f64::NAN)
@@ -231,6 +249,37 @@ mod tests {
             assert_relative_eq!(one.semi_axis_x, two.semi_axis_y, max_relative = 1e-10);
             assert_relative_eq!(one.semi_axis_y, two.semi_axis_x, max_relative = 1e-10);
             assert_relative_eq!(one.approach.unwrap(), two.approach.unwrap(), max_relative = 1e-10);
+        }
+    }
+
+    /// Johnson 1985: half of the approach of a sphere; the shares are those of the closed form.
+    #[test]
+    fn shares_of_the_approach() {
+        for share in approach_shares(1.0) {
+            assert_relative_eq!(share, 0.5, max_relative = 1e-12);
+        }
+        let hertz = Hertz::from_curvatures(1.015, 0.4215, steel(), 100.0e3).unwrap();
+        let contact = hertz.normal_contact(None).unwrap().summary;
+        let [along, across] = approach_shares(1.015 / 0.4215);
+        let approach = contact.approach.unwrap();
+        assert_relative_eq!(along, 1.015 * contact.semi_axis_x.powi(2) / approach, epsilon = 1e-9);
+        assert_relative_eq!(
+            across,
+            0.4215 * contact.semi_axis_y.powi(2) / approach,
+            epsilon = 1e-9
+        );
+    }
+
+    /// By the midpoint rule.
+    #[test]
+    fn potential_of_a_row() {
+        for eta in [0.03, 0.4, 5.0_f64] {
+            let value = |k: i32| {
+                let square = ((f64::from(k) + 0.5) / 4e4).powi(2);
+                ((1.0 - square) / (square + eta * eta)).sqrt() / 4e4
+            };
+            let sum: f64 = (0..40_000).map(value).sum();
+            assert_relative_eq!(row_potential(eta), sum, max_relative = 1e-6);
         }
     }
 

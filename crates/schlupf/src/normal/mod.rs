@@ -10,6 +10,7 @@ pub mod rough_contact;
 pub mod profile;
 
 pub use hertz::{Hertz, Radii};
+pub(crate) use hertz::{approach_shares, row_potential};
 
 pub use at_load::AtLoad;
 pub use ellipse::Ellipse;

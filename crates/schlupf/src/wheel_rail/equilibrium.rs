@@ -11,7 +11,9 @@ use super::contact_plane::{ContactPlane, Joining, planes};
 use super::gap::Gap;
 use super::pair::Pair;
 use super::pose::{Attitude, Pose, dot, minus};
-use super::pressed::{Accuracy, Pressed, Pressing};
+use super::pressed::Pressed;
+use super::pressing::{Accuracy, Pressing};
+use super::virtual_penetration::NormalMethod;
 use crate::numerics::root::Bracket;
 use crate::reporting::{Error, Watch, WheelRailError};
 
@@ -44,6 +46,7 @@ pub(super) struct Lowering<'a> {
     pub joining: Joining,
     /// E*, in Pa.
     pub contact_modulus: f64,
+    pub method: NormalMethod,
     pub watch: Watch<'a>,
 }
 
@@ -93,6 +96,7 @@ impl Lowering<'_> {
             pair: self.pair,
             pose: &pose,
             contact_modulus: self.contact_modulus,
+            method: self.method,
             watch: self.watch,
         };
         let mut raised = vec![0.0; planes.len()];

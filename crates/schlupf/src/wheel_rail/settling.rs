@@ -8,7 +8,7 @@
 //! bracket that closes on a jump ends with the state that is nearer to the load.
 
 use super::equilibrium::{DEEPEST, FrictionRatio, Guess, Lowered, Lowering};
-use super::pressed::Accuracy;
+use super::pressing::Accuracy;
 use super::sliding::Tangential;
 use super::turning::Turning;
 use super::wheel::{Found, NEARLY_SETTLED, SETTLED, WheelOnRail, WheelSolution, first_guess};

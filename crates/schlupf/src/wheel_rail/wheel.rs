@@ -10,11 +10,12 @@ use super::gap::Gap;
 use super::holes;
 use super::pair::Pair;
 use super::pose::{Attitude, minus};
-use super::pressed::Accuracy;
+use super::pressing::Accuracy;
 use super::rows::{CONFORMAL, RowsMove};
 use super::side::Side;
 use super::sliding::{Slid, Sliding, Tangential, turn};
 use super::turning::Turning;
+use super::virtual_penetration::NormalMethod;
 use crate::interface::friction::Variation;
 use crate::problem::{Options, Problem};
 use crate::reporting::{
@@ -67,6 +68,8 @@ pub struct WheelOnRail {
     pub rows: RowsMove,
     /// A factor of friction over the inclination of the rail's profile, if there is one.
     pub friction_variation: Option<Variation>,
+    /// How the normal contacts are found.
+    pub normal_method: NormalMethod,
     /// Number of cells across a contact each way on which its pressure is found.
     pub cells: usize,
 }
@@ -324,7 +327,8 @@ impl WheelOnRail {
     ) -> Lowering<'a> {
         let (pair, joining, attitude) = (&*self.pair, self.joining, self.attitude());
         let contact_modulus = tangential.interface.contact_modulus();
-        Lowering { pair, gap, attitude, joining, contact_modulus, watch }
+        let method = self.normal_method;
+        Lowering { pair, gap, attitude, joining, contact_modulus, method, watch }
     }
 
     pub(super) fn sliding<'a>(

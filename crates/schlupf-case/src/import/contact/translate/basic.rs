@@ -53,8 +53,13 @@ pub fn write(
     if let Some(elastic) = &basic.elastic {
         laws::elastic(case, elastic, wheel);
         laws::method(case, control, elastic);
+        if control.bound.is(5) {
+            let what = "the approximate contact of Kik and Piotrowski (KPEC) needs two profiles";
+            case.refuse(control.bound, what, "B = 0 solves the normal contact");
+        }
         if let Some(motion) = &basic.motion {
-            laws::notice_fastsim(case, control, elastic, motion);
+            let is_along = motion.tangential[1].value == 0.0 && motion.spin.value == 0.0;
+            laws::notice_fastsim(case, control, elastic, is_along);
         }
     } else {
         case.miss(control.influence, "the materials");

@@ -2,7 +2,6 @@
 
 use crate::FieldPath;
 use crate::import::Notice;
-use crate::import::contact::basic::Motion;
 use crate::import::contact::control::Control;
 use crate::import::contact::given::Given;
 use crate::import::contact::material::{Elastic, Heat};
@@ -107,7 +106,6 @@ fn bound(case: &mut Translation, control: &Control) {
     let what = match bound.whole() {
         1 => "a compressible layer (FLXZ) is not available",
         4 => "the contact of two half-ellipses (SDEC) is not available",
-        5 => "the approximate contact of Kik and Piotrowski (KPEC) is not available",
         6 => "the approximate contact ANALYN is not available",
         _ => return,
     };
@@ -141,12 +139,12 @@ fn fastsim(case: &mut Translation, control: &Control, elastic: &Elastic) {
     case.stands(field!("fastsim.reduction_decay"), decay);
 }
 
-/// How CONTACT's FASTSIM differs.
+/// How CONTACT's FASTSIM differs, for a creepage along rolling only or any other.
 pub fn notice_fastsim(
     case: &mut Translation,
     control: &Control,
     elastic: &Elastic,
-    motion: &Motion,
+    is_along: bool,
 ) {
     if !control.material.is(3) {
         return;
@@ -154,7 +152,6 @@ pub fn notice_fastsim(
     case.notice(Notice::OtherFastsim {}, control.material);
     let ([_, limit, decay], is_plain) = slope_reduction(elastic);
     let falls = !is_plain && limit.value != 1.0 && decay.value != 0.0;
-    let is_along = motion.tangential[1].value == 0.0 && motion.spin.value == 0.0;
     if falls && !is_along {
         case.notice(Notice::OtherSlopeReduction {}, decay);
     }

@@ -81,14 +81,10 @@ fn materials(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) 
     // either order of equal ones.
     if let Some(elastic) = &wheel_rail.elastic {
         laws::elastic(case, elastic, BODY);
-        if control.material.is(0) || !control.material.is(3) {
-            laws::method(case, control, elastic);
-        } else {
-            case.refuse(
-                control.material,
-                "FASTSIM is not available with two profiles",
-                "M = 0 solves all equations",
-            );
+        laws::method(case, control, elastic);
+        laws::notice_fastsim(case, control, elastic, false);
+        if control.bound.is(5) {
+            case.document.text(field!("normal.method"), "ellipse-corrected");
         }
     } else {
         case.miss(control.influence, "the materials");

@@ -1,0 +1,245 @@
+//! Normal contact in a plane, with the approach of the bodies given.
+//!
+//! The undeformed overlap contains the contact, because pressure moves the surfaces apart
+//! everywhere. It is found first, then the contact on a coarse lattice over it, then the contact on
+//! cells that follow its size.
+//!
+//! No condition fixes the sum of the pressures, because several contacts share one height.
+
+use super::contact_plane::ContactPlane;
+use super::distance::{CLEAR, Heights, PlaneView};
+use super::pair::Pair;
+use super::pose::Pose;
+use super::pressed::{Pressed, positions};
+use super::virtual_penetration::{self, NormalMethod};
+use crate::normal::rough_contact::{
+    Boundary, RoughContact, RoughContactOptions, RoughContactSolution,
+};
+use crate::reporting::{Error, Watch};
+use crate::surface::{HeightMap, Lattice};
+
+/// Cells each way of the lattice on which the overlap is found, and on which the contact is found
+/// coarsely.
+const COARSE: usize = 32;
+
+/// Least share of the rectangle that the overlap takes in each direction when it counts as found.
+const TIGHT: f64 = 0.5;
+
+/// Most rounds in which the rectangle closes in.
+const MOST_ROUNDS: usize = 24;
+
+/// Rim around a contact on the final lattice, in its cells.
+const RIM: f64 = 2.0;
+
+const COARSELY: RoughContactOptions = RoughContactOptions { tolerance: 1e-5, max_iterations: 300 };
+const FINELY: RoughContactOptions = RoughContactOptions { tolerance: 1e-8, max_iterations: 1000 };
+
+/// Sides along x and s, relative to the plane's origin, in m.
+type Rectangle = [[f64; 2]; 2];
+
+/// How accurately a normal contact is solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Accuracy {
+    /// On a coarse lattice over the overlap.
+    Coarse,
+    /// With so many cells across the contact each way.
+    Cells(usize),
+}
+
+/// Bodies that are pressed together in a plane.
+pub(super) struct Pressing<'a> {
+    pub pair: &'a Pair,
+    pub pose: &'a Pose,
+    /// E*, in Pa.
+    pub contact_modulus: f64,
+    pub method: NormalMethod,
+    pub watch: Watch<'a>,
+}
+
+impl Pressing<'_> {
+    /// The contact in a plane in which other contacts have moved the surfaces apart by `raised` (in
+    /// m) already; `None` where the bodies do not touch.
+    pub fn solve(
+        &self,
+        plane: &ContactPlane,
+        raised: f64,
+        accuracy: Accuracy,
+    ) -> Result<Option<Pressed>, Error> {
+        let view = PlaneView::new(self.pair, self.pose, plane);
+        if self.method != NormalMethod::HalfSpaces {
+            let cells = match accuracy {
+                Accuracy::Coarse => COARSE,
+                Accuracy::Cells(cells) => cells,
+            };
+            let bodies = (raised, self.contact_modulus);
+            let pressed = virtual_penetration::pressed(&view, plane, bodies, (self.method, cells));
+            return pressed.map_err(|s| self.at_end(&view, plane, s));
+        }
+        let Some(rectangle) = overlap(&view, plane, raised)? else { return Ok(None) };
+        let coarse = self.press(&view, plane, (rectangle, raised), [COARSE; 2])?;
+        let Some(coarse) = coarse else { return Ok(None) };
+        let Accuracy::Cells(cells) = accuracy else { return Ok(Some(coarse.0)) };
+        let touched = touched(&coarse.0, rectangle);
+        let spacing = touched.map(|side| (side[1] - side[0]) / cells as f64);
+        let coarse_cell = rectangle.map(|side| (side[1] - side[0]) / COARSE as f64);
+        let rectangle = [0, 1].map(|k| {
+            let rim = (RIM * spacing[k]).max(coarse_cell[k]);
+            [touched[k][0] - rim, touched[k][1] + rim]
+        });
+        let counts =
+            [0, 1].map(|k| ((rectangle[k][1] - rectangle[k][0]) / spacing[k]).round() as usize);
+        let Some((pressed, beyond)) = self.press(&view, plane, (rectangle, raised), counts)? else {
+            return Ok(None);
+        };
+        self.refuse_end(&view, &pressed, &beyond)?;
+        Ok(Some(pressed))
+    }
+
+    /// The contact on a lattice, and which cells of it are beyond the end of a profile.
+    fn press(
+        &self,
+        view: &PlaneView,
+        plane: &ContactPlane,
+        (rectangle, raised): (Rectangle, f64),
+        [columns, rows]: [usize; 2],
+    ) -> Result<Option<(Pressed, Vec<bool>)>, Error> {
+        let [x, s] = [positions(rectangle[0], columns), positions(rectangle[1], rows)];
+        let Heights { mut distance, is_beyond } = view.heights(&x, &s);
+        set_apart(plane, &s, &mut distance);
+        for distance in &mut distance {
+            *distance += raised;
+        }
+        if !distance.iter().any(|d| *d < 0.0) {
+            return Ok(None);
+        }
+        let lattice = Lattice {
+            columns,
+            rows,
+            spacing_x: (rectangle[0][1] - rectangle[0][0]) / columns as f64,
+            spacing_y: (rectangle[1][1] - rectangle[1][0]) / rows as f64,
+        };
+        let map = HeightMap::new(lattice, distance)?;
+        let mut contact = RoughContact::new(map, self.contact_modulus, Boundary::Free)?;
+        let options = if columns.max(rows) > COARSE { &FINELY } else { &COARSELY };
+        let solution = contact.solve_at_level(0.0, options, self.watch)?;
+        require_convergence(&solution, options)?;
+        let RoughContactSolution { pressure, load, approach, .. } = solution;
+        let plane = *plane;
+        let pressed = Pressed { plane, x, s, pressure, force: load, approach };
+        Ok(Some((pressed, is_beyond)))
+    }
+
+    /// Refuses a contact next to the end of a profile.
+    fn refuse_end(
+        &self,
+        view: &PlaneView,
+        pressed: &Pressed,
+        beyond: &[bool],
+    ) -> Result<(), Error> {
+        let (columns, rows) = (pressed.x.len(), pressed.s.len());
+        let end_near = |k: usize| {
+            let (i, j) = (k % columns, k / columns);
+            let near_columns = i.saturating_sub(1)..(i + 2).min(columns);
+            let mut near_rows = j.saturating_sub(1)..(j + 2).min(rows);
+            near_rows.find(|j| near_columns.clone().any(|i| beyond[j * columns + i]))
+        };
+        let mut touching = (0..beyond.len()).filter(|k| pressed.pressure[*k] > 0.0);
+        let Some(row) = touching.find_map(end_near) else { return Ok(()) };
+        Err(self.at_end(view, &pressed.plane, pressed.s[row]))
+    }
+
+    /// An error for a profile that ends at s, in m.
+    fn at_end(&self, view: &PlaneView, plane: &ContactPlane, s: f64) -> Error {
+        let arcs = plane.arcs.map(|arc| arc + s);
+        let is_rail = view.rail_point(s, arcs[0]).is_none();
+        self.pair.at_end(is_rail, arcs, plane.origin[1])
+    }
+}
+
+fn require_convergence(
+    solution: &RoughContactSolution,
+    options: &RoughContactOptions,
+) -> Result<(), Error> {
+    if solution.is_converged {
+        return Ok(());
+    }
+    Err(Error::NormalNotConverged {
+        iterations: solution.iterations,
+        residual: solution.residual,
+        tolerance: options.tolerance,
+    })
+}
+
+/// Where another plane begins, this one has no contact.
+fn set_apart(plane: &ContactPlane, s: &[f64], distance: &mut [f64]) {
+    let columns = distance.len() / s.len();
+    for (s, row) in s.iter().zip(distance.chunks_mut(columns)) {
+        if *s < plane.limits[0] || *s > plane.limits[1] {
+            row.fill(CLEAR);
+        }
+    }
+}
+
+/// The bounding rectangle of the overlap, with a rim; `None` where there is none.
+fn overlap(
+    view: &PlaneView,
+    plane: &ContactPlane,
+    raised: f64,
+) -> Result<Option<Rectangle>, Error> {
+    let mut rectangle = plane.guess.map(|side| {
+        let more = 0.25 * (side[1] - side[0]) + 1e-4;
+        [side[0] - more, side[1] + more]
+    });
+    for _ in 0..MOST_ROUNDS {
+        let [x, s] = rectangle.map(|side| positions(side, COARSE));
+        let mut distance = view.heights(&x, &s).distance;
+        set_apart(plane, &s, &mut distance);
+        let is_hit = |k: usize| distance[k] + raised < 0.0;
+        let columns = hit(|i| (0..COARSE).any(|j| is_hit(j * COARSE + i)));
+        let rows = hit(|j| (0..COARSE).any(|i| is_hit(j * COARSE + i)));
+        let (Some(columns), Some(rows)) = (columns, rows) else { return Ok(None) };
+        let mut is_found = true;
+        let mut next = rectangle;
+        for (k, [first, last]) in [columns, rows].into_iter().enumerate() {
+            let [from, to] = rectangle[k];
+            let (length, cell) = (to - from, (to - from) / COARSE as f64);
+            let share = (last + 1 - first) as f64 / COARSE as f64;
+            next[k] = [from + (first as f64 - 1.0) * cell, from + (last as f64 + 2.0) * cell];
+            if first == 0 {
+                next[k][0] = from - 0.5 * length;
+            }
+            if last + 1 == COARSE {
+                next[k][1] = to + 0.5 * length;
+            }
+            is_found &= first > 0 && last + 1 < COARSE && share >= TIGHT;
+        }
+        if is_found {
+            return Ok(Some(next));
+        }
+        rectangle = next;
+    }
+    let [x, y] = rectangle;
+    Err(Error::ContactNotFound { rounds: MOST_ROUNDS, x, y })
+}
+
+/// First and last line that is hit.
+fn hit(is_hit: impl Fn(usize) -> bool) -> Option<[usize; 2]> {
+    let first = (0..COARSE).find(|k| is_hit(*k))?;
+    let last = (0..COARSE).rfind(|k| is_hit(*k))?;
+    Some([first, last])
+}
+
+/// The rectangle of the cells in contact.
+fn touched(pressed: &Pressed, rectangle: Rectangle) -> Rectangle {
+    let columns = pressed.x.len();
+    let is_contact = |i: usize, j: usize| pressed.pressure[j * columns + i] > 0.0;
+    let rows = pressed.s.len();
+    let column = hit(|i| i < columns && (0..rows).any(|j| is_contact(i, j)));
+    let row = hit(|j| j < rows && (0..columns).any(|i| is_contact(i, j)));
+    let side = |side: [f64; 2], found: Option<[usize; 2]>| {
+        let Some([first, last]) = found else { return side };
+        let cell = (side[1] - side[0]) / COARSE as f64;
+        [side[0] + first as f64 * cell, side[0] + (last + 1) as f64 * cell]
+    };
+    [side(rectangle[0], column), side(rectangle[1], row)]
+}
