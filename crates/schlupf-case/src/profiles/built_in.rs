@@ -1,12 +1,80 @@
 //! Profiles that are built in, from their published definitions.
 //!
-//! **S1002**: the wheel of EN 13715 (formerly ORE S1002, UIC 510-2), flange height 28 mm, flange
-//! thickness 32.5 mm: polynomials along the tread, arcs and a straight flange of 70°. **60E1**: the
-//! head of the rail of EN 13674-1 (UIC 60) from its drawing, as the documentation of Gensys gives
-//! it ("Creation of a rail profile from a drawing"): arcs of 300, 80 and 13 mm that meet
-//! tangentially 20.456 and 52.053 mm apart, and sides of 1:20 that begin 72.000 mm apart.
+//! **Wheels** of EN 13715:2020 with a flange 28 mm high and 32.5 mm thick: S1002 (annex C, formerly
+//! ORE S1002 and UIC 510-2, with polynomials along the tread), 1/40 (annex B) and EPS (annex D,
+//! with a table between flange and tread). They share the flange (annex A), of arcs and a straight
+//! line of 70°.
+//!
+//! **Rails** of EN 13674-1: the arcs of the head from its drawing, which meet tangentially, and
+//! sides of a given slope. That of 60E1 is in the documentation of Gensys, too ("Creation of a rail
+//! profile from a drawing").
 
 const MILLIMETRE: f64 = 1e-3;
+
+/// A part of the outline of a wheel.
+struct Section {
+    /// Where it ends along y, in mm.
+    end: f64,
+    /// Largest step along y, in mm: small where the profile is steep.
+    step: f64,
+    /// Height over y, both in mm.
+    height: fn(f64) -> f64,
+}
+
+/// The tread of a wheel, with its name.
+struct Wheel {
+    name: &'static str,
+    tread: &'static [Section],
+}
+
+/// The head of a rail.
+struct Rail {
+    /// Its name, and the older one.
+    names: [&'static str; 2],
+    /// Radii from the middle to the side, and how far apart their ends are on both sides; in mm.
+    arcs: &'static [(f64, f64)],
+    /// Radius of the corner, which ends in the direction of the side; in mm.
+    corner: f64,
+    /// Slope of the side, dimensionless.
+    side: f64,
+    /// Half the width at which the side begins, as printed; in mm.
+    #[cfg(test)]
+    half_width: f64,
+}
+
+const WHEELS: [Wheel; 3] = [
+    Wheel { name: "S1002", tread: &S1002 },
+    Wheel { name: "1/40", tread: &ONE_IN_FORTY },
+    Wheel { name: "EPS", tread: &EPS },
+];
+
+const RAILS: [Rail; 9] = [
+    rail(["46E1", "SBB I"], &[(300.0, 18.881), (80.0, 43.881)], [13.0, f64::INFINITY], 65.0),
+    rail(["49E1", "S49"], &[(300.0, 15.267), (80.0, 46.835)], [13.0, 17.2], 67.0),
+    rail(["49E5", ""], &[(115.0, 41.342), (16.5, 62.98), (15.5, 66.0)], [7.64, 17.2], 67.0),
+    rail(["50E3", "BV50"], &[(300.0, 18.233), (80.0, 49.982)], [13.0, 20.0], 70.0),
+    rail(["54E1", "UIC54"], &[(300.0, 20.024), (80.0, 49.727)], [13.0, 20.0], 70.0),
+    rail(["54E2", "UIC54E"], &[(300.0, 18.946), (80.0, 46.31)], [13.0, 20.0], 67.01),
+    rail(["56E1", "BS113A"], &[(305.0, 11.787), (80.0, 51.235)], [12.7, 20.0], 69.85),
+    rail(["60E1", "UIC60"], &[(300.0, 20.456), (80.0, 52.053)], [13.0, 20.0], 72.0),
+    rail(["60E2", ""], &[(200.0, 23.778), (70.0, 48.913), (16.0, 70.774)], [8.0, 20.0], 72.0),
+];
+
+const fn rail(
+    names: [&'static str; 2],
+    arcs: &'static [(f64, f64)],
+    [corner, side]: [f64; 2],
+    _width: f64,
+) -> Rail {
+    Rail {
+        names,
+        arcs,
+        corner,
+        side,
+        #[cfg(test)]
+        half_width: 0.5 * _width,
+    }
+}
 
 /// Whether this is the name of one.
 pub fn is_name(text: &str) -> bool {
@@ -14,38 +82,83 @@ pub fn is_name(text: &str) -> bool {
 }
 
 /// Names of those of wheels or of rails.
-pub fn names(is_wheel: bool) -> &'static str {
-    if is_wheel { "\"S1002\"" } else { "\"60E1\"" }
+pub fn names(is_wheel: bool) -> String {
+    let names: Vec<&str> = if is_wheel {
+        WHEELS.iter().map(|wheel| wheel.name).collect()
+    } else {
+        RAILS.iter().map(|rail| rail.names[0]).collect()
+    };
+    format!("\"{}\"", names.join("\", \""))
 }
 
 /// The points of the one with a name (y outwards and z up, in m), whatever the case of its letters.
 pub fn points(name: &str, is_wheel: bool) -> Option<Vec<[f64; 2]>> {
-    let name: String = name.chars().filter(|c| !matches!(c, ' ' | '-' | '_')).collect();
-    let points = match (name.to_ascii_uppercase().as_str(), is_wheel) {
-        ("S1002", true) => s1002(),
-        ("60E1" | "UIC60", false) => rail_60e1(),
-        _ => return None,
+    let plain = |name: &str| {
+        let letters = name.chars().filter(|c| !matches!(c, ' ' | '-' | '_'));
+        letters.collect::<String>().to_ascii_uppercase()
+    };
+    let name = plain(name);
+    let points = if is_wheel {
+        WHEELS.iter().find(|wheel| wheel.name == name)?.outline()
+    } else {
+        let has_name =
+            |rail: &&Rail| rail.names.iter().any(|own| !own.is_empty() && plain(own) == name);
+        RAILS.iter().find(has_name)?.head()
     };
     Some(points.into_iter().map(|point| point.map(|c| MILLIMETRE * c)).collect())
 }
 
-/// Ends of the sections of S1002 along y, in mm, from the flange back outwards.
-const SECTIONS: [f64; 9] = [
-    -69.5,
-    -62.764_705_882,
-    -49.662_510_381,
-    -39.764_473_993,
-    -38.426_669_071,
-    -35.0,
-    -26.0,
-    32.157_96,
-    60.0,
+/// Where the outline of a wheel begins along y, in mm.
+const FLANGE_BACK: f64 = -69.5;
+
+/// The flange of all wheels.
+const FLANGE: [Section; 5] = [
+    section(-62.764_705_882, 0.1, |y| -arc(20.5, [-49.5, 9.519_259_302], 1.0, y)),
+    section(-49.662_510_381, 0.2, |y| -arc(12.0, [-55.0, 16.0], 1.0, y)),
+    section(-39.764_473_993, 0.1, |y| -arc(20.0, [-58.558_326_413, 8.834_924_130], 1.0, y)),
+    section(-38.426_669_071, 0.1, |y| 93.576_667_419 + 2.747_477_419 * y),
+    section(-35.0, 0.1, flange_root),
 ];
 
-/// Largest step along y in each section, in mm: small where the profile is steep.
-const STEPS: [f64; 8] = [0.1, 0.2, 0.1, 0.1, 0.1, 0.2, 0.4, 0.4];
+const S1002: [Section; 3] = [
+    section(-26.0, 0.2, |y| -polynomial(&TRANSITION, y)),
+    section(32.157_96, 0.4, |y| -polynomial(&TREAD, y)),
+    section(60.0, 0.4, |y| -1.364_323_64 + 0.066_666_667 * y),
+];
 
-/// Coefficients of the tread between -26 and 32.158 mm, and of its transition to the flange.
+/// 1/40, with an outer slope of 6.7 %.
+const ONE_IN_FORTY: [Section; 4] = [
+    section(-32.696, 0.1, flange_root),
+    section(-15.64, 0.2, |y| -arc(36.0, [-14.74, 36.38], -1.0, y)),
+    section(35.0, 0.4, |y| y / 40.0),
+    section(60.0, 0.4, |y| 0.875 + 0.066_666_667 * (y - 35.0)),
+];
+
+/// EPS, with an outer slope of 10 %.
+const EPS: [Section; 5] = [
+    section(-26.0, EPS_STEP, eps_transition),
+    section(-17.587, 0.2, |y| -arc(100.0, [-6.5, 100.871], -1.0, y)),
+    section(19.0, 0.4, |y| -arc(330.0, [19.0, 329.453], -1.0, y)),
+    section(29.0, 0.4, |_| 0.547),
+    section(60.0, 0.4, |y| 0.547 + 0.1 * (y - 29.0)),
+];
+
+/// Depths of EPS below the running circle between flange and tread, from y = -35 mm on, in mm
+/// (table D.1).
+const EPS_DEPTHS: [f64; 19] = [
+    6.867, 6.466, 6.108, 5.788, 5.507, 5.262, 5.044, 4.832, 4.624, 4.421, 4.222, 4.028, 3.838,
+    3.652, 3.471, 3.295, 3.122, 2.954, 2.790,
+];
+const EPS_STEP: f64 = 0.5;
+
+fn eps_transition(y: f64) -> f64 {
+    let place = (y + 35.0) / EPS_STEP;
+    let before = (place as usize).min(EPS_DEPTHS.len() - 2);
+    let [one, two] = [EPS_DEPTHS[before], EPS_DEPTHS[before + 1]];
+    -(one + (place - before as f64) * (two - one))
+}
+
+/// Coefficients of the tread of S1002, and of its transition to the flange.
 const TREAD: [f64; 9] = [
     0.0,
     -3.358_537_058e-2,
@@ -68,102 +181,109 @@ const TRANSITION: [f64; 8] = [
     -2.252_755_54e-7,
 ];
 
-/// S1002 with z up, in mm.
-fn s1002() -> Vec<[f64; 2]> {
-    let mut points = Vec::new();
-    for (section, ends) in SECTIONS.windows(2).enumerate() {
-        let count = ((ends[1] - ends[0]) / STEPS[section]).ceil();
-        let step = (ends[1] - ends[0]) / count;
-        points.extend((0..count as usize).map(|k| {
-            let y = ends[0] + k as f64 * step;
-            [y, -s1002_depth(section, y)]
-        }));
-    }
-    points.push([60.0, -s1002_depth(7, 60.0)]);
-    points
+const fn section(end: f64, step: f64, height: fn(f64) -> f64) -> Section {
+    Section { end, step, height }
 }
 
-/// Depth of S1002 below the running circle in a section, in mm.
-fn s1002_depth(section: usize, y: f64) -> f64 {
-    let arc = |radius: f64, [centre, depth]: [f64; 2], sign: f64| {
-        depth + sign * (radius * radius - (y - centre).powi(2)).sqrt()
-    };
-    let polynomial =
-        |coefficients: &[f64]| coefficients.iter().rev().fold(0.0, |sum, c| sum * y + c);
-    match section {
-        0 => arc(20.5, [-49.5, 9.519_259_302], 1.0),
-        1 => arc(12.0, [-55.0, 16.0], 1.0),
-        2 => arc(20.0, [-58.558_326_413, 8.834_924_130], 1.0),
-        3 => -93.576_667_419 - 2.747_477_419 * y,
-        4 => arc(13.0, [-26.210_665, 16.446], -1.0),
-        5 => polynomial(&TRANSITION),
-        6 => polynomial(&TREAD),
-        _ => 1.364_323_64 - 0.066_666_667 * y,
+/// Depth of an arc about a centre (y and depth) whose sign is positive below it; in mm.
+fn arc(radius: f64, [centre, depth]: [f64; 2], sign: f64, y: f64) -> f64 {
+    depth + sign * (radius * radius - (y - centre).powi(2)).sqrt()
+}
+
+fn flange_root(y: f64) -> f64 {
+    -arc(13.0, [-26.210_665, 16.446], -1.0, y)
+}
+
+fn polynomial(coefficients: &[f64], y: f64) -> f64 {
+    coefficients.iter().rev().fold(0.0, |sum, c| sum * y + c)
+}
+
+impl Wheel {
+    fn sections(&self) -> impl Iterator<Item = &Section> {
+        FLANGE.iter().chain(self.tread)
+    }
+
+    /// With z up, in mm.
+    fn outline(&self) -> Vec<[f64; 2]> {
+        let mut points = Vec::new();
+        let mut from = FLANGE_BACK;
+        for section in self.sections() {
+            let count = ((section.end - from) / section.step).ceil();
+            let step = (section.end - from) / count;
+            points.extend((0..count as usize).map(|k| {
+                let y = from + k as f64 * step;
+                [y, (section.height)(y)]
+            }));
+            from = section.end;
+        }
+        let last = self.sections().last().map(|last| [last.end, (last.height)(last.end)]);
+        points.into_iter().chain(last).collect()
     }
 }
 
-/// Radii of the head of 60E1 from its middle to its side, in mm, and y at which they end.
-const ARCS: [(f64, f64); 2] = [(300.0, 10.228), (80.0, 26.0265)];
-const CORNER: f64 = 13.0;
-
-/// Slope of its sides, and the depth down to which they go, in mm.
-const SIDE: f64 = 20.0;
+/// Depth down to which the side of a head goes, in mm.
 const HEAD_DEPTH: f64 = 37.0;
 
-/// Step along the curves, in mm.
+/// Step along the curves of a head, in mm.
 const ARC_STEP: f64 = 0.2;
 
-/// The head of 60E1 with z up, in mm.
-fn rail_60e1() -> Vec<[f64; 2]> {
-    rail_head(ARCS)
-}
-
-/// A head of two arcs (radius and the y at which it ends, in mm) that goes on with the corner and
-/// the side of 60E1; z up, in mm.
-fn rail_head(arcs: [(f64, f64); 2]) -> Vec<[f64; 2]> {
-    // From the middle outwards: each arc begins where the one before ends, in its direction.
-    let mut half = vec![[0.0, 0.0]];
-    let mut sine = 0.0_f64;
-    let corner = (CORNER, f64::NAN);
-    for (radius, end) in arcs.into_iter().chain([corner]) {
+impl Rail {
+    /// The head with z up, in mm.
+    fn head(&self) -> Vec<[f64; 2]> {
+        // From the middle outwards: each arc begins where the one before ends, in its direction.
+        let mut half = vec![[0.0, 0.0]];
+        let mut sine = 0.0_f64;
+        let steepest = if self.side.is_finite() { self.side / self.side.hypot(1.0) } else { 1.0 };
+        let arcs = self.arcs.iter().map(|(radius, width)| (*radius, Some(0.5 * width)));
+        for (radius, end) in arcs.chain([(self.corner, None)]) {
+            let [y, z] = half[half.len() - 1];
+            let last = end.map_or(steepest, |end| sine + (end - y) / radius);
+            let [from, to] = [sine.asin(), last.asin()];
+            let count = (radius * (to - from) / ARC_STEP).ceil();
+            half.extend((1..=count as usize).map(|k| {
+                let angle = from + (to - from) * k as f64 / count;
+                [y + radius * (angle.sin() - sine), z + radius * (angle.cos() - from.cos())]
+            }));
+            sine = last;
+        }
         let [y, z] = half[half.len() - 1];
-        let steepest = SIDE / SIDE.hypot(1.0);
-        let last = if end.is_nan() { steepest } else { sine + (end - y) / radius };
-        let [from, to] = [sine.asin(), last.asin()];
-        let count = (radius * (to - from) / ARC_STEP).ceil();
+        let count = ((HEAD_DEPTH + z) / (5.0 * ARC_STEP)).ceil();
         half.extend((1..=count as usize).map(|k| {
-            let angle = from + (to - from) * k as f64 / count;
-            [y + radius * (angle.sin() - sine), z + radius * (angle.cos() - from.cos())]
+            let down = (HEAD_DEPTH + z) * k as f64 / count;
+            [y + down / self.side, z - down]
         }));
-        sine = last;
+        let inner = half.iter().skip(1).rev().map(|[y, z]| [-y, *z]);
+        inner.chain(half.iter().copied()).collect()
     }
-    let [y, z] = half[half.len() - 1];
-    let count = ((HEAD_DEPTH + z) / (5.0 * ARC_STEP)).ceil();
-    half.extend((1..=count as usize).map(|k| {
-        let down = (HEAD_DEPTH + z) * k as f64 / count;
-        [y + down / SIDE, z - down]
-    }));
-    let inner = half.iter().skip(1).rev().map(|[y, z]| [-y, *z]);
-    inner.chain(half.iter().copied()).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// The sections of S1002 meet, and its flange is 28 mm high and has 70°.
+    /// The sections of all wheels meet, at the rounding of the standard, and the flange is 28 mm
+    /// high and has 70°.
     #[test]
-    fn en_13715_s1002_is_continuous() {
-        for (k, y) in SECTIONS[1..8].iter().enumerate() {
-            let step = s1002_depth(k, *y) - s1002_depth(k + 1, *y);
-            assert!(step.abs() < 2e-4, "{step} mm at {y} mm");
+    fn en_13715_wheels_are_continuous() {
+        for wheel in &WHEELS {
+            let sections: Vec<&Section> = wheel.sections().collect();
+            for pair in sections.windows(2) {
+                let y = pair[0].end;
+                let step = (pair[0].height)(y) - (pair[1].height)(y);
+                assert!(step.abs() < 1.5e-3, "{}: {step} mm at {y} mm", wheel.name);
+            }
+            let lowest = wheel.outline().iter().map(|[_, z]| *z).fold(0.0, f64::min);
+            assert!((lowest + 28.0).abs() < 1e-3, "{lowest}");
         }
-        let highest = s1002().iter().map(|[_, z]| -z).fold(0.0, f64::max);
-        assert!((highest - 28.0).abs() < 1e-3, "{highest}");
-        let slope = s1002_depth(3, -39.0) - s1002_depth(3, -38.9);
+        let slope = (FLANGE[3].height)(-38.9) - (FLANGE[3].height)(-39.0);
         assert!(((slope / 0.1).atan().to_degrees() - 70.0).abs() < 1e-3);
-        assert!(s1002_depth(6, 0.0).abs() < 1e-12);
+        // The running circle.
+        assert!((S1002[1].height)(0.0).abs() < 1e-12);
+        assert!((ONE_IN_FORTY[2].height)(0.0).abs() < 1e-12);
+        assert!((EPS[2].height)(0.0).abs() < 1e-3);
     }
+
+    const SIDE: f64 = 20.0;
 
     /// The first point of the side, from which on points are farther apart.
     fn start_of_side(points: &[[f64; 2]]) -> [f64; 2] {
@@ -171,12 +291,14 @@ mod tests {
         points.windows(2).find(is_side).unwrap()[0]
     }
 
-    /// The arcs of 60E1 end in the direction of its side at half the printed width of 72.000 mm,
-    /// which follows from the other dimensions only if all of them belong together.
+    /// The arcs end in the direction of the side at half the printed width of the head, which
+    /// follows from the other dimensions only if all of them belong together.
     #[test]
-    fn en_13674_1_60e1_closes() {
-        let [y, _] = start_of_side(&rail_60e1());
-        assert!((y - 36.0).abs() < 5e-4, "{y}");
+    fn en_13674_1_heads_close() {
+        for rail in &RAILS {
+            let [y, _] = start_of_side(&rail.head());
+            assert!((y - rail.half_width).abs() < 5e-4, "{}: {y}", rail.names[0]);
+        }
     }
 
     /// Shackleton and Iwnicki 2008: the rail of the Manchester benchmark, canted 1:40, has the same
@@ -214,9 +336,11 @@ mod tests {
             given.iter().filter(|[_, z]| *z > -30.0).map(off).fold(0.0, f64::max)
         };
         // The polygon of an arc of 13 mm is 4·10⁻⁴ mm inside it.
-        let alike = worst(&rail_head([(300.0, 10.5), (80.0, 25.988)]));
+        let variant = rail(["", ""], &[(300.0, 21.0), (80.0, 51.976)], [13.0, SIDE], 72.0);
+        let alike = worst(&variant.head());
         assert!(alike < 5e-4, "{alike}");
-        let own = worst(&rail_60e1());
+        let named = RAILS.iter().find(|rail| rail.names[0] == "60E1").unwrap();
+        let own = worst(&named.head());
         assert!((own - 0.044).abs() < 1e-3, "{own}");
     }
 
