@@ -6,7 +6,7 @@ use std::fmt::Write;
 use std::sync::Arc;
 
 use schlupf::unwatched;
-use schlupf::wheel_rail::{Along, Drive, ProfileCurve, RowsMove, Side, Support};
+use schlupf::wheel_rail::{Along, Drive, NormalMethod, ProfileCurve, RowsMove, Side, Support};
 use schlupf_case::{Case, CaseFile, Folder, Overrides};
 
 const HEAD: &str = "\
@@ -197,6 +197,15 @@ fn contradictions_are_told() {
             "the micro model of a roughness needs one patch, but normal.model is \"wheel-rail\"",
         ),
         (
+            with(profiles).replace(
+                "0.3\n",
+                "0.3\nvariation_inclination = [\"-1 rad\", \"1 rad\"]\n\
+                 variation_factor = [0.5, 1]\n",
+            ),
+            "variation_factor: the factor must be 1 at α = 0, where friction is \
+             friction.coefficient, but is 0.75 there",
+        ),
+        (
             with(profiles) + "[track]\ngauge = \"1435\"\n",
             "track.gauge must be a length with its unit",
         ),
@@ -209,7 +218,7 @@ fn contradictions_are_told() {
     assert!(error.contains("normal.model must be \"wheel-rail\" for the contacts"), "{error}");
 }
 
-/// With what the rows of a contact move is a name.
+/// With what the rows of a contact move, and how it is found, are names.
 #[test]
 fn the_motion_of_rows_is_chosen() {
     let profiles = "[wheel]\nprofile = \"S1002\"\n[rail]\nprofile = \"60E1\"\ncant = 0.025\n";
@@ -221,6 +230,12 @@ fn the_motion_of_rows_is_chosen() {
     assert_eq!(rows("row_motion = \"automatic\""), Ok(RowsMove::Automatic));
     assert_eq!(rows("row_motion = \"surface\""), Ok(RowsMove::WithSurface));
     assert_eq!(rows("row_motion = \"plane\""), Ok(RowsMove::WithPlane));
+    let method = |choice: &str| {
+        let chosen = with(profiles).replace("load =", &format!("{choice}\nload ="));
+        read(&chosen, &[]).unwrap().wheel().unwrap().normal_method
+    };
+    assert_eq!(method(""), NormalMethod::HalfSpaces);
+    assert_eq!(method("method = \"kik-piotrowski\""), NormalMethod::KikPiotrowski);
     let error = rows("row_motion = \"plain\"").unwrap_err();
     assert!(error.contains("normal.row_motion") && error.contains("\"plane\""), "{error}");
 }

@@ -227,6 +227,36 @@ fn forces_of_the_manchester_benchmark() {
     }
 }
 
+/// Friction over the inclination of the rail (V = 1) and along the track (V = 2), the latter at the
+/// place S of the wheelset; approximate contacts (B = 5) with FASTSIM (M = 3).
+#[test]
+fn friction_and_methods_of_module_1() {
+    let row = &rows("manchester_a22.csv")[2];
+    let plain = benchmark(row, 0, "-4.35");
+    let sets = " 2\n -20d 0.2 0.2\n 10d 0.5 0.5\n 0.28";
+    let over_rail = plain.replace("0022033", "1022033").replace(" 0.3 0.3\n 0.28", sets);
+    let text = imported(over_rail).cases.swap_remove(0).text;
+    let expected = [
+        "coefficient = 0.4",
+        "variation_inclination = [\"-20 deg\", \"10 deg\"]",
+        "variation_factor = [0.5, 1.25]",
+    ];
+    crate::support::has(&text, &expected);
+    let sets = " 2\n -100 0.2 0.2\n 100 0.3 0.3\n 0.28";
+    let along = plain.replace("0022033", "2022033").replace(" 0.3 0.3\n 0.28", sets);
+    let text = imported(along).cases.swap_remove(0).text;
+    crate::support::has(&text, &["coefficient = 0.25"]);
+    // The slope reduction of M = 3 follows the elastic constants.
+    let fast = plain.replace("2031", "2531").replace("0022033", "0022333");
+    let fast = fast.replace("82000. 82000.\n", "82000. 82000.\n 1.0 1.0 1.0\n");
+    let import = imported(fast);
+    assert!(import.errors.is_empty(), "{:#?}", import.errors);
+    crate::support::has(
+        &import.cases[0].text,
+        &["method = \"ellipse-corrected\"", "method = \"fastsim\""],
+    );
+}
+
 /// What goes with the digit F of module 1, and what does not, with its line.
 #[test]
 fn forces_of_module_1() {

@@ -133,7 +133,7 @@ quantities! {
     MemoryDistance "memory_distance" "" "m" "sliding distance over which friction approaches its law"
     MemorySpeed "memory_speed" "" "m/s" "smallest slip speed of the friction memory"
     VariationY "variation_y" "y" "m" "positions across rolling at which friction varies"
-    VariationInclination "variation_inclination" "" "rad" "inclinations of the rail at which friction varies"
+    VariationInclination "variation_inclination" "α" "rad" "inclinations of the rail at which friction varies"
     VariationFactor "variation_factor" "" "" "factors of friction across rolling"
     HeatModel "heat_model" "" "" "model of heat conduction"
     HeatPartition "heat_partition" "" "" "part of the heat that the wheel takes"

@@ -270,7 +270,7 @@ messages! {
         factor: f64,
     } Quantity::VariationFactor, |name, words| {
         let coefficient = words.word(Quantity::FrictionCoefficient);
-        let over = words.word(*over);
+        let over = over.symbol();
         format!(
             "{name}: the factor must be 1 at {over} = 0, where friction is {coefficient}, but is \
              {factor} there: divide all factors by it, and multiply {coefficient} by it"
