@@ -124,7 +124,7 @@ fn interpolated(places: &[f64], values: &[f64], at: f64) -> f64 {
     }
 }
 
-/// A place and its parameters, in the order of the input; those that the law does not have are zero.
+/// A place and its parameters, in the order of the input; those that the law lacks are zero.
 fn parameters(
     reader: &mut Reader,
     law: Given,
