@@ -16,8 +16,8 @@
 //! non-Hertzian problems and its application in rail vehicle dynamic simulations, Vehicle System
 //! Dynamics 46 (2008), with ε = 0.55; E. A. H. Vollebregt, User guide for CONTACT, for the idea of
 //! an ε that makes an ellipse that of Hertz. Here ε follows from Hertz's theory for each side of
-//! the patch: with the curvature B of the distance up to the edge, it is B b²/δ across and A a²/δ along
-//! rolling. Limits: one coefficient c for a patch of several parts.
+//! the patch: with the curvature B of the distance up to the edge, it is B b²/δ across and A a²/δ
+//! along rolling. Limits: one coefficient c for a patch of several parts.
 
 use std::f64::consts::PI;
 
