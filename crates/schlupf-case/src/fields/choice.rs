@@ -128,6 +128,15 @@ choices! {
              rolling; without coupling those of Kalker 1982";
     }
 
+    /// `elasticity.unlike_bodies`.
+    UnlikeBodiesModel {
+        Coupled "coupled"
+            "pressure displaces the surfaces tangentially, and tractions change the pressure of \
+             \"hertz\" and \"profile\"";
+        OneWay "one-way" "pressure displaces the surfaces tangentially, but does not change";
+        Neglected "neglected" "neither";
+    }
+
     /// `contact_law.model`.
     ContactLawModel {
         Incremental "incremental" "valid for any path of sliding";

@@ -5,11 +5,11 @@ use std::sync::Arc;
 use schlupf::analysis::calibration::KalkerBed;
 use schlupf::bodies::Material;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness, Springs};
-use schlupf::elasticity::{CalibratedLayer, Elasticity, HalfSpace, Rigid, Winkler};
+use schlupf::elasticity::{CalibratedLayer, Elasticity, HalfSpace, Rigid, UnlikeBodies, Winkler};
 
 use crate::FieldPath;
 use crate::error::CaseError;
-use crate::fields::choice::ElasticityModel;
+use crate::fields::choice::{ElasticityModel, UnlikeBodiesModel};
 use crate::settings::Settings;
 
 const BEDDINGS: [FieldPath; 2] = fields!["elasticity.bedding_x", "elasticity.bedding_y"];
@@ -34,7 +34,14 @@ pub fn elasticity(
 ) -> Result<Arc<dyn Elasticity>, CaseError> {
     Ok(match settings.chosen(field!("elasticity.model"))? {
         ElasticityModel::Rigid => Arc::new(Rigid),
-        ElasticityModel::HalfSpace => Arc::new(half_space(settings, bodies)?),
+        ElasticityModel::HalfSpace => {
+            let unlike_bodies = match settings.chosen(field!("elasticity.unlike_bodies"))? {
+                UnlikeBodiesModel::Coupled => UnlikeBodies::Coupled,
+                UnlikeBodiesModel::OneWay => UnlikeBodies::OneWay,
+                UnlikeBodiesModel::Neglected => UnlikeBodies::Neglected,
+            };
+            Arc::new(half_space(settings, bodies)?.with_unlike_bodies(unlike_bodies))
+        }
         ElasticityModel::Winkler if settings.any_given(&BEDDINGS) => Arc::new(winkler(settings)?),
         ElasticityModel::Winkler => Arc::new(KalkerBed { bodies: half_space(settings, bodies)? }),
         ElasticityModel::ElasticLayer => layer(settings, bodies)?,

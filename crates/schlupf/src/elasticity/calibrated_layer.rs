@@ -5,7 +5,7 @@
 use super::calibration_table::{AXIS_RATIO_STEP, LEAST_AXIS_RATIO, POISSON_RATIO_STEP, TABLE};
 use super::elastic_layer::{ElasticLayer, LayerStiffness};
 use super::half_space::HalfSpace;
-use super::{Compliance, Elasticity};
+use super::{Compliance, Elasticity, UnlikeBodies};
 use crate::bodies::Material;
 use crate::normal::Grid;
 use crate::numerics::interpolation::cubic;
@@ -95,7 +95,7 @@ impl CalibratedLayer {
     /// The layer for two bodies, with at least `margin` (in m) of surroundings on each side;
     /// default: eight decay lengths.
     pub fn new(wheel: &Material, rail: &Material, margin: Option<f64>) -> Result<Self, Error> {
-        let half_space = HalfSpace::new(wheel, rail)?;
+        let half_space = HalfSpace::new(wheel, rail)?.with_unlike_bodies(UnlikeBodies::Neglected);
         Ok(Self { half_space, margin })
     }
 

@@ -8,7 +8,7 @@ use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
 
 use super::ellipsoidal_traction::EllipsoidalTraction;
-use super::{Compliance, Elasticity};
+use super::{Compliance, Elasticity, PressureCoupling, UnlikeBodies};
 use crate::bodies::Material;
 use crate::normal::{Grid, VectorField};
 use crate::numerics::fourier::smooth_from;
@@ -39,16 +39,17 @@ pub struct HalfSpace {
     shear_modulus: f64,
     poisson_ratio: f64,
     dissimilarity: f64,
+    unlike_bodies: UnlikeBodies,
 }
 
-/// Dissimilarity above which a warning is given.
+/// Dissimilarity below which bodies are alike.
 const NOTICEABLE: f64 = 1e-3;
 
 impl HalfSpace {
     /// Combined constants of two bodies: 1/G = ½ (1/G₁ + 1/G₂), ν/G = ½ (ν₁/G₁ + ν₂/G₂).
     ///
-    /// Bodies of different material also move tangentially under the normal pressure, in proportion
-    /// to K = ¼ G ((1 − 2ν₁)/G₁ − (1 − 2ν₂)/G₂) (Kalker 1990, §1.7). This effect is neglected.
+    /// Unlike bodies also move tangentially under the pressure, and apart under tractions: see
+    /// [`PressureCoupling`].
     ///
     /// ```
     /// use schlupf::bodies::Material;
@@ -66,7 +67,19 @@ impl HalfSpace {
             * (first.poisson_ratio * compliance[0] + second.poisson_ratio * compliance[1]);
         let dilation = |m: &Material| (1.0 - 2.0 * m.poisson_ratio) / m.shear_modulus();
         let dissimilarity = 0.25 * shear_modulus * (dilation(first) - dilation(second));
-        Ok(Self { shear_modulus, poisson_ratio, dissimilarity })
+        let unlike_bodies = UnlikeBodies::default();
+        Ok(Self { shear_modulus, poisson_ratio, dissimilarity, unlike_bodies })
+    }
+
+    /// The same with less, or all, of what couples pressure and tractions of unlike bodies.
+    #[must_use]
+    pub fn with_unlike_bodies(self, unlike_bodies: UnlikeBodies) -> Self {
+        Self { unlike_bodies, ..self }
+    }
+
+    /// K, if the bodies are unlike.
+    fn unlike(&self) -> Option<f64> {
+        (self.dissimilarity.abs() > NOTICEABLE).then_some(self.dissimilarity)
     }
 
     /// Combined shear modulus G, in Pa.
@@ -171,8 +184,15 @@ impl Elasticity for HalfSpace {
     }
 
     fn caveat(&self) -> Option<Warning> {
-        let constant = self.dissimilarity;
-        (constant.abs() > NOTICEABLE).then_some(Warning::DissimilarBodies { constant })
+        let constant = self.unlike().filter(|_| self.unlike_bodies == UnlikeBodies::Neglected)?;
+        Some(Warning::DissimilarBodies { constant })
+    }
+
+    fn pressure_coupling(&self) -> Option<PressureCoupling> {
+        let constant = self.unlike().filter(|_| self.unlike_bodies != UnlikeBodies::Neglected)?;
+        let is_mutual = self.unlike_bodies == UnlikeBodies::Coupled;
+        let Self { shear_modulus, poisson_ratio, .. } = *self;
+        Some(PressureCoupling { constant, shear_modulus, poisson_ratio, is_mutual })
     }
 }
 
@@ -515,8 +535,11 @@ mod tests {
             2.0 * g1 * g2 / (g1 + g2),
             max_relative = 1e-14
         );
-        assert!(matches!(bodies.caveat(), Some(Warning::DissimilarBodies { .. })));
-        assert_eq!(steel().caveat(), None);
+        let neglected = bodies.with_unlike_bodies(UnlikeBodies::Neglected);
+        assert!(matches!(neglected.caveat(), Some(Warning::DissimilarBodies { .. })));
+        assert_eq!((bodies.caveat(), neglected.pressure_coupling()), (None, None));
+        assert!(bodies.pressure_coupling().is_some());
+        assert_eq!(steel().pressure_coupling(), None);
         let nu = (0.28 / g1 + 0.33 / g2) / (1.0 / g1 + 1.0 / g2);
         assert_relative_eq!(bodies.poisson_ratio(), nu, max_relative = 1e-14);
     }

@@ -3,12 +3,14 @@
 mod calibration_table;
 pub mod elastic_layer;
 mod ellipsoidal_traction;
+mod pressure_coupling;
 mod half_space;
 mod calibrated_layer;
 mod rigid;
 mod winkler;
 
 pub use half_space::{Convolution, HalfSpace};
+pub use pressure_coupling::{PressureCoupling, UnlikeBodies};
 
 pub use calibrated_layer::{
     AXIS_RATIO_RANGE, CalibratedLayer, RelativeStiffness, tabulated_stiffness,
@@ -80,6 +82,12 @@ pub trait Elasticity: Debug + Send + Sync {
     /// The exact displacement under a semi-ellipsoidal traction on an ellipse with the given
     /// semi-axes (in m), if the model knows it.
     fn under_ellipsoid(&self, _semi_axes: [f64; 2]) -> Option<EllipsoidalTraction> {
+        None
+    }
+
+    /// How pressure displaces the surfaces tangentially and tractions move them apart, if the model
+    /// does not neglect it.
+    fn pressure_coupling(&self) -> Option<PressureCoupling> {
         None
     }
 

@@ -42,6 +42,10 @@ impl PressureSource for AtLoad {
         self.source.prepare(load.or(Some(self.load)), watch)
     }
 
+    fn undeformed_distance(&self, x: &[f64], y: &[f64]) -> Option<Vec<f64>> {
+        self.source.undeformed_distance(x, y)
+    }
+
     fn load_exponent(&self) -> Option<f64> {
         self.source.load_exponent()
     }

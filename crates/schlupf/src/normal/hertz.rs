@@ -127,6 +127,15 @@ impl PressureSource for Hertz {
         Ok(NormalContact { summary, pressure: Pressure::Elliptic, rows: None })
     }
 
+    fn undeformed_distance(&self, x: &[f64], y: &[f64]) -> Option<Vec<f64>> {
+        let [along, across] = [self.curvature_x, self.curvature_y].map(|curvature| 0.5 * curvature);
+        let row = |y: &f64| {
+            let of_row = across * y * y;
+            x.iter().map(move |x| along * x * x + of_row)
+        };
+        Some(y.iter().flat_map(row).collect())
+    }
+
     fn load_exponent(&self) -> Option<f64> {
         Some(1.0 / 3.0)
     }

@@ -8,6 +8,7 @@ mod ellipse;
 mod hertz;
 pub mod rough_contact;
 pub mod profile;
+mod opened;
 
 pub use hertz::{Hertz, Radii};
 pub(crate) use hertz::{approach_shares, row_potential};
@@ -15,6 +16,7 @@ pub(crate) use hertz::{approach_shares, row_potential};
 pub use at_load::AtLoad;
 pub use ellipse::Ellipse;
 pub use grid::{Axis, BORDER, Extent, Grid, VectorField};
+pub(crate) use opened::Opened;
 pub(crate) use tabulated::positive_runs;
 pub use tabulated::{PressureTable, Tabulated};
 
@@ -75,6 +77,13 @@ pub trait PressureSource: Debug + Send + Sync {
     /// As [`Self::normal_contact`], and [`Error::Stopped`].
     fn prepare(&self, _load: Option<f64>, _watch: Watch) -> Result<(), Error> {
         Ok(())
+    }
+
+    /// The undeformed distance of the two bodies (in m) at the positions `x` × `y` (in m) in the
+    /// contact frame, rows along x, apart from a constant. With it the tractions of unlike bodies
+    /// change the pressure; `None` if it is not known.
+    fn undeformed_distance(&self, _x: &[f64], _y: &[f64]) -> Option<Vec<f64>> {
+        None
     }
 
     /// The power of the load with which the lengths of the patch grow (dimensionless), if only the

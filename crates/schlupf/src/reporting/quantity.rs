@@ -114,6 +114,7 @@ quantities! {
     Margin "margin" "" "m" "margin of the layer around the patch"
     Elasticity "elasticity" "" "" "model of elasticity"
     Calibration "calibration" "" "" "source of the stiffnesses of the layer"
+    UnlikeBodies "unlike_bodies" "" "" "coupling of pressure and tractions of unlike bodies"
     ContactLaw "contact_law" "" "" "law for the traction of a point that slides"
     ContactStiffness "contact_stiffness" "k_c" "1/m" "stiffness of the contact law"
     ContactRoughness "contact_roughness" "h_rms" "m" "r.m.s. height of both surfaces together, which determines k_c"

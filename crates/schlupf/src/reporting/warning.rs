@@ -128,8 +128,23 @@ messages! {
         /// Dundurs' or Kalker's constant K, dimensionless.
         constant: f64,
     } Quantity::Elasticity, |name, words| format!(
-        "{name}: wheel and rail differ in their elastic constants (K = {constant:.3}); the tangential \
-         displacement caused by the normal pressure is neglected"
+        "{name}: wheel and rail differ in their elastic constants (K = {constant:.3}); that pressure \
+         displaces their surfaces tangentially, and tractions change it, is neglected"
+    ), severity constant.abs();
+
+    /// A pressure that the tractions of unlike bodies would change.
+    "unchanged-pressure" UnchangedPressure {
+        /// Kalker's constant K, dimensionless.
+        constant: f64,
+        /// Whether this concerns the derivatives only.
+        in_derivatives: bool,
+    } Quantity::Elasticity, |name, words| format!(
+        "{name}: wheel and rail differ in their elastic constants (K = {constant:.3}); {}",
+        if *in_derivatives {
+            "the derivatives are those under an unchanged pressure"
+        } else {
+            "the change of the pressure by the tractions is neglected"
+        }
     ), severity constant.abs();
 
     /// A calibrated layer for a patch of several parts.
@@ -542,6 +557,19 @@ messages! {
     } Quantity::MaxSteps, |name, words| format!(
         "after {steps} time steps traction or temperature still changes by {change:.1e} within a \
          passage of the patch, above the tolerance {tolerance:.1e}"
+    ), severity *change;
+
+    /// Pressure and tractions of unlike bodies.
+    "pressure" Pressure {
+        /// Pressures that were found.
+        iterations: usize,
+        /// Change of the opening by the last tractions over the approach, dimensionless.
+        change: f64,
+        /// Tolerance, dimensionless.
+        tolerance: f64,
+    } Quantity::Tolerance, |name, words| format!(
+        "after {iterations} pressures the tractions still move the surfaces of the unlike bodies by \
+         {change:.1e} of their approach, above the tolerance {tolerance:.1e}"
     ), severity *change;
 
     /// Surfaces that are not equally hot.

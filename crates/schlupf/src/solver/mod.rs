@@ -8,6 +8,7 @@ pub mod reference;
 pub mod kalker_coefficients;
 pub mod simplified;
 pub(crate) mod prescribed;
+pub(crate) mod unlike_bodies;
 pub(crate) mod rolling;
 
 pub use rolling::MarchingSolver;
@@ -58,7 +59,11 @@ pub trait Solver: Send + Sync {
         if problem.prescribed.is_none() {
             return self.solve_given(problem, watch);
         }
-        prescribed::find(self, problem, watch)
+        if self.method() != Method::Full {
+            return prescribed::find(self, problem, watch);
+        }
+        let how = (self.options().tolerance, watch);
+        unlike_bodies::settled(problem, how, |problem| prescribed::find(self, problem, watch))
     }
 
     /// The same where all creepages are given: prescribed forces are an error.

@@ -28,6 +28,12 @@ macro_rules! settings {
 }
 
 settings! {
+    // Unlike bodies.
+
+    /// Pressures after which the search for that of unlike bodies is given up: each reduces the
+    /// error by about the product of K and the coefficient of friction.
+    most_pressures: usize = 30;
+
     // Newton's method, the Krylov method and the measure of residuals.
 
     /// Largest forcing term: linear residual that the Krylov method may leave, relative to that of

@@ -2,7 +2,7 @@
 
 use super::solver::{FULL, METHOD};
 use super::{NORMAL_MODEL, WHEEL_RAIL, quantity};
-use crate::fields::choice::{CalibratedWith, Choose, ElasticityModel};
+use crate::fields::choice::{CalibratedWith, Choose, ElasticityModel, UnlikeBodiesModel};
 use crate::fields::field::Default::{Computed, Nothing, Same, Text};
 use crate::fields::field::{Field, Kind, Section};
 use crate::fields::path::FieldPath;
@@ -16,6 +16,7 @@ const MARGIN: Requirement = Between(0.0, 1e3);
 
 const MODEL: FieldPath = field!("elasticity.model");
 const LAYER: &[&str] = &["elastic-layer"];
+const HALF_SPACE: &[&str] = &["half-space"];
 const SPRINGS: &[&str] = &["elastic-layer", "winkler"];
 
 section! {
@@ -28,6 +29,9 @@ section! {
     "calibration" [Calibration] Kind::Choice(CalibratedWith::CHOICES), Finite,
         Computed("\"half-space\", where no stiffness is given"),
         "where the stiffnesses come from", shaping(), example("half-space"), with(MODEL, SPRINGS);
+    "unlike_bodies" [UnlikeBodies] Kind::Choice(UnlikeBodiesModel::CHOICES), Finite, Text("coupled"),
+        "coupling of pressure and tractions where wheel and rail differ in their elastic constants",
+        shaping(), with(MODEL, HALF_SPACE);
     "bedding_x" [BeddingX] quantity(&Measure::BEDDING), BEDDING, Nothing,
         "c, bedding stiffness for displacements along x", shaping(), example("1.0e13 N/m^3"),
         with(MODEL, SPRINGS);

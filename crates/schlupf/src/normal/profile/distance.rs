@@ -70,7 +70,7 @@ impl UndeformedDistance {
     }
 
     /// Distance (in m) at the positions `x` × `y` (in m), rows along x.
-    pub(super) fn sample(&self, x: &[f64], y: &[f64]) -> Vec<f64> {
+    pub(crate) fn sample(&self, x: &[f64], y: &[f64]) -> Vec<f64> {
         match &self.shape {
             Shape::Across { y: nodes, distance, radius } => {
                 let rolling: Vec<f64> = x.iter().map(|x| 0.5 * x * x / radius).collect();

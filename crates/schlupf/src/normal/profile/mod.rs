@@ -16,8 +16,7 @@
 //! rectangle.
 //!
 //! Limits: half-spaces, and one tangent plane for all parts of the patch (no flange with a steep
-//! contact angle, no conformal contact in the flange root); tangential tractions do not change the
-//! pressure (similar materials). Between the points of a file the distance is cubic; its roughness
+//! contact angle, no conformal contact in the flange root). Between the points of a file the distance is cubic; its roughness
 //! and rounding are part of the shape, and affect the pressure: a wave of amplitude Δ and length λ
 //! makes one of π E* Δ/λ.
 //!
@@ -185,6 +184,23 @@ impl PressureSource for Profile {
             self.contact(load, watch)?;
         }
         Ok(())
+    }
+
+    /// Beyond the given points it rises steeply: the contact does not reach there.
+    fn undeformed_distance(&self, x: &[f64], y: &[f64]) -> Option<Vec<f64>> {
+        let [middle_x, middle_y] = self.normal_contact(None).ok()?.summary.origin?;
+        let [along, across] = self.distance.bounds();
+        let within = |line: &[f64], middle: f64, [from, to]: [f64; 2]| -> [Vec<f64>; 2] {
+            let at = line.iter().map(|at| at + middle);
+            let kept = at.clone().map(|at| at.clamp(from, to));
+            let beyond = at.zip(kept.clone()).map(|(at, kept)| (at - kept).abs());
+            [kept.collect(), beyond.collect()]
+        };
+        let [x, beyond_x] = within(x, middle_x, along);
+        let [y, beyond_y] = within(y, middle_y, across);
+        let beyond = beyond_y.iter().flat_map(|y| beyond_x.iter().map(move |x| x + y));
+        let distance = self.distance.sample(&x, &y);
+        Some(distance.iter().zip(beyond).map(|(d, beyond)| d + beyond).collect())
     }
 
     fn load_exponent(&self) -> Option<f64> {

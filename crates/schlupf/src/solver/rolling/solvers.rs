@@ -6,6 +6,7 @@ use crate::reporting::{Error, Watch};
 use crate::solution::{Resultant, Solution};
 use crate::solver::Solver;
 use crate::solver::simplified::FastSolver;
+use crate::solver::unlike_bodies;
 
 use super::marching::march;
 use super::steady::SteadySolver;
@@ -62,7 +63,10 @@ impl Solver for MarchingSolver {
     }
 
     fn solve_given(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
-        march(&Transient::to_steady_state(problem), self.options(), watch)
+        let how = (self.options().tolerance, watch);
+        unlike_bodies::settled(problem, how, |problem| {
+            march(&Transient::to_steady_state(problem), self.options(), watch)
+        })
     }
 
     fn has_derivatives(&self) -> bool {

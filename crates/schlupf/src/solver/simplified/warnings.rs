@@ -36,6 +36,10 @@ pub(super) fn of_any_motion(
         _ => of_slender_patch(normal, name),
     });
     warnings.extend(of_shape(problem, name));
+    let elasticity = &problem.interface.elasticity;
+    let unlike = elasticity.pressure_coupling().map(|coupling| coupling.constant);
+    let unlike = unlike.map(|constant| Warning::DissimilarBodies { constant });
+    warnings.extend(unlike.or_else(|| elasticity.caveat()));
     warnings.extend(problem.interface.beyond_elastic(normal.peak_pressure));
     if problem.interface.friction_memory().is_some() {
         warnings.push(Warning::NoMemory { method: name });

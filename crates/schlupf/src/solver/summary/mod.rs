@@ -101,7 +101,7 @@ pub(crate) fn power(patch: &Patch, now: &Snapshot, force: &Resultant) -> Option<
     let shared = || now.conduction.shares().map(|share| share * (friction + returned));
     let [into_wheel, into_rail] = now.surfaces.as_ref().map_or_else(shared, |found| found.into);
     let rows = now.kinematics.speed * patch.row_power(&now.traction);
-    let creep = creep_power(&now.kinematics, force)? + rows;
+    let creep = creep_power(&now.kinematics, force)? + rows + now.pressed_power;
     Some(Power { friction, creep, returned, into_wheel, into_rail, exchanged: None })
 }
 

@@ -16,7 +16,7 @@ pub(crate) struct Snapshot {
     pub conduction: Conduction,
     /// Traction on the rail p, in Pa.
     pub traction: Vec<f64>,
-    /// A p, in m: the displacement difference rail minus wheel.
+    /// A p, in m: the displacement difference rail minus wheel; with that under the pressure.
     pub displacement: Vec<f64>,
     /// Slip velocity of the wheel over the rail, mean over each cell, in m/s.
     pub slip: Vec<[f64; 2]>,
@@ -28,6 +28,8 @@ pub(crate) struct Snapshot {
     pub friction_power: Vec<f64>,
     /// Elastic energy of the tangential tractions, in J.
     pub stored_energy: f64,
+    /// Power of these tractions with the displacement under the pressure, in W.
+    pub pressed_power: f64,
     /// Temperature rise times effusivity at the trailing edge of each strip, in W √s/m².
     pub scaled_exit_rise: Vec<f64>,
     /// Surface temperatures of both bodies if heat also flows along them: they do not follow from
@@ -57,6 +59,7 @@ impl Snapshot {
             scaled_rise: vec![0.0; cells],
             friction_power: vec![0.0; cells],
             stored_energy: 0.0,
+            pressed_power: 0.0,
             scaled_exit_rise: Vec::new(),
             surfaces: None,
         }

@@ -63,7 +63,7 @@ pub fn march(transient: &Transient, options: &Options, watch: Watch) -> Result<S
         march.shift(shift, watch)?;
     }
     while !march.is_finished() {
-        let mut start = Start::of(&march.displacement, &march.contact.patch, &march.now);
+        let mut start = Start::of(&march.displacement, &march.contact, &march.now);
         let arrivals = march.move_on(&mut start, watch)?;
         march.find_equilibrium(&arrivals, watch)?;
         march.heat_up(&arrivals, &start);
@@ -121,7 +121,7 @@ struct March<'a> {
     forces: ForcesOverTime,
     /// The first step that did not end with the prescribed forces: what, and its end in s.
     missed: Option<(Quantity, f64)>,
-    /// A p of the present traction on the whole grid, in m.
+    /// A p of the present traction and the displacement under the pressure on the whole grid, in m.
     displacement: VectorField,
     /// That of the bodies alone: how the material is displaced that enters.
     displacement_of_bodies: VectorField,

@@ -24,6 +24,8 @@ use crate::solver::summary::{self};
 #[derive(Debug)]
 pub(super) struct Start {
     displacement: VectorField,
+    /// The part of it under the pressure, in m; of unlike bodies.
+    pressed: Option<VectorField>,
     traction: Vec<f64>,
     force: Resultant,
     /// Power over the speed with what the rows slip beyond the plane, in N.
@@ -43,9 +45,11 @@ pub(super) struct StepPower {
 
 impl Start {
     /// The present instant, with its displacement, before the material moves on.
-    pub fn of(displacement: &VectorField, patch: &Patch, now: &Snapshot) -> Self {
+    pub fn of(displacement: &VectorField, contact: &DiscreteContact, now: &Snapshot) -> Self {
+        let patch = &contact.patch;
         Self {
             displacement: displacement.clone(),
+            pressed: contact.pressed.clone(),
             traction: now.traction.clone(),
             force: summary::force(patch, now),
             row_power: patch.row_power(&now.traction),
@@ -62,7 +66,8 @@ impl Start {
         displacement: &VectorField,
     ) {
         let interpolation = &contact.interpolation;
-        let change = self.change(interpolation, &contact.patch, displacement, displacement);
+        let gained = combined(displacement, 1.0, &self.displacement, -1.0);
+        let change = change(interpolation, &contact.patch, &gained, displacement);
         now.slip = slips(&now.kinematics, &contact.patch, &change);
         now.friction_power = powers(&now.traction, &now.slip);
     }
@@ -74,48 +79,63 @@ impl Start {
         contact: &DiscreteContact,
         displacement: &VectorField,
     ) -> StepPower {
+        let friction = self.friction(now, contact, [&self.displacement, displacement]);
+        let pressed = self.pressed.as_ref().zip(contact.pressed.as_ref());
+        let pressed = pressed.map_or(0.0, |(before, after)| {
+            let before = combined(&self.displacement, 1.0, before, -1.0);
+            let after = combined(displacement, 1.0, after, -1.0);
+            friction - self.friction(now, contact, [&before, &after])
+        });
+        let force = summary::force(&contact.patch, now).plus(1.0, &self.force).scaled(0.5, 0.5);
+        let rows = 0.5 * (contact.patch.row_power(&now.traction) + self.row_power);
+        let creep = summary::creep_power(&now.over_step, &force);
+        let work = now.over_step.speed * rows + pressed;
+        StepPower { friction, creep: creep.map(|creep| creep + work) }
+    }
+
+    /// Friction power over the step (in W) with displacements before and after it, in m.
+    fn friction(
+        &self,
+        now: &Snapshot,
+        contact: &DiscreteContact,
+        [before, after]: [&VectorField; 2],
+    ) -> f64 {
+        let passed = combined(after, 0.5, before, 0.5);
+        let gained = combined(after, 1.0, before, -1.0);
         let half = |traction: &[f64], patch: &Patch, interpolation: &Interpolation| {
-            let passed = combined(displacement, 0.5, &self.displacement, 0.5);
-            let change = self.change(interpolation, patch, displacement, &passed);
+            let change = change(interpolation, patch, &gained, &passed);
             let slip = slips(&now.over_step, patch, &change);
             0.5 * powers(traction, &slip).iter().sum::<f64>() * patch.grid.cell_area()
         };
         let (patch, interpolation) = (&contact.patch, &contact.interpolation);
-        let (before, interpolation_before) = match &self.former {
+        let (former, interpolation_before) = match &self.former {
             Some(former) => (&former.patch, &former.interpolation),
             None => (patch, interpolation),
         };
-        let friction = half(&now.traction, patch, interpolation)
-            + half(&self.traction, before, interpolation_before);
-        let force = summary::force(&contact.patch, now).plus(1.0, &self.force).scaled(0.5, 0.5);
-        let rows = 0.5 * (contact.patch.row_power(&now.traction) + self.row_power);
-        let creep = summary::creep_power(&now.over_step, &force);
-        StepPower { friction, creep: creep.map(|creep| creep + now.over_step.speed * rows) }
+        half(&now.traction, patch, interpolation)
+            + half(&self.traction, former, interpolation_before)
     }
+}
 
-    /// Change of A p while a material point passes each cell of a patch within the step: the change
-    /// due to moving through the field, plus the change in place up to the displacement at the end
-    /// of the step.
-    fn change(
-        &self,
-        interpolation: &Interpolation,
-        patch: &Patch,
-        displacement: &VectorField,
-        passed: &VectorField,
-    ) -> Vec<f64> {
-        // The border of the grid, where there are no cells, keeps its values.
-        let mut passing = VectorField::zeros(patch.grid.len());
-        differences(passed, patch.grid.columns, &mut passing);
-        let gained = combined(displacement, 1.0, &self.displacement, -1.0);
-        let mut change = vec![0.0; 2 * patch.len()];
-        let mut in_place = change.clone();
-        interpolation.gather_means(&passing, &mut change);
-        interpolation.gather_means(&gained, &mut in_place);
-        for (change, in_place) in change.iter_mut().zip(in_place) {
-            *change += in_place;
-        }
-        change
+/// Change of the displacement while a material point passes each cell of a patch within the step:
+/// the change due to moving through the field, plus that `gained` in place.
+fn change(
+    interpolation: &Interpolation,
+    patch: &Patch,
+    gained: &VectorField,
+    passed: &VectorField,
+) -> Vec<f64> {
+    // The border of the grid, where there are no cells, keeps its values.
+    let mut passing = VectorField::zeros(patch.grid.len());
+    differences(passed, patch.grid.columns, &mut passing);
+    let mut change = vec![0.0; 2 * patch.len()];
+    let mut in_place = change.clone();
+    interpolation.gather_means(&passing, &mut change);
+    interpolation.gather_means(gained, &mut in_place);
+    for (change, in_place) in change.iter_mut().zip(in_place) {
+        *change += in_place;
     }
+    change
 }
 
 /// A linear combination of two fields.

@@ -51,6 +51,22 @@ impl<'a> StepResponse<'a> {
         Self { contact, known, is_coupled, at_entry }
     }
 
+    /// The same of the displacement under the pressure, in m; of unlike bodies.
+    pub fn pressed(&self) -> Option<Vec<f64>> {
+        let DiscreteContact { pressed, interpolation, .. } = &*self.contact;
+        let pressed = pressed.as_ref()?;
+        let mut u = vec![0.0; self.known.displacement.len()];
+        let mut at_entry = u.clone();
+        interpolation.gather(pressed, &mut u);
+        interpolation.gather_at_entries(pressed, &mut at_entry);
+        let Known { in_contact, in_place, .. } = self.known;
+        for (at, u) in u.iter_mut().enumerate() {
+            let entry = if in_place[at / 2] { *u } else { at_entry[at] };
+            *u -= (1.0 - in_contact[at / 2]) * entry;
+        }
+        Some(u)
+    }
+
     /// u = B p, with the displacements calibrated.
     pub fn product(&mut self, calibration: &Calibration, p: &[f64], u: &mut [f64]) {
         let made = self.contact.product(p);

@@ -10,7 +10,7 @@ use crate::bodies::Kinematics;
 use crate::interface::ContactLaw;
 use crate::normal::NormalContact;
 use crate::normal::patch::{Cell, Patch};
-use crate::numerics::vector::norm;
+use crate::numerics::vector::{add_scaled, norm};
 use crate::problem::{Places, Problem, TrackPoint};
 use crate::reporting::Error;
 use crate::solver::equilibrium::{self, Directions, Equilibrium};
@@ -139,7 +139,8 @@ pub(super) struct TimeStepEquilibrium<'a> {
     response: StepResponse<'a>,
     law: &'a mut TimeStepLaw,
     gamma: f64,
-    /// Rigid slip of each cell in the step, x and y in turn, in m.
+    /// Rigid slip of each cell in the step less the present displacement under the pressure, x and
+    /// y in turn, in m.
     rigid: Vec<f64>,
     /// μ pₙ of each cell, in Pa.
     bound: Vec<f64>,
@@ -374,6 +375,9 @@ impl MovedEquilibrium for TimeStepEquilibrium<'_> {
         let cells = contact.patch.cells.iter().zip(&known.path);
         let rigid = cells.flat_map(|(cell, path)| rigid_slip(cell, *path, motion));
         self.rigid = rigid.collect();
+        if let Some(pressed) = self.response.pressed() {
+            add_scaled(&mut self.rigid, -1.0, &pressed);
+        }
     }
 
     fn change_by_motion(&mut self, change: &Kinematics, of_residual: &mut [f64]) {

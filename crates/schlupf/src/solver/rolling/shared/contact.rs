@@ -1,9 +1,9 @@
 //! The discretised contact: a patch and the compliance of its cells.
 
-use crate::elasticity::Compliance;
+use crate::elasticity::{Compliance, PressureCoupling};
 use crate::normal::patch::{Interpolation, Patch};
 use crate::normal::{Grid, NormalContact, NormalSummary, VectorField};
-use crate::numerics::vector::dot;
+use crate::numerics::vector::{add_scaled, dot};
 use crate::problem::Problem;
 use crate::reporting::Error;
 use crate::solver::settings;
@@ -16,6 +16,10 @@ pub(crate) struct DiscreteContact {
     /// Displacement of the layer between the surfaces over its traction, in m/Pa.
     pub layer_compliance: f64,
     pub interpolation: Interpolation,
+    coupling: Option<PressureCoupling>,
+    /// Displacement under the pressure on the whole grid, rail minus wheel like A p, in m; of
+    /// unlike bodies.
+    pub pressed: Option<VectorField>,
     /// Buffers for the fields of a product.
     workspace: Workspace,
     /// μ0 k_c, in 1/m: times the pressure, the initial stiffness of the contact law.
@@ -74,6 +78,8 @@ impl DiscreteContact {
         let [traction, displacement, passing] = fields;
         let mut contact = Self {
             interpolation: Interpolation::uncoupled(&patch),
+            coupling: problem.interface.elasticity.pressure_coupling(),
+            pressed: None,
             normal: normal.summary,
             patch,
             compliance,
@@ -109,6 +115,53 @@ impl DiscreteContact {
         let [x, y] = self.row[0];
         self.cell_stiffness = if x + y > 0.0 { 2.0 / (x + y) } else { f64::INFINITY };
         self.interpolate();
+        self.pressed = self.coupling.map(|coupling| {
+            let mut pressure = vec![0.0; self.patch.grid.len()];
+            for cell in &self.patch.cells {
+                pressure[cell.index] = cell.pressure;
+            }
+            coupling.displacement(&self.patch.grid, &pressure)
+        });
+    }
+
+    /// Displacements under the pressure at the cells, relative to those where their material
+    /// entered, in m; of unlike bodies.
+    pub fn pressed_since_entry(&self) -> Option<Vec<f64>> {
+        let pressed = self.pressed.as_ref()?;
+        let mut relative = vec![0.0; 2 * self.patch.len()];
+        let mut at_entry = relative.clone();
+        self.interpolation.gather(pressed, &mut relative);
+        self.interpolation.gather_at_entries(pressed, &mut at_entry);
+        add_scaled(&mut relative, -1.0, &at_entry);
+        Some(relative)
+    }
+
+    /// Adds the displacements under the pressure at the cells, in m.
+    pub fn add_pressed(&self, u: &mut [f64]) {
+        if let Some(pressed) = &self.pressed {
+            let mut at_cells = vec![0.0; u.len()];
+            self.interpolation.gather(pressed, &mut at_cells);
+            add_scaled(u, 1.0, &at_cells);
+        }
+    }
+
+    /// Change of the displacement under the pressure while a material point passes each cell, in m;
+    /// of unlike bodies.
+    pub fn pressed_in_passing(&self) -> Option<Vec<f64>> {
+        let pressed = self.pressed.as_ref()?;
+        let mut passing = VectorField::zeros(self.patch.grid.len());
+        differences(pressed, self.patch.grid.columns, &mut passing);
+        let mut change = vec![0.0; 2 * self.patch.len()];
+        self.interpolation.gather_means(&passing, &mut change);
+        Some(change)
+    }
+
+    /// Power (in W) of a traction on the rail (in Pa) with the displacement under the pressure, at
+    /// a rolling speed in m/s.
+    pub fn pressed_power(&self, traction: &[f64], speed: f64) -> f64 {
+        let grid = &self.patch.grid;
+        let work = self.pressed_in_passing().map_or(0.0, |change| -dot(traction, &change));
+        work * grid.cell_area() * speed / grid.spacing_x
     }
 
     fn interpolate(&mut self) {

@@ -115,8 +115,7 @@ impl Level {
 
     /// Switches to another motion and other laws on the same grid.
     pub fn set_problem(&mut self, problem: &Problem) {
-        let patch = &self.contact.patch;
-        self.friction.set_problem(problem, patch);
+        self.friction.set_problem(problem, &self.contact);
         self.contact.set_laws(problem);
         self.strips.set_problem(problem, &self.contact);
         self.take_bound();
@@ -125,9 +124,8 @@ impl Level {
     /// Switches to another motion. Friction that depends on it must be evaluated next; friction
     /// that does not keeps its record of slip and heat until [`Self::set_problem`].
     pub fn set_motion(&mut self, problem: &Problem) {
-        let patch = &self.contact.patch;
         if self.friction.is_coupled {
-            self.friction.set_problem(problem, patch);
+            self.friction.set_problem(problem, &self.contact);
         }
         self.strips.set_problem(problem, &self.contact);
     }

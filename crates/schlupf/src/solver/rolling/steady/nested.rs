@@ -120,7 +120,7 @@ impl NestedGrids {
             self.problem.kinematics = motion;
             let level = &mut self.levels[depth];
             if !level.friction.is_coupled {
-                level.friction.set_problem(&self.problem, &level.contact.patch);
+                level.friction.set_problem(&self.problem, &level.contact);
             }
         }
         Ok(outcome)
@@ -134,8 +134,8 @@ impl NestedGrids {
         let Some(last) = self.earlier.first() else { return };
         let level = &mut self.levels[coarsest];
         level.set_problem(problem);
-        let is_plane = level.contact.patch.rows.is_none();
-        let is_at_rest = problem.kinematics.is_pure_rolling() && is_plane && forces.is_none();
+        let moves_alone = level.contact.patch.rows.is_some() || level.contact.pressed.is_some();
+        let is_at_rest = problem.kinematics.is_pure_rolling() && !moves_alone && forces.is_none();
         let is_uncoupled = !level.contact.compliance.couples_cells() && !level.friction.is_coupled;
         let rest = Kinematics { creepage_x: 0.0, creepage_y: 0.0, spin: 0.0, ..*last };
         let square = |from: &Kinematics| {

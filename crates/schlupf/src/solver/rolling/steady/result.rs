@@ -34,6 +34,8 @@ impl NestedGrids {
         }
         let mut change = vec![0.0; traction.len()];
         made.change_in_passing(&mut change);
+        contact.add_pressed(&mut now.displacement);
+        now.pressed_power = contact.pressed_power(traction, problem.kinematics.speed);
         work.operator_products += 1.0;
         friction.evaluate(problem, &contact.patch, traction, &change);
         now.slip.copy_from_slice(&friction.slip);

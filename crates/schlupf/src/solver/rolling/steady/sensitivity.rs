@@ -233,9 +233,13 @@ impl<'a> Derivatives<'a> {
         self.by(&direct)
     }
 
-    /// Direct changes with the logarithm of the load, if the elasticity knows how it scales.
+    /// Direct changes with the logarithm of the load, if the elasticity knows how it scales and the
+    /// bodies are alike.
     fn direct_by_load(&mut self) -> Option<Direct> {
         let load_exponent = self.problem.normal.load_exponent()?;
+        if self.levels[0].contact.pressed.is_some() {
+            return None;
+        }
         let mut direct = Direct::nothing(self.levels[0].strips.len());
         direct.response = vec![0.0; self.response_step.len()];
         if load_exponent != 0.0 {

@@ -8,7 +8,7 @@ use crate::solution::{Resultant, Solution, Work};
 use crate::solver::equilibrium::{Directions, Newton};
 use crate::solver::prescribed::ForceGoal;
 use crate::solver::reference_point::AtPatch;
-use crate::solver::{Solver, settings};
+use crate::solver::{Solver, settings, unlike_bodies};
 
 use super::goal::{Found, Goal};
 use super::level::Level;
@@ -75,11 +75,8 @@ impl Solver for SteadySolver {
     }
 
     fn solve_given(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
-        let at = AtPatch::new(problem, watch)?;
-        match self.state(&at, &PrescribedForces::default(), self.options.sensitivity, watch)? {
-            State::Found(solution) => Ok(at.back(*solution)),
-            State::Lost(found, work) => found.march(problem, (&self.options, &work), watch),
-        }
+        let how = (self.options.tolerance, watch);
+        unlike_bodies::settled(problem, how, |problem| self.solve_under_pressure(problem, watch))
     }
 
     fn has_derivatives(&self) -> bool {
@@ -91,9 +88,20 @@ impl Solver for SteadySolver {
         problem: &Problem,
         watch: Watch,
     ) -> Result<Option<Solution>, Error> {
-        let at = AtPatch::new(problem, watch)?;
-        let state = self.state(&at, &PrescribedForces::default(), true, watch)?;
-        Ok(state.found().map(|solution| at.back(solution)))
+        let mut is_found = true;
+        let how = (self.options.tolerance, watch);
+        let solution = unlike_bodies::settled(problem, how, |problem| {
+            let at = AtPatch::new(problem, watch)?;
+            let state = self.state(&at, &PrescribedForces::default(), true, watch)?;
+            match state.found() {
+                Some(solution) => Ok(at.back(solution)),
+                None => {
+                    is_found = false;
+                    self.solve_under_pressure(problem, watch)
+                }
+            }
+        })?;
+        Ok(is_found.then_some(solution))
     }
 
     fn solve_with_slopes(
@@ -147,6 +155,15 @@ impl Solver for SteadySolver {
 }
 
 impl SteadySolver {
+    /// The steady state under a pressure that the tractions do not change.
+    fn solve_under_pressure(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
+        let at = AtPatch::new(problem, watch)?;
+        match self.state(&at, &PrescribedForces::default(), self.options.sensitivity, watch)? {
+            State::Found(solution) => Ok(at.back(*solution)),
+            State::Lost(found, work) => found.march(problem, (&self.options, &work), watch),
+        }
+    }
+
     /// A solver without previous solutions.
     pub fn new(options: &Options) -> Self {
         Self { options: options.clone(), grids: None, newton: Newton::default(), coarser: None }

@@ -23,6 +23,7 @@ use crate::normal::patch::Patch;
 use crate::numerics::root::fixed_point;
 use crate::numerics::vector::add_scaled;
 use crate::problem::Problem;
+use crate::solver::rolling::shared::contact::DiscreteContact;
 use crate::solver::rolling::shared::passage;
 use crate::solver::rolling::shared::passage::{
     flux_over_heat, pair, paths_through, rigid_velocity, slip, speed_of,
@@ -96,7 +97,8 @@ impl SteadyFriction {
     }
 
     /// Switches to another motion, and other friction and heat laws.
-    pub fn set_problem(&mut self, problem: &Problem, patch: &Patch) {
+    pub fn set_problem(&mut self, problem: &Problem, contact: &DiscreteContact) {
+        let patch = &contact.patch;
         self.is_coupled = !problem.interface.has_constant_bound();
         self.yielding = Yielding::new(problem.interface.layer, patch);
         self.conduction = problem.interface.conduction(&problem.kinematics);
@@ -110,6 +112,11 @@ impl SteadyFriction {
             *rigid = rigid_velocity(&problem.kinematics, cell);
         }
         let speed = problem.kinematics.speed;
+        if let Some(change) = contact.pressed_in_passing() {
+            for (k, rigid) in self.rigid.iter_mut().enumerate() {
+                *rigid = slip(*rigid, speed / self.spacing, pair(&change, k));
+            }
+        }
         let durations = paths(patch).map(|[before, after]| [before, before + after]);
         let durations = durations.map(|paths| paths.map(|path| path / speed));
         self.heat.set(problem.interface.heat.model.as_ref(), durations);

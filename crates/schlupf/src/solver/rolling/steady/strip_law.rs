@@ -12,7 +12,7 @@ use std::ops::Range;
 use crate::interface::ContactLaw;
 use crate::normal::NormalContact;
 use crate::normal::patch::{Cell, Patch};
-use crate::numerics::vector::norm;
+use crate::numerics::vector::{add_scaled, norm};
 use crate::problem::Problem;
 use crate::reporting::Error;
 use crate::solver::rolling::shared::cell::{inverse_2x2, times};
@@ -43,7 +43,8 @@ pub(super) struct StripLaw {
     is_factorised: bool,
     /// Whether a cell is the first of its strip.
     is_first: Vec<bool>,
-    /// Rigid sliding since entry, and over the path into each cell, in m.
+    /// Rigid sliding since entry, and over the path into each cell, in m; with that due to the
+    /// pressure.
     rigid_since_entry: Vec<f64>,
     rigid: Vec<f64>,
     /// p/(μ pₙ) at the last residual, dimensionless.
@@ -124,6 +125,9 @@ impl StripLaw {
         let since_entry =
             patch.cells.iter().flat_map(|cell| cell.rigid_slip_since_entry(&problem.kinematics));
         self.rigid_since_entry = since_entry.collect();
+        if let Some(pressed) = contact.pressed_since_entry() {
+            add_scaled(&mut self.rigid_since_entry, -1.0, &pressed);
+        }
         self.rigid.copy_from_slice(&self.rigid_since_entry);
         // What was solved before leaves no trace, not even in the last digit.
         self.resolvents.fill(Resolvent::default());

@@ -145,7 +145,8 @@ impl March<'_> {
         }
     }
 
-    /// A p of the present traction, on the whole grid and in the cells.
+    /// A p of the present traction and the displacement under the pressure, on the whole grid and in
+    /// the cells.
     pub(super) fn displace(&mut self) {
         let made = self.contact.product(&self.now.traction);
         made.at_cells(&mut self.now.displacement);
@@ -153,5 +154,15 @@ impl March<'_> {
         self.displacement.clone_from(made.field());
         self.displacement_of_bodies.clone_from(made.field_of_bodies());
         self.work.operator_products += 1.0;
+        let contact = &self.contact;
+        contact.add_pressed(&mut self.now.displacement);
+        self.now.pressed_power =
+            contact.pressed_power(&self.now.traction, self.now.kinematics.speed);
+        if let Some(pressed) = &contact.pressed {
+            for field in [&mut self.displacement, &mut self.displacement_of_bodies] {
+                add_scaled(&mut field.x, 1.0, &pressed.x);
+                add_scaled(&mut field.y, 1.0, &pressed.y);
+            }
+        }
     }
 }
