@@ -57,8 +57,8 @@ impl PressureCoupling {
     /// Tangential displacement, rail minus wheel (in m), of the cells of a grid under their
     /// pressure (in Pa).
     pub fn displacement(&self, grid: &Grid, pressure: &[f64]) -> VectorField {
-        let field = pressure.iter().map(|p| Complex::new(*p, 0.0)).collect();
-        let moved = self.convolved(grid, field);
+        let field: Vec<_> = pressure.iter().map(|p| Complex::new(*p, 0.0)).collect();
+        let moved = self.convolved(grid, &field);
         VectorField {
             x: moved.iter().map(|u| u.re).collect(),
             y: moved.iter().map(|u| u.im).collect(),
@@ -69,12 +69,12 @@ impl PressureCoupling {
     /// in m.
     pub fn opening(&self, grid: &Grid, traction: &VectorField) -> Vec<f64> {
         let pairs = traction.x.iter().zip(&traction.y);
-        let conjugate = pairs.map(|(x, y)| Complex::new(*x, -y)).collect();
-        self.convolved(grid, conjugate).iter().map(|h| h.re).collect()
+        let conjugate: Vec<_> = pairs.map(|(x, y)| Complex::new(*x, -y)).collect();
+        self.convolved(grid, &conjugate).iter().map(|h| h.re).collect()
     }
 
     /// K/(πG) ∫ f (x + i y)/r² dA of a complex field f.
-    fn convolved(&self, grid: &Grid, field: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
+    fn convolved(&self, grid: &Grid, field: &[Complex<f64>]) -> Vec<Complex<f64>> {
         let size = [smooth_from(2 * grid.columns - 1), smooth_from(2 * grid.rows - 1)];
         let [nx, ny] = size;
         let over = self.constant / (PI * self.shear_modulus * (nx * ny) as f64);
@@ -193,7 +193,7 @@ mod tests {
         for i in BORDER..grid.columns - BORDER {
             let mean = 0.5 * (pressure[i] + pressure[i - 1]);
             let strain = -(u.x[i] - u.x[i - 1]) / grid.spacing_x;
-            assert_relative_eq!(strain, -2.0 * 0.1 * mean / 36e9, epsilon = 1e-9);
+            assert_relative_eq!(strain, -2.0 * 0.1 * mean / 36e9, max_relative = 1e-4);
         }
     }
 }

@@ -33,8 +33,9 @@ pub(crate) fn settled(
     let mut opening = vec![0.0; opened.cells().grid.len()];
     let mut opened = Arc::new(opened);
     let mut problem = problem.clone();
-    let mut before = None;
-    for iteration in 1.. {
+    let (mut before, mut iterations) = (None, 0);
+    loop {
+        iterations += 1;
         problem.normal = Arc::clone(&opened) as _;
         let mut solution = solve(&problem)?;
         // A first guess if forces are prescribed.
@@ -45,15 +46,14 @@ pub(crate) fn settled(
         let next = opening_under(&solution.fields, &coupling, &opened)?;
         let change = change([&opening, &next], &opened);
         let is_found = change <= tolerance || solution.status != Status::Converged;
-        if is_found || iteration == settings::most_pressures() {
-            let missed = Unconverged::Pressure { iterations: iteration, change, tolerance };
+        if is_found || iterations == settings::most_pressures() {
+            let missed = Unconverged::Pressure { iterations, change, tolerance };
             return Ok(finished(solution, (!is_found).then_some(missed), coupling.constant));
         }
         before = Some(solution.work);
         opened = Arc::new(opened.by(&next, modulus, watch)?);
         opening = next;
     }
-    solve(&problem)
 }
 
 /// The solution with what is said about it, if the pressure `missed` the tolerance or not.

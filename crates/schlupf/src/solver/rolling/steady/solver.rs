@@ -93,13 +93,11 @@ impl Solver for SteadySolver {
         let solution = unlike_bodies::settled(problem, how, |problem| {
             let at = AtPatch::new(problem, watch)?;
             let state = self.state(&at, &PrescribedForces::default(), true, watch)?;
-            match state.found() {
-                Some(solution) => Ok(at.back(solution)),
-                None => {
-                    is_found = false;
-                    self.solve_under_pressure(problem, watch)
-                }
+            if let Some(solution) = state.found() {
+                return Ok(at.back(solution));
             }
+            is_found = false;
+            self.solve_under_pressure(problem, watch)
         })?;
         Ok(is_found.then_some(solution))
     }
