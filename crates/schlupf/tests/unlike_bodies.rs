@@ -199,8 +199,8 @@ fn creepages(friction: f64, force: f64) -> ([f64; 2], f64) {
     ([first, last].map(|solution| solution.kinematics.creepage_x), largest)
 }
 
-/// CONTACT (Vollebregt 2022, §5.3), also on 200 cells, within 0.1 %: μ = 0.05, free rolling, driving
-/// and braking. CONTACT rolls towards negative x.
+/// CONTACT (Vollebregt 2022, §5.3), also on 200 cells, within 0.1 %: μ = 0.05, free rolling, forces
+/// of both signs. CONTACT rolls towards negative x.
 #[test]
 fn vollebregt_2022_cylinders_of_aluminium_and_steel() {
     for (force, expected, largest) in [
@@ -217,8 +217,8 @@ fn vollebregt_2022_cylinders_of_aluminium_and_steel() {
 }
 
 /// Bufler 1959: free rolling without any slip. With t + i p bounded at both edges, the equations of
-/// plane strain have the solution √(a² − x²) ((a + x)/(a − x))^{iε}, 2π ε = ln((1 + β)/(1 − β)), ξ =
-/// 2 ε a/R and N = π E* a²/(4R) (1 + 4ε²); under the pressure of Hertz ξ = 2 β a/(π R).
+/// plane strain have the solution √(a² − x²) ((a + x)/(a − x))^{iε}, 2π ε = ln((1 + β)/(1 − β)),
+/// ξ = 2 ε a/R and N = π E* a²/(4R) (1 + 4ε²); under the pressure of Hertz ξ = 2 β a/(π R).
 #[test]
 fn bufler_1959_free_rolling_without_slip() {
     let coupling = cylinders();
@@ -396,7 +396,7 @@ fn marching_arrives_at_the_same_state() {
     assert_relative_eq!(direct.force.y, marched.force.y, max_relative = 1e-4);
 }
 
-/// A load that falls while the wheel rolls: the displacement under the pressure changes with it, and
+/// A load that falls while the wheel rolls: the displacement under the pressure changes, too, and
 /// the power balance closes in every step. The pressure itself stays that of Hertz, with a warning.
 #[test]
 fn falling_loads_keep_the_power_balance() {

@@ -16,9 +16,9 @@
 //! rectangle.
 //!
 //! Limits: half-spaces, and one tangent plane for all parts of the patch (no flange with a steep
-//! contact angle, no conformal contact in the flange root). Between the points of a file the distance is cubic; its roughness
-//! and rounding are part of the shape, and affect the pressure: a wave of amplitude Δ and length λ
-//! makes one of π E* Δ/λ.
+//! contact angle, no conformal contact in the flange root). Between the points of a file the
+//! distance is cubic; its roughness and rounding are part of the shape, and affect the pressure: a
+//! wave of amplitude Δ and length λ makes one of π E* Δ/λ.
 //!
 //! Contacts are cached by load, because a problem is asked for its patch many times. A change of
 //! the load changes the shape, so the contact is recomputed instead of scaled (there is no

@@ -138,8 +138,8 @@ impl RoughContact {
         Ok(Self { hardness, ..self })
     }
 
-    /// The same with a pressure on its cells (in Pa) from which its solution starts; without, if that
-    /// is empty.
+    /// The same with a pressure on its cells (in Pa) from which its solution starts, or without one
+    /// if that is empty.
     pub(crate) fn starting_from(self, pressure: Vec<f64>) -> Self {
         Self { pressure, ..self }
     }

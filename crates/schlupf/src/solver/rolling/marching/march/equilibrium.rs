@@ -145,8 +145,8 @@ impl March<'_> {
         }
     }
 
-    /// A p of the present traction and the displacement under the pressure, on the whole grid and in
-    /// the cells.
+    /// A p of the present traction and the displacement under the pressure, on the whole grid and
+    /// in the cells.
     pub(super) fn displace(&mut self) {
         let made = self.contact.product(&self.now.traction);
         made.at_cells(&mut self.now.displacement);
