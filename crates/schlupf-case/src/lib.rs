@@ -30,6 +30,7 @@ mod roughness_request;
 mod schema;
 mod setting;
 mod settings;
+mod side;
 mod subsurface;
 pub mod surface;
 mod tables;

@@ -145,7 +145,11 @@ mod tests {
                 .replace("# [layer]", "[layer]")
                 .replace("# [fastsim]", "[fastsim]")
                 .replace("# [track]", "[track]")
-                .replace("# [wheelset]", "[wheelset]");
+                .replace("# [wheelset]", "[wheelset]")
+                .replace("# [left_wheel]", "[left_wheel]")
+                .replace("# [right_wheel]", "[right_wheel]")
+                .replace("# [left_rail]", "[left_rail]")
+                .replace("# [right_rail]", "[right_rail]");
             if let Err(errors) = read(&switched) {
                 let message = errors.to_string();
                 let allowed =

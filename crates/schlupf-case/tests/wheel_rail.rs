@@ -43,7 +43,7 @@ fn wheel_curve(name: &str, text: &str) -> Result<ProfileCurve, String> {
     let case =
         format!("{HEAD}[wheel]\nprofile = {name:?}\n[rail]\nprofile = \"60E1\"\ncant = 0.025\n");
     let file = read(&case, &[(name, text)])?;
-    let pair = &file.wheel().map_err(|error| error.to_string())?.pair;
+    let pair = file.wheel().map_err(|error| error.to_string())?.pair();
     Ok(pair.wheel().clone())
 }
 
@@ -369,7 +369,7 @@ fn a_rail_that_ends_above_the_gauge_depth_is_told() {
         Some(found.text.clone())
     };
     assert_eq!(told(&whole), None);
-    let pair = &whole.wheel().unwrap().pair;
+    let pair = whole.wheel().unwrap().pair();
     let [y0, z0] = pair.rail_origin();
     let points = pair.rail().points().iter().map(|[y, z]| [1e3 * (y - y0), 1e3 * (z - z0)]);
     let top: Vec<[f64; 2]> = points.filter(|[y, _]| y.abs() < 33.0).collect();
@@ -377,7 +377,7 @@ fn a_rail_that_ends_above_the_gauge_depth_is_told() {
     let text = rows.join("\n") + "\n";
     let file = read(&case("top.csv", ""), &[("top.csv", &format!("y [mm],z [mm]\n{text}"))]);
     let file = file.unwrap();
-    let shift = 1e3 * (y0 - file.wheel().unwrap().pair.rail_origin()[0]);
+    let shift = 1e3 * (y0 - file.wheel().unwrap().pair().rail_origin()[0]);
     assert!((shift - (36.0 + top[0][0])).abs() < 0.02 && shift > 2.9, "{shift}");
     let expected = format!(
         "track.gauge_depth is 14.00 mm, but on its inner side the rail's profile ends {:.2} mm below",
@@ -406,7 +406,7 @@ fn smoothing_of_dense_points_converges() {
     let file = read(&built_in, &[]).unwrap();
     let peak = |file: &CaseFile| file.normal_contact(&unwatched).unwrap().summary.peak_pressure;
     let exact = peak(&file);
-    let pair = &file.wheel().unwrap().pair;
+    let pair = file.wheel().unwrap().pair();
     let ([y0, z0], curve) = (pair.rail_origin(), pair.rail());
     let mut state = 12_345_u64;
     let mut noise = || {
@@ -448,7 +448,7 @@ fn the_profile_that_ends_is_named() {
     };
     let file = read(&case("S1002", "60E1"), &[]).unwrap();
     let contact = file.pose(&unwatched).unwrap().wheel.unwrap().contacts[0].clone();
-    let pair = &file.wheel().unwrap().pair;
+    let pair = file.wheel().unwrap().pair();
     let on_wheel: Vec<[f64; 2]> = pair.wheel().points().to_vec();
     let [y0, z0] = pair.rail_origin();
     let on_rail: Vec<_> = pair.rail().points().iter().map(|[y, z]| [y - y0, z - z0]).collect();

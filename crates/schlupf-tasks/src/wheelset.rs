@@ -1,7 +1,5 @@
 //! The contacts of a wheelset over its lateral position.
 
-use std::sync::Arc;
-
 use crate::output::wheelset::{Conicity, WheelsetAt, WheelsetReport};
 use schlupf::Watch;
 use schlupf::analysis::creep_curve::MAX_POINTS;
@@ -100,8 +98,8 @@ fn report(
     }
     let warnings =
         file.notices().into_iter().chain(of_positions(&positions)).chain(notices).collect();
-    let (title, pair) = (file.title()?, Arc::clone(&file.wheel()?.pair));
-    Ok(WheelsetReport { title, pair, load, positions, radii, conicity, warnings })
+    let (title, pairs) = (file.title()?, file.wheel()?.pairs.clone());
+    Ok(WheelsetReport { title, pairs, load, positions, radii, conicity, warnings })
 }
 
 /// Both wheels at a lateral position (in m).
@@ -135,24 +133,26 @@ fn rigid(
     largest: f64,
     watch: Watch,
 ) -> Result<(Option<RollingRadiusDifference>, Conicity, Vec<Message>), TaskError> {
-    let pair = &file.wheel()?.pair;
-    let wanted = largest.max(LAST_AMPLITUDE);
+    let pairs = &file.wheel()?.pairs;
+    let last = largest.max(LAST_AMPLITUDE);
+    // The motion of unequal wheels is not about the middle of the track.
+    let wanted = if pairs.are_one() { last } else { 2.0 * last };
     let intervals = (wanted / RADIUS_STEP).ceil() as usize;
     let ends = |largest: f64, error: &schlupf::Error| {
         let reason = error.text(&FieldNames::CASE);
         Message::from(Notice::ConicityEnds { largest, reason })
     };
     let explain = |error: &schlupf::Error| CaseErrors::from(file.explain(error));
-    let radii = RollingRadiusDifference::new(pair, (wanted, intervals), Roll::Neglected, watch);
+    let radii = RollingRadiusDifference::new(pairs, (wanted, intervals), Roll::Neglected, watch);
     let radii = match radii {
         Ok(radii) => radii,
         Err(error) if is_stopped(&explain(&error)) => return Err(explain(&error).into()),
         Err(error) => return Ok((None, Conicity::default(), vec![ends(0.0, &error)])),
     };
-    let reach = radii.ends()[1];
+    let reach = radii.reach().min(last);
     let conicity = conicity(&radii, reach).map_err(|error| explain(&error))?;
     let mut notices = Vec::new();
-    if let Some(error) = &radii.end {
+    if let Some(error) = radii.end.as_ref().filter(|_| reach < last) {
         notices.push(ends(conicity.amplitude.last().copied().unwrap_or(0.0), error));
     }
     let unknown = conicity.amplitude.iter().zip(&conicity.nonlinear);

@@ -4,8 +4,11 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use schlupf::reporting::WheelRailError;
+use std::sync::Arc;
+
 use schlupf::wheel_rail::{
-    Pair, ProfileCurve, RailShape, Roll, RollingRadiusDifference, Track, WheelShape,
+    Deviation, Pair, ProfileCurve, RailShape, Roll, RollingRadiusDifference, Sides, Track,
+    WheelShape,
 };
 use schlupf::{Error, Quantity, unwatched};
 
@@ -137,7 +140,7 @@ fn no_motion_has_an_amplitude_from_which_it_is_driven_away() {
 
 /// A wheel and a rail of given profiles (y and z in mm), the rail's origin 750 mm from the middle
 /// of the track as that of the wheel's profile.
-fn pair(wheel: &[[f64; 2]], rail: &[[f64; 2]]) -> Pair {
+fn pair(wheel: &[[f64; 2]], rail: &[[f64; 2]]) -> Sides<Arc<Pair>> {
     let curve = |points: &[[f64; 2]], quantity| {
         let points: Vec<[f64; 2]> = points.iter().map(|point| point.map(|c| 1e-3 * c)).collect();
         ProfileCurve::new(&points, 0.0, quantity).unwrap()
@@ -146,11 +149,12 @@ fn pair(wheel: &[[f64; 2]], rail: &[[f64; 2]]) -> Pair {
         profile: curve(wheel, Quantity::WheelProfile),
         nominal_radius: 0.46,
         flange_back_position: -70e-3,
+        deviation: Deviation::default(),
     };
     let inmost = rail.iter().map(|point| 1e-3 * point[0]).fold(f64::INFINITY, f64::min);
-    let rail = RailShape { profile: curve(rail, Quantity::RailProfile), cant: 0.0 };
+    let rail = RailShape::new(curve(rail, Quantity::RailProfile), 0.0);
     let track = Track { gauge: 2.0 * (0.75 + inmost), gauge_depth: 0.9, ..Track::default() };
-    Pair::new(&wheel, &rail, &track).unwrap()
+    Sides::both(Arc::new(Pair::new(&wheel, &rail, &track).unwrap()))
 }
 
 /// An arc of a radius, with its centre below, of a slope tan δ at y = z = 0; in mm and rad.
@@ -163,8 +167,8 @@ fn arc(radius: f64, slope: f64) -> Vec<[f64; 2]> {
     (-half..=half).map(at).collect()
 }
 
-fn without_roll(pair: &Pair, largest: f64) -> RollingRadiusDifference {
-    RollingRadiusDifference::new(pair, (largest, 200), Roll::Neglected, &unwatched).unwrap()
+fn without_roll(pairs: &Sides<Arc<Pair>>, largest: f64) -> RollingRadiusDifference {
+    RollingRadiusDifference::new(pairs, (largest, 200), Roll::Neglected, &unwatched).unwrap()
 }
 
 /// Cones of slope tan γ on round rails without roll: Δr = 2 y tan γ, whatever the rails.

@@ -8,8 +8,9 @@ use schlupf::interface::friction::{Constant, Friction, Polach};
 use schlupf::interface::{ContactLaw, Interface};
 use schlupf::reporting::ForceError;
 use schlupf::wheel_rail::{
-    Along, Drive, Joining, Motion, NormalMethod, Pair, Position, ProfileCurve, RailShape, RowsMove,
-    Side, Support, Tangential, Track, WheelOnRail, WheelShape, WheelSolution,
+    Along, Deviation, Drive, Joining, Motion, NormalMethod, Pair, Position, ProfileCurve,
+    RailShape, RowsMove, Side, Sides, Support, Tangential, Track, WheelOnRail, WheelShape,
+    WheelSolution,
 };
 use schlupf::{Error, Options, Problem, Quantity, unwatched};
 
@@ -37,9 +38,10 @@ fn benchmark() -> Arc<Pair> {
         profile: curve(&points("profile_s1002.csv"), Quantity::WheelProfile),
         nominal_radius: 0.46,
         flange_back_position: -70e-3,
+        deviation: Deviation::default(),
     };
     let rail = curve(&points("profile_uic60_canted.csv"), Quantity::RailProfile);
-    let rail = RailShape { profile: rail, cant: 0.0 };
+    let rail = RailShape::new(rail, 0.0);
     Arc::new(Pair::new(&wheel, &rail, &Track { gauge: 1.435, ..Track::default() }).unwrap())
 }
 
@@ -54,15 +56,16 @@ fn circle() -> Arc<Pair> {
         profile: curve(&line, Quantity::WheelProfile),
         nominal_radius: 0.3,
         flange_back_position: -70e-3,
+        deviation: Deviation::default(),
     };
-    let rail = RailShape { profile: curve(&arc, Quantity::RailProfile), cant: 0.0 };
+    let rail = RailShape::new(curve(&arc, Quantity::RailProfile), 0.0);
     let track = Track { gauge: 1.5 - 2.0 * 0.3 * 0.12_f64.sin(), ..Track::default() };
     Arc::new(Pair::new(&wheel, &rail, &track).unwrap())
 }
 
 fn wheel(pair: &Arc<Pair>, side: Side, position: Position, drive: Drive) -> WheelOnRail {
     WheelOnRail {
-        pair: Arc::clone(pair),
+        pairs: Sides::both(Arc::clone(pair)),
         side,
         position,
         motion: Motion {
@@ -73,6 +76,7 @@ fn wheel(pair: &Arc<Pair>, side: Side, position: Position, drive: Drive) -> Whee
             angular_velocity: 4.0,
             roll_rate: 0.0,
             yaw_rate: 0.0,
+            curve_radius: f64::INFINITY,
         },
         drive,
         support: Support::Force(10e3),

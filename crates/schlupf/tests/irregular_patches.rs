@@ -15,8 +15,8 @@ use schlupf::interface::friction::Constant;
 use schlupf::normal::{PressureTable, Tabulated};
 use schlupf::solution::Strategy;
 use schlupf::wheel_rail::{
-    Drive, Joining, Motion, NormalMethod, Pair, Position, ProfileCurve, RailShape, RowsMove, Side,
-    Support, Tangential, Track, WheelOnRail, WheelShape,
+    Deviation, Drive, Joining, Motion, NormalMethod, Pair, Position, ProfileCurve, RailShape,
+    RowsMove, Side, Sides, Support, Tangential, Track, WheelOnRail, WheelShape,
 };
 use schlupf::{Error, Options, Problem, Quantity, Solution, unwatched};
 
@@ -42,9 +42,10 @@ fn wheel_and_rail() -> Arc<Pair> {
         profile: curve("profile_s1002.csv", Quantity::WheelProfile),
         nominal_radius: 0.46,
         flange_back_position: -70e-3,
+        deviation: Deviation::default(),
     };
     let profile = curve("profile_uic60_canted.csv", Quantity::RailProfile);
-    let rail = RailShape { profile, cant: 0.0 };
+    let rail = RailShape::new(profile, 0.0);
     Arc::new(Pair::new(&wheel, &rail, &Track { gauge: 1.435, ..Track::default() }).unwrap())
 }
 
@@ -59,7 +60,7 @@ fn contacts_of_wheels_on_rails_are_found_directly() {
         let across = random.between(36.0, 66.0) as usize;
         let lateral = random.between(-4e-3, 4e-3);
         let wheel = WheelOnRail {
-            pair: Arc::clone(&pair),
+            pairs: Sides::both(Arc::clone(&pair)),
             side: Side::Left,
             position: Position { lateral, yaw: 0.0, roll: 0.0 },
             motion: Motion {
@@ -69,6 +70,7 @@ fn contacts_of_wheels_on_rails_are_found_directly() {
                 angular_velocity: random.between(43.35, 43.5),
                 roll_rate: 0.0,
                 yaw_rate: 0.0,
+                curve_radius: f64::INFINITY,
             },
             drive: Drive::AngularVelocity,
             support: Support::Force([40e3, 80e3, 120e3][random.between(0.0, 3.0) as usize]),

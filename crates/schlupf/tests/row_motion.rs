@@ -14,8 +14,9 @@ use schlupf::interface::friction::Constant;
 use schlupf::interface::heat::Heat;
 use schlupf::reporting::Error;
 use schlupf::wheel_rail::{
-    Contact, Drive, Joining, Motion, NormalMethod, Pair, Position, ProfileCurve, RailShape,
-    RowsMove, Side, Support, Tangential, Track, WheelOnRail, WheelShape, WheelSolution,
+    Contact, Deviation, Drive, Joining, Motion, NormalMethod, Pair, Position, ProfileCurve,
+    RailShape, RowsMove, Side, Sides, Support, Tangential, Track, WheelOnRail, WheelShape,
+    WheelSolution,
 };
 use schlupf::{Options, Problem, Quantity, unwatched};
 
@@ -122,7 +123,7 @@ fn compare(name: &str, wheel: &WheelOnRail, shapes: Shapes, rail_origin: [f64; 2
     let [x, y, z] = contact.position;
     let scene = Scene {
         shapes,
-        pair: &wheel.pair,
+        pair: wheel.pair(),
         rail_origin,
         axle: [0.0, sign * lateral, NOMINAL + solution.height],
         attitude,
@@ -191,21 +192,27 @@ fn motion() -> Motion {
         angular_velocity: 20.0 / NOMINAL,
         roll_rate: 0.03,
         yaw_rate: -0.05,
+        curve_radius: f64::INFINITY,
     }
 }
 
 /// A wheel on an arc of a radius (in m) whose top is 750 mm from the middle of the track.
 fn on_arc(profile: ProfileCurve, radius: f64, side: Side, position: Position) -> WheelOnRail {
-    let wheel = WheelShape { profile, nominal_radius: NOMINAL, flange_back_position: -70e-3 };
+    let wheel = WheelShape {
+        profile,
+        nominal_radius: NOMINAL,
+        flange_back_position: -70e-3,
+        deviation: Deviation::default(),
+    };
     let angle = 0.036 / radius;
     let points = (-400..=400).map(|k| {
         let angle = angle * f64::from(k) / 400.0;
         [radius * angle.sin(), radius * (angle.cos() - 1.0)]
     });
-    let rail = RailShape { profile: shape(points, Quantity::RailProfile), cant: 0.0 };
+    let rail = RailShape::new(shape(points, Quantity::RailProfile), 0.0);
     let track = Track { gauge: 1.5 - 2.0 * radius * angle.sin(), ..Track::default() };
     WheelOnRail {
-        pair: Arc::new(Pair::new(&wheel, &rail, &track).unwrap()),
+        pairs: Sides::both(Arc::new(Pair::new(&wheel, &rail, &track).unwrap())),
         side,
         position,
         motion: motion(),
@@ -293,16 +300,17 @@ fn benchmark() -> Arc<Pair> {
         profile: profile("profile_s1002.csv", Quantity::WheelProfile),
         nominal_radius: NOMINAL,
         flange_back_position: -70e-3,
+        deviation: Deviation::default(),
     };
     let rail = profile("profile_uic60_canted.csv", Quantity::RailProfile);
-    let rail = RailShape { profile: rail, cant: 0.0 };
+    let rail = RailShape::new(rail, 0.0);
     Arc::new(Pair::new(&wheel, &rail, &Track::default()).unwrap())
 }
 
 /// Its right wheel, `lateral` (in m) towards its flange.
 fn at(pair: &Arc<Pair>, lateral: f64, rows: RowsMove) -> WheelOnRail {
     WheelOnRail {
-        pair: Arc::clone(pair),
+        pairs: Sides::both(Arc::clone(pair)),
         side: Side::Right,
         position: Position { lateral: -lateral, yaw: 4e-3, roll: -2e-4 },
         motion: motion(),

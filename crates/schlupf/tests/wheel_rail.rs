@@ -10,9 +10,9 @@ use schlupf::interface::friction::{Constant, FrictionState, Variation};
 use schlupf::interface::{ContactLaw, Incremental};
 use schlupf::reporting::WheelRailError;
 use schlupf::wheel_rail::{
-    Contact, Drive, Joining, Motion, NormalMethod, Pair, Position, ProfileCurve, RailShape,
-    RestingWheelset, Roll, RollingRadiusDifference, RowsMove, Side, Support, Tangential, Track,
-    WheelOnRail, WheelShape, WheelSolution,
+    Contact, Deviation, Drive, Joining, Motion, NormalMethod, Pair, Position, ProfileCurve,
+    RailShape, RestingWheelset, Roll, RollingRadiusDifference, RowsMove, Side, Sides, Support,
+    Tangential, Track, WheelOnRail, WheelShape, WheelSolution,
 };
 use schlupf::{Error, Options, Problem, Quantity, Status, unwatched};
 
@@ -39,9 +39,10 @@ fn benchmark(gauge: f64) -> Arc<Pair> {
         profile: curve("profile_s1002.csv", Quantity::WheelProfile),
         nominal_radius: 0.46,
         flange_back_position: -70e-3,
+        deviation: Deviation::default(),
     };
     let profile = curve("profile_uic60_canted.csv", Quantity::RailProfile);
-    let rail = RailShape { profile, cant: 0.0 };
+    let rail = RailShape::new(profile, 0.0);
     Arc::new(Pair::new(&wheel, &rail, &Track { gauge, ..Track::default() }).unwrap())
 }
 
@@ -54,12 +55,13 @@ fn rolling(speed: f64, angular_velocity: f64) -> Motion {
         angular_velocity,
         roll_rate: 0.0,
         yaw_rate: 0.0,
+        curve_radius: f64::INFINITY,
     }
 }
 
 fn wheel(pair: &Arc<Pair>, side: Side, position: Position) -> WheelOnRail {
     WheelOnRail {
-        pair: Arc::clone(pair),
+        pairs: Sides::both(Arc::clone(pair)),
         side,
         position,
         motion: rolling(2.0, 2.0 / 0.46),
@@ -206,9 +208,10 @@ fn cone_on_arc() -> Arc<Pair> {
         profile: ProfileCurve::new(&cone, 0.0, Quantity::WheelProfile).unwrap(),
         nominal_radius: 0.46,
         flange_back_position: -70e-3,
+        deviation: Deviation::default(),
     };
     let profile = ProfileCurve::new(&arc, 0.0, Quantity::RailProfile).unwrap();
-    let rail = RailShape { profile, cant: 0.0 };
+    let rail = RailShape::new(profile, 0.0);
     // The middle of the rail is 750 mm from that of the track.
     let track = Track { gauge: 1.5 - 2.0 * 0.3 * 0.12_f64.sin(), ..Track::default() };
     Arc::new(Pair::new(&wheel, &rail, &track).unwrap())
@@ -608,7 +611,9 @@ fn a_force_that_no_contact_carries_is_told() {
 fn contacts_jump_between_positions() {
     let pair = benchmark(1.435);
     let inwards = |k: i32| {
-        let wheelset = RestingWheelset::new(&pair, 1e-4 * f64::from(k), 0.0).unwrap();
+        let wheelset =
+            RestingWheelset::new(&Sides::both(Arc::clone(&pair)), 1e-4 * f64::from(k), 0.0)
+                .unwrap();
         -1e3 * wheelset.contacts[0].rail_position
     };
     let places: Vec<f64> = (0..80).map(inwards).collect();
@@ -637,11 +642,17 @@ fn positions_without_contact_are_told() {
     let short = points("profile_s1002.csv").into_iter().filter(|[y, _]| *y > -11.3e-3);
     let short: Vec<[f64; 2]> = short.collect();
     let profile = ProfileCurve::new(&short, 0.0, Quantity::WheelProfile).unwrap();
-    let shape = WheelShape { profile, nominal_radius: 0.46, flange_back_position: -70e-3 };
+    let shape = WheelShape {
+        profile,
+        nominal_radius: 0.46,
+        flange_back_position: -70e-3,
+        deviation: Deviation::default(),
+    };
     let rail = ProfileCurve::new(&points("profile_uic60_canted.csv"), 0.0, Quantity::RailProfile);
-    let rail = RailShape { profile: rail.unwrap(), cant: 0.0 };
+    let rail = RailShape::new(rail.unwrap(), 0.0);
     let pair = Arc::new(Pair::new(&shape, &rail, &Track::default()).unwrap());
-    let end = solve(&WheelOnRail { pair, ..row.wheel }).unwrap_err().to_string();
+    let end =
+        solve(&WheelOnRail { pairs: Sides::both(pair), ..row.wheel }).unwrap_err().to_string();
     assert!(end.starts_with("wheel_profile: the contact "), "{end}");
     assert!(end.contains("reaches the end of this profile at y = -11.2 mm"), "{end}");
 }
@@ -653,7 +664,13 @@ fn harmonic_linearisation_with_roll() {
     for (gauge, expected) in [(1.435, 0.184), (1.436, 0.167)] {
         let pair = benchmark(gauge);
         let range = (3.2e-3, 64);
-        let radii = RollingRadiusDifference::new(&pair, range, Roll::Resting, &unwatched).unwrap();
+        let radii = RollingRadiusDifference::new(
+            &Sides::both(pair.clone()),
+            range,
+            Roll::Resting,
+            &unwatched,
+        )
+        .unwrap();
         close("conicity", radii.harmonic_conicity(3e-3).unwrap().unwrap(), expected, 3e-3);
         let steps = radii.difference.windows(2).map(|pair| pair[1] - pair[0]);
         assert!(steps.fold(0.0, f64::max) > 0.2e-3);
@@ -663,7 +680,9 @@ fn harmonic_linearisation_with_roll() {
     // rolls by φ' = tan β/(l − r tan β) for each metre, and the contact moves along the cone by
     // cos β + φ' (R + r cos β + l sin β).
     let (pair, range) = (cone_on_arc(), (3e-3, 6));
-    let cone = RollingRadiusDifference::new(&pair, range, Roll::Resting, &unwatched).unwrap();
+    let cone =
+        RollingRadiusDifference::new(&Sides::both(pair.clone()), range, Roll::Resting, &unwatched)
+            .unwrap();
     let (sin, cos) = 0.05_f64.atan().sin_cos();
     let (half, radius) = (0.75 - 0.3 * sin, 0.46 + 0.05 * 0.3 * sin);
     let roll = 0.05 / (half - 0.05 * radius);
@@ -696,11 +715,12 @@ fn noise_does_not_make_patches() {
         profile: wheel_profile.unwrap(),
         nominal_radius: 0.46,
         flange_back_position: -70e-3,
+        deviation: Deviation::default(),
     };
     let position = Position { lateral: 3e-3, yaw: 0.0, roll: 0.0 };
     let solved = |points: &[[f64; 2]], smoothing: f64| {
         let profile = ProfileCurve::new(points, smoothing, Quantity::RailProfile).unwrap();
-        let rail = RailShape { profile, cant: 0.0 };
+        let rail = RailShape::new(profile, 0.0);
         let pair = Arc::new(Pair::new(&shape, &rail, &Track::default()).unwrap());
         solve(&wheel(&pair, Side::Left, position)).unwrap()
     };

@@ -103,6 +103,16 @@ pub const ALTERNATIVES: &[Alternatives] = &[
         reason: "the angular velocity determines the longitudinal creepage at a given speed",
     },
     Alternatives {
+        first: &fields!["rail.angular_velocity"],
+        second: &fields!["kinematics.speed", "history.speed"],
+        reason: "the angular velocity of a roller determines the speed of its circumference",
+    },
+    Alternatives {
+        first: &fields!["rail.origin_y"],
+        second: &fields!["track.gauge", "track.gauge_depth"],
+        reason: "a rail is placed by the origin of its profile or by its gauge",
+    },
+    Alternatives {
         first: LONGITUDINAL_FORCES,
         second: &fields![
             "kinematics.creepage_x",
@@ -248,6 +258,9 @@ const COMPANIONS: &[(FieldPath, &[FieldPath])] = &[
         field!("kinematics.wheel_radius"),
         &fields!["kinematics.angular_velocity", "kinematics.wheel_torque"],
     ),
+    (field!("rail.origin_z"), &fields!["rail.origin_y"]),
+    (field!("left_rail.origin_z"), &fields!["left_rail.origin_y", "rail.origin_y"]),
+    (field!("right_rail.origin_z"), &fields!["right_rail.origin_y", "rail.origin_y"]),
     (field!("friction.second_half_speed"), &fields!["friction.second_coefficient"]),
     (field!("friction.memory_speed"), &fields!["friction.memory_distance"]),
     (field!("cooling.area"), &fields!["cooling.film_coefficient"]),

@@ -126,6 +126,10 @@ sections! {
     Normal,
     wheel_rail::Track,
     wheel_rail::Wheelset,
+    wheel_rail::LeftWheel,
+    wheel_rail::RightWheel,
+    wheel_rail::LeftRail,
+    wheel_rail::RightRail,
     elasticity::Elasticity,
     layer::Layer,
     contact_law::ContactLaw,
@@ -159,6 +163,7 @@ const SEMI_AXIS: Requirement = Between(1e-7, 1e2);
 const SPACING: Requirement = Between(1e-9, 1e2);
 const COOLED_AREA: Requirement = Between(1e-9, 1e6);
 const INSTANT: Requirement = Magnitude(1e9);
+const SCALE: Requirement = Between(1e-6, 1e6);
 const SMOOTHING: Requirement = Between(0.0, 0.1);
 /// Bodies that are shifted by more than the size of a wheel do not touch where they did.
 const SHIFT: Requirement = Magnitude(1.0);
@@ -200,7 +205,8 @@ section! {
     Kinematics "kinematics"
         "How the wheel moves over the rail. Braking has a positive creepage and a negative force.";
 
-    "speed" [Speed] quantity(&Measure::SPEED), SPEED, Text("108 km/h"), "v0, speed of the vehicle",
+    "speed" [Speed] quantity(&Measure::SPEED), SPEED, Text("108 km/h"),
+        "v0, speed of the vehicle, or of the circumference of a roller",
         usually(ROLLING_SPEED);
     "creepage_x" [CreepageX] Kind::Number, CREEPAGE, Text("0.0"),
         "ξ, longitudinal creepage: positive when braking", example("0.008"),
@@ -290,6 +296,8 @@ body! {
             "direction of z in the file", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
         "profile_y" [] Kind::Choice(LateralAxis::CHOICES), Finite, Text("auto"),
             "direction of y in the file", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
+        "profile_scale" [] Kind::Number, SCALE, Text("1.0"),
+            "factor of y and z in the file", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
         "profile_smoothing" [ProfileSmoothing] quantity(&Measure::LENGTH), SMOOTHING, Text("0 mm"),
             "L: what is shorter along the profile is levelled out; 5 mm for a measured one", shaping(),
             with(NORMAL_MODEL, WHEEL_RAIL);
@@ -304,7 +312,10 @@ body! {
 
 body! {
     Rail "rail" "The rail: the same fields as the wheel.",
-    "inf", "300 mm", &["hertz", "profile"], RADIUS, {
+    "inf", "300 mm", &["hertz", "profile", "wheel-rail"], RADIUS, {
+        "angular_velocity" [] quantity(&Measure::ANGULAR_VELOCITY), TURNING, Nothing,
+            "of a roller of radius radius_x, in place of kinematics.speed", example("20 rad/s"),
+            with(NORMAL_MODEL, &["hertz", "profile", "wheel-rail"]);
         "profile" [RailProfile] Kind::Path, Finite, Nothing,
             "profile: a file or the name of one that is built in, such as \"60E1\"; as for the wheel",
             shaping(), example("60E1"), with(NORMAL_MODEL, WHEEL_RAIL);
@@ -312,6 +323,8 @@ body! {
             "direction of z in the file", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
         "profile_y" [] Kind::Choice(LateralAxis::CHOICES), Finite, Text("auto"),
             "direction of y in the file", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
+        "profile_scale" [] Kind::Number, SCALE, Text("1.0"),
+            "factor of y and z in the file", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
         "profile_smoothing" [] quantity(&Measure::LENGTH), SMOOTHING, Text("0 mm"),
             "L: what is shorter along the profile is levelled out; 5 mm for a measured one", shaping(),
             with(NORMAL_MODEL, WHEEL_RAIL);
@@ -320,6 +333,11 @@ body! {
              canted already",
             shaping(), with(NORMAL_MODEL, WHEEL_RAIL),
             usually(Magnitude(0.1));
+        "origin_y" [RailOrigin] quantity(&Measure::LENGTH), Magnitude(10.0), Nothing,
+            "y of the origin of the profile in the track, outwards, in place of track.gauge", shaping(),
+            example("760 mm"), with(NORMAL_MODEL, WHEEL_RAIL);
+        "origin_z" [] quantity(&Measure::LENGTH), Magnitude(10.0), Text("0 mm"),
+            "z of that origin in the track", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
     };
     RailYoungModulus, [RailPoissonRatio], RailConductivity, RailDensity,
     RailSpecificHeat, RailBulkTemperature, RailRadiusX, RailRadiusY

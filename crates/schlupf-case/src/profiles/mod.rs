@@ -18,13 +18,14 @@ use std::ffi::OsStr;
 use std::path::Path;
 
 use schlupf::Quantity;
-use schlupf::wheel_rail::ProfileCurve;
+use schlupf::wheel_rail::{ProfileCurve, Side};
 
 use crate::FieldPath;
 use crate::error::CaseError;
 use crate::fields::choice::{LateralAxis, VerticalAxis};
 use crate::notice::Notice;
 use crate::settings::Settings;
+use crate::side::sided;
 use outline::{Change, NoLine, Outline};
 use points::{Axes, Content, File, Row};
 use reading::millimetres;
@@ -33,35 +34,48 @@ pub use built_in::is_name as is_built_in;
 pub use reading::ProfileReading;
 
 /// Paths of the fields of a profile.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ProfileFields {
     profile: FieldPath,
     z: FieldPath,
     y: FieldPath,
+    scale: FieldPath,
     smoothing: FieldPath,
+    flange_back: Option<FieldPath>,
     quantity: Quantity,
-    is_wheel: bool,
 }
 
-/// Those of the wheel.
-pub const WHEEL: ProfileFields = ProfileFields {
-    profile: field!("wheel.profile"),
-    z: field!("wheel.profile_z"),
-    y: field!("wheel.profile_y"),
-    smoothing: field!("wheel.profile_smoothing"),
-    quantity: Quantity::WheelProfile,
-    is_wheel: true,
-};
+/// Those of the wheel of a side, or of both.
+pub fn of_wheel(settings: &Settings, side: Side) -> ProfileFields {
+    ProfileFields {
+        profile: sided!("wheel", "profile").of(settings, side),
+        z: sided!("wheel", "profile_z").of(settings, side),
+        y: sided!("wheel", "profile_y").of(settings, side),
+        scale: sided!("wheel", "profile_scale").of(settings, side),
+        smoothing: sided!("wheel", "profile_smoothing").of(settings, side),
+        flange_back: Some(sided!("wheel", "flange_back_position").of(settings, side)),
+        quantity: Quantity::WheelProfile,
+    }
+}
 
-/// Those of the rail.
-pub const RAIL: ProfileFields = ProfileFields {
-    profile: field!("rail.profile"),
-    z: field!("rail.profile_z"),
-    y: field!("rail.profile_y"),
-    smoothing: field!("rail.profile_smoothing"),
-    quantity: Quantity::RailProfile,
-    is_wheel: false,
-};
+/// Those of the rail of a side, or of both.
+pub fn of_rail(settings: &Settings, side: Side) -> ProfileFields {
+    ProfileFields {
+        profile: sided!("rail", "profile").of(settings, side),
+        z: sided!("rail", "profile_z").of(settings, side),
+        y: sided!("rail", "profile_y").of(settings, side),
+        scale: sided!("rail", "profile_scale").of(settings, side),
+        smoothing: sided!("rail", "profile_smoothing").of(settings, side),
+        flange_back: None,
+        quantity: Quantity::RailProfile,
+    }
+}
+
+impl ProfileFields {
+    fn is_wheel(&self) -> bool {
+        self.flange_back.is_some()
+    }
+}
 
 /// A profile.
 #[derive(Debug, Clone)]
@@ -79,8 +93,6 @@ pub struct Profile {
 /// Position of the flange back in profiles whose origin is at the running circle, in m.
 const FLANGE_BACK: f64 = -0.07;
 
-const FLANGE_BACK_FIELD: FieldPath = field!("wheel.flange_back_position");
-
 /// Distances of the tip of a flange from its back, in m.
 const TIP: std::ops::RangeInclusive<f64> = 2e-3..=4e-2;
 
@@ -97,7 +109,7 @@ const FULL_SIZE: std::ops::RangeInclusive<f64> = 0.03..=0.3;
 /// Reads a profile.
 pub fn read(settings: &Settings, fields: &ProfileFields) -> Result<Profile, CaseError> {
     let name = settings.text(fields.profile)?;
-    let built_in = built_in::points(&name, fields.is_wheel);
+    let built_in = built_in::points(&name, fields.is_wheel());
     let is_built_in = built_in.is_some();
     let content = match built_in {
         Some(points) => {
@@ -119,12 +131,12 @@ pub fn read(settings: &Settings, fields: &ProfileFields) -> Result<Profile, Case
 /// What a file says.
 fn file_content(settings: &Settings, fields: &ProfileFields) -> Result<Content, CaseError> {
     let (name, bytes) = settings.read_file(fields.profile).map_err(|error| {
-        let names = built_in::names(fields.is_wheel);
+        let names = built_in::names(fields.is_wheel());
         error.help(format!("paths are relative to the case file; built in are {names}"))
     })?;
     let ending = Path::new(&name).extension().map(OsStr::to_ascii_lowercase);
     let file = File::new(name, &bytes, fields.profile)?;
-    let is_wheel = fields.is_wheel;
+    let is_wheel = fields.is_wheel();
     let ending = ending.as_ref().and_then(|ending| ending.to_str()).unwrap_or_default();
     let content = match ending {
         "prr" | "prw" => simpack::read(&file, is_wheel),
@@ -189,8 +201,15 @@ impl Reader<'_> {
 
     /// The points in metres: numbers without a unit are in mm, or in m where they would be too
     /// small by three orders of magnitude.
-    fn in_metres(&mut self, content: Content) -> Result<Content, CaseError> {
+    fn in_metres(&mut self, mut content: Content) -> Result<Content, CaseError> {
         let field = self.fields.profile;
+        let scale = self.settings.number(self.fields.scale)?;
+        if scale != 1.0 {
+            for row in &mut content.rows {
+                row.place = row.place.map(|c| scale * c);
+            }
+            content.has_units = true;
+        }
         if content.rows.is_empty() {
             return Err(self.error(format!("{field} must have rows of points, but has none")));
         }
@@ -283,7 +302,7 @@ impl Reader<'_> {
         }
         let turned: Vec<[f64; 2]> = points.iter().map(|[y, z]| [*z, *y]).collect();
         let [as_read, swapped] = [&points, &turned]
-            .map(|points| orientation::downwards(points, self.fields.is_wheel).abs());
+            .map(|points| orientation::downwards(points, self.fields.is_wheel()).abs());
         let is_swapped = swapped > as_read;
         let [width, height] = size(&content.rows).map(millimetres);
         let size = format!("the profile is {width} wide and {height} high");
@@ -326,7 +345,7 @@ impl Reader<'_> {
         for row in points.iter_mut().filter(|_| y.is) {
             row.place[0] = -row.place[0];
         }
-        let running = outline::running_part(&points, outline.is_closed, fields.is_wheel);
+        let running = outline::running_part(&points, outline.is_closed, fields.is_wheel());
         let smoothing = settings.number(fields.smoothing)?;
         let curve = ProfileCurve::new(&places(&running), smoothing, fields.quantity)
             .map_err(|error| settings.error(fields.profile, error.text(&settings.names())))?;
@@ -342,7 +361,7 @@ impl Reader<'_> {
             size: size(&content.rows),
             y: direction(&y, ["outwards", "inwards"]),
             z: direction(&z, ["up", "down"]),
-            flange_back: fields.is_wheel.then_some(flange_back),
+            flange_back: fields.is_wheel().then_some(flange_back),
             spacing: [0.0; 2],
             holes: Vec::new(),
             order: outline.changes.iter().map(Change::text).collect(),
@@ -357,7 +376,7 @@ impl Reader<'_> {
             VerticalAxis::Down => Some(true),
             VerticalAxis::Auto => None,
         };
-        let shape = orientation::downwards(points, self.fields.is_wheel);
+        let shape = orientation::downwards(points, self.fields.is_wheel());
         Ok(self.taken(self.fields.z, [given, content.axes.is_down, None], shape, ["up", "down"]))
     }
 
@@ -368,9 +387,9 @@ impl Reader<'_> {
             LateralAxis::Auto => None,
         };
         let depth = self.settings.number(field!("track.gauge_depth"))?;
-        let shape = orientation::inwards(points, self.fields.is_wheel, depth);
+        let shape = orientation::inwards(points, self.fields.is_wheel(), depth);
         // Most rails are symmetrical.
-        let by_default = (!self.fields.is_wheel).then_some(false);
+        let by_default = (!self.fields.is_wheel()).then_some(false);
         let known = [given, content.axes.is_inwards, by_default];
         Ok(self.taken(self.fields.y, known, shape, ["outwards", "inwards"]))
     }
@@ -427,12 +446,13 @@ impl Reader<'_> {
     /// y of the flange back: that given, that of the format, or where the tip of the flange cannot
     /// belong to it the other one of both that are usual; in m.
     fn flange_back(&mut self, content: &Content, points: &[[f64; 2]]) -> Result<f64, CaseError> {
-        if let Some(given) = self.settings.optional_number(FLANGE_BACK_FIELD)? {
+        let Some(field) = self.fields.flange_back else { return Ok(0.0) };
+        if let Some(given) = self.settings.optional_number(field)? {
             return Ok(given);
         }
         let usual = content.flange_back.unwrap_or(FLANGE_BACK);
         let tip = orientation::flange_tip(points).filter(|[depth, _]| *depth > LEAST_FLANGE);
-        let Some([_, tip]) = tip.filter(|_| self.fields.is_wheel) else { return Ok(usual) };
+        let Some([_, tip]) = tip else { return Ok(usual) };
         let fits = |back: &f64| TIP.contains(&(tip - back));
         if fits(&usual) {
             return Ok(usual);
@@ -450,7 +470,6 @@ impl Reader<'_> {
                  {usual}"
             ),
         };
-        let field = FLANGE_BACK_FIELD;
         self.notices.push(Notice::FlangeBack { field, text });
         Ok(taken)
     }

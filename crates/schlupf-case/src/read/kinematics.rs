@@ -9,9 +9,27 @@ use crate::fields::choice::{NormalModel, Reference};
 use crate::fields::readable;
 use crate::settings::Settings;
 
+/// v0: the speed of the vehicle, or that of the circumference of a roller.
+pub fn speed(settings: &Settings) -> Result<f64, CaseError> {
+    const TURNING: FieldPath = field!("rail.angular_velocity");
+    const RADIUS: FieldPath = field!("rail.radius_x");
+    let Some(angular_velocity) = settings.optional_number(TURNING)? else {
+        return settings.number(field!("kinematics.speed"));
+    };
+    let (speed, radius) = (angular_velocity * settings.number(RADIUS)?, settings.shown(RADIUS));
+    if speed > 0.0 && speed.is_finite() {
+        return Ok(speed);
+    }
+    let message = format!(
+        "{TURNING} and {RADIUS} must be positive, for a roller to roll forwards, but are {} and {radius}",
+        settings.shown(TURNING)
+    );
+    Err(settings.error(TURNING, message))
+}
+
 /// Creepages as given, or from the angular velocity and the yaw angle, in any combination.
 pub fn kinematics(settings: &Settings) -> Result<Kinematics, CaseError> {
-    let speed = settings.number(field!("kinematics.speed"))?;
+    let speed = speed(settings)?;
     if settings.chosen::<NormalModel>(field!("normal.model"))? == NormalModel::WheelRail {
         // Creepages follow from the motion of the wheelset.
         return Ok(Kinematics::free_rolling(speed));

@@ -12,6 +12,7 @@ mod kinematics;
 mod layer;
 mod normal;
 mod options;
+mod pairs;
 mod roughness;
 mod subsurface;
 mod wheel_rail;

@@ -1,14 +1,13 @@
-//! `[track]` and `[wheelset]`: a wheel on a rail, with normal.model = "wheel-rail".
-
-use std::sync::Arc;
+//! `[wheelset]`: a wheel on a rail, with normal.model = "wheel-rail".
 
 use schlupf::wheel_rail::{
-    Along, Drive, Joining, Motion, NormalMethod, Pair, Position, RailShape, RowsMove, Side,
-    Support, Tangential, Track, WheelOnRail, WheelShape, WheelSolution,
+    Along, Drive, Joining, Motion, NormalMethod, Position, RowsMove, Side, Support, Tangential,
+    WheelOnRail, WheelSolution,
 };
 use schlupf::{Error, Watch};
 
 use super::friction;
+use super::pairs::{self, Placed};
 use super::roughness::OfRoughness;
 use crate::FieldPath;
 use crate::error::CaseError;
@@ -17,7 +16,7 @@ use crate::fields::choice::{
 };
 use crate::fields::{HISTORY, ROUGHNESS};
 use crate::notice::Notice;
-use crate::profiles::{self, ProfileReading};
+use crate::profiles::ProfileReading;
 use crate::settings::Settings;
 
 const LOAD: FieldPath = field!("normal.load");
@@ -27,17 +26,14 @@ const ROLL: FieldPath = field!("wheelset.roll_angle");
 /// Cells across a contact where the case does not say how many.
 const CELLS: usize = 64;
 
-/// Difference of two depths that counts as none, in m.
-const SAME_DEPTH: f64 = 1e-6;
-
 /// A wheel on a rail, as far as it is known without solving.
 #[derive(Debug, Clone)]
 pub struct WheelRequest {
     wheel: WheelOnRail,
     /// Whether the roll angle follows from both wheels resting on their rails.
     rests: bool,
-    /// What was read of the profiles of the wheel and of the rail.
-    readings: [ProfileReading; 2],
+    /// What was read of the profiles.
+    readings: Vec<ProfileReading>,
     /// What users should know of them.
     notices: Vec<Notice>,
 }
@@ -48,29 +44,9 @@ pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
         return Ok(None);
     }
     let explain = |error: Error| settings.explain(&error);
-    let on_wheel = profiles::read(settings, &profiles::WHEEL)?;
-    let on_rail = profiles::read(settings, &profiles::RAIL)?;
-    let wheel = WheelShape {
-        profile: on_wheel.curve,
-        nominal_radius: settings.number(field!("wheel.radius_x"))?,
-        flange_back_position: on_wheel.flange_back,
-    };
-    let rail = RailShape { profile: on_rail.curve, cant: settings.number(field!("rail.cant"))? };
-    let track = Track {
-        gauge: settings.number(field!("track.gauge"))?,
-        gauge_depth: settings.number(field!("track.gauge_depth"))?,
-        flange_back_distance: settings.number(field!("track.flange_back_distance"))?,
-    };
-    let pair = Pair::new(&wheel, &rail, &track).map_err(explain)?;
-    let [reached, wanted] = [pair.gauge_depth(), track.gauge_depth];
-    // Below a lip that is the inmost point nothing runs, but the file goes on.
-    let ProfileReading { points: [all, running], size: [_, height], .. } = on_rail.reading;
-    let goes_on = all > running && height > wanted;
-    let too_short = (wanted - reached > SAME_DEPTH && !goes_on)
-        .then_some(Notice::GaugeDepthNotReached { reached, wanted });
-    let notices = on_wheel.notices.into_iter().chain(on_rail.notices).chain(too_short).collect();
+    let Placed { pairs, readings, notices } = pairs::placed(settings)?;
     let wheel = WheelOnRail {
-        pair: Arc::new(pair),
+        pairs,
         side: match settings.chosen(field!("wheelset.side"))? {
             WheelSide::Left => Side::Left,
             WheelSide::Right => Side::Right,
@@ -104,7 +80,6 @@ pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
             .map_or(CELLS, |cells| cells as usize),
     };
     wheel.check().map_err(explain)?;
-    let readings = [on_wheel.reading, on_rail.reading];
     Ok(Some(WheelRequest { wheel, rests: !settings.is_given(ROLL), readings, notices }))
 }
 
@@ -229,7 +204,7 @@ fn refuse_idle(
 /// its nominal radius is that given.
 fn motion(settings: &Settings) -> Result<Motion, CaseError> {
     const CREEPAGE: FieldPath = field!("kinematics.creepage_x");
-    let speed = settings.number(field!("kinematics.speed"))?;
+    let speed = super::kinematics::speed(settings)?;
     let given = settings.optional_number(field!("kinematics.angular_velocity"))?;
     let angular_velocity = if let Some(angular_velocity) = given {
         angular_velocity
@@ -244,6 +219,7 @@ fn motion(settings: &Settings) -> Result<Motion, CaseError> {
     };
     Ok(Motion {
         speed,
+        curve_radius: settings.number(field!("track.curve_radius"))?,
         lateral_velocity: settings.number(field!("wheelset.lateral_velocity"))?,
         vertical_velocity: settings.number(field!("wheelset.vertical_velocity"))?,
         angular_velocity,
@@ -275,8 +251,8 @@ impl WheelRequest {
         }
     }
 
-    /// What was read of the profiles of the wheel and of the rail.
-    pub fn readings(&self) -> &[ProfileReading; 2] {
+    /// What was read of the profiles.
+    pub fn readings(&self) -> &[ProfileReading] {
         &self.readings
     }
 

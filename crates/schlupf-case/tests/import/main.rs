@@ -4,4 +4,5 @@ mod support;
 mod contact;
 mod elements;
 mod layers;
+mod placing;
 mod results;

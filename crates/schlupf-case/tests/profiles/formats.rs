@@ -81,7 +81,7 @@ fn files_of_miniprof_are_read() {
         let file = wheel("a.whl", text).unwrap_or_else(|error| panic!("{name}: {error}"));
         assert_eq!(codes(&file), Vec::<&str>::new(), "{name}");
         // The flange back is at the origin: the tread lies where that of S1002 does.
-        let pair = &file.wheel().unwrap().pair;
+        let pair = file.wheel().unwrap().pair();
         assert!((pair.wheel_offset() - 0.68).abs() < 1e-9, "{name}: {}", pair.wheel_offset());
         let moved: Points = tread.iter().map(|[y, z]| [y + 70.0, *z]).collect();
         assert!(off(pair.wheel(), &moved) < 1e-3, "{name}");
@@ -109,10 +109,10 @@ fn the_flange_tells_where_its_back_is() {
     let file = wheel("a.csv", csv(&moved)).unwrap();
     let text = notice(&file, "flange-back");
     assert!(text.contains("taken to be at 0 mm, not at -70 mm as usual"), "{text}");
-    assert!((file.wheel().unwrap().pair.wheel_offset() - 0.68).abs() < 1e-9);
+    assert!((file.wheel().unwrap().pair().wheel_offset() - 0.68).abs() < 1e-9);
     let given = "wheel.flange_back_position = \"-70 mm\"";
     let file = case(("a.csv", csv(&moved).as_bytes()), ("60E1", b""), given).unwrap();
-    assert!((file.wheel().unwrap().pair.wheel_offset() - 0.75).abs() < 1e-9);
+    assert!((file.wheel().unwrap().pair().wheel_offset() - 0.75).abs() < 1e-9);
 }
 
 /// Files of Simpack: comments, the type of the body, the least distance of points, and a smoothing

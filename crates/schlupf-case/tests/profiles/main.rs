@@ -38,7 +38,7 @@ fn rail(name: &str, bytes: impl AsRef<[u8]>) -> Result<CaseFile, String> {
 }
 
 fn curves(file: &CaseFile) -> [ProfileCurve; 2] {
-    let pair = &file.wheel().unwrap().pair;
+    let pair = file.wheel().unwrap().pair();
     [pair.wheel().clone(), pair.rail().clone()]
 }
 
@@ -49,7 +49,7 @@ fn built_in() -> [Points; 2] {
     let in_millimetres = |points: &[[f64; 2]], [y, z]: [f64; 2]| {
         points.iter().map(|p| [1e3 * (p[0] - y), 1e3 * (p[1] - z)]).collect()
     };
-    let origin = file.wheel().unwrap().pair.rail_origin();
+    let origin = file.wheel().unwrap().pair().rail_origin();
     [in_millimetres(wheel.points(), [0.0; 2]), in_millimetres(rail.points(), origin)]
 }
 
@@ -235,7 +235,7 @@ fn shapes_are_read_the_right_way_round() {
                 let found = if is_wheel {
                     off(&on_wheel, running)
                 } else {
-                    let [y, z] = file.wheel().unwrap().pair.rail_origin();
+                    let [y, z] = file.wheel().unwrap().pair().rail_origin();
                     let placed: Points =
                         running.iter().map(|p| [p[0] + 1e3 * y, p[1] + 1e3 * z]).collect();
                     off(&on_rail, &placed)
@@ -358,7 +358,7 @@ fn lost_order_is_found_beside_a_fold() {
         noisy[30] = [points[31][0] + 0.2, 0.6 * points[31][1] + 0.4 * points[32][1]];
         let file = rail("a.csv", csv(&noisy)).unwrap_or_else(|e| panic!("{lip} noise: {e}"));
         notice(&file, "profile-order");
-        let [y, z] = file.wheel().unwrap().pair.rail_origin();
+        let [y, z] = file.wheel().unwrap().pair().rail_origin();
         let clean: Points =
             points[20..100].iter().map(|p| [p[0] + 1e3 * y, p[1] + 1e3 * z]).collect();
         let found = off(&curves(&file)[1], &clean);

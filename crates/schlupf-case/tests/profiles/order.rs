@@ -75,7 +75,7 @@ fn second_passes_are_left_out() {
         let text = notice(&file, "profile-overlap");
         // 40 points, and the first one beyond.
         assert!(text.contains("the 41 points of the later one"), "{up}: {text}");
-        let [y, z] = file.wheel().unwrap().pair.rail_origin();
+        let [y, z] = file.wheel().unwrap().pair().rail_origin();
         let first: Points =
             head[20..298].iter().map(|p| [p[0] + 1e3 * y, p[1] + 1e3 * z]).collect();
         // The rail's top is that of its highest point.

@@ -35,7 +35,7 @@ pub fn figure(title: &str, wheel: &WheelOnRail, height: f64) -> Result<Vec<Figur
 type Placed<'a> = (&'a ProfileCurve, &'a dyn Fn([f64; 2]) -> [f64; 2], &'static str);
 
 fn drawing(title: &str, wheel: &WheelOnRail, height: f64) -> String {
-    let pair = &wheel.pair;
+    let pair = wheel.pair();
     let outwards = -wheel.side.outwards();
     // The axis points to the right, so it is that of −y.
     let shift = pair.wheel_offset() - outwards * wheel.position.lateral;

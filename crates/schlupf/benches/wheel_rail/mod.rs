@@ -9,8 +9,8 @@ use schlupf::interface::friction::Constant;
 use schlupf::interface::heat::Heat;
 use schlupf::interface::{ContactLaw, Incremental};
 use schlupf::wheel_rail::{
-    Drive, Joining, Motion, NormalMethod, Pair, Position, ProfileCurve, RailShape, RowsMove, Side,
-    Support, Tangential, Track, WheelOnRail, WheelShape,
+    Deviation, Drive, Joining, Motion, NormalMethod, Pair, Position, ProfileCurve, RailShape,
+    RowsMove, Side, Sides, Support, Tangential, Track, WheelOnRail, WheelShape,
 };
 use schlupf::{Options, Problem, Quantity, Status, unwatched};
 
@@ -94,12 +94,13 @@ fn manchester() -> Vec<WheelOnRail> {
         profile: curve("profile_s1002.csv", Quantity::WheelProfile),
         nominal_radius: 0.46,
         flange_back_position: -70e-3,
+        deviation: Deviation::default(),
     };
     let profile = curve("profile_uic60_canted.csv", Quantity::RailProfile);
-    let rail = RailShape { profile, cant: 0.0 };
+    let rail = RailShape::new(profile, 0.0);
     let pair = Arc::new(Pair::new(&wheel, &rail, &Track::default()).unwrap());
     let wheel = |is_left: bool, [y, yaw, roll, pitch_rate]: [f64; 4]| WheelOnRail {
-        pair: Arc::clone(&pair),
+        pairs: Sides::both(Arc::clone(&pair)),
         side: if is_left { Side::Left } else { Side::Right },
         position: Position { lateral: -1e-3 * y, yaw: -yaw, roll },
         motion: Motion {
@@ -109,6 +110,7 @@ fn manchester() -> Vec<WheelOnRail> {
             angular_velocity: -pitch_rate,
             roll_rate: 0.0,
             yaw_rate: 0.0,
+            curve_radius: f64::INFINITY,
         },
         drive: Drive::AngularVelocity,
         support: Support::Force(10e3),

@@ -8,12 +8,13 @@
 //! r₀ cancel from both.
 
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
 
 use super::gap::Gap;
 use super::pair::Pair;
 use super::pose::{Attitude, minus};
 use super::resting::resting_roll;
-use super::side::Side;
+use super::side::{Side, Sides};
 use crate::numerics::interpolation::piecewise_linear;
 use crate::numerics::root::bisection;
 use crate::reporting::{
@@ -79,9 +80,9 @@ impl RigidContact {
         let gap = Gap::new(pair, attitude)?;
         let least = gap.least().ok_or(Error::NoArea {})?;
         gap.refuse_end(pair, &least)?;
-        let pose = attitude.at_height(pair.nominal_radius, -least.gap);
+        let pose = pair.wheel_in(&attitude.at_height(pair.nominal_radius, -least.gap));
         let place = [least.wheel[0], least.y, least.rail[0]];
-        let [x, y, z] = pose.in_wheelset(minus(place, pose.centre));
+        let [x, y, z] = pose.in_body(minus(place, pose.centre));
         let contact = Self {
             position: [place[0], sign * place[1], place[2]],
             angle: -sign * least.inclination,
@@ -98,12 +99,11 @@ impl RestingWheelset {
     ///
     /// # Errors
     /// A wheel beside its rail, or that touches at the end of a profile.
-    pub fn new(pair: &Pair, lateral: f64, yaw: f64) -> Result<Self, Error> {
-        let roll = resting_roll(pair, [lateral, yaw], [0.0; 2])?;
+    pub fn new(pairs: &Sides<Arc<Pair>>, lateral: f64, yaw: f64) -> Result<Self, Error> {
+        let roll = resting_roll(pairs, [lateral, yaw], [0.0; 2])?;
         let contact = |side: Side| {
-            let sign = side.outwards();
-            let attitude = Attitude { lateral: sign * lateral, roll: sign * roll, yaw: sign * yaw };
-            RigidContact::of(pair, side, &attitude)
+            let attitude = Attitude::of(side, [lateral, roll, yaw]);
+            RigidContact::of(pairs.of(side), side, &attitude)
         };
         let [(left, height), (right, _)] = [contact(Side::Left)?, contact(Side::Right)?];
         Ok(Self { lateral, roll, height, contacts: [left, right] })
@@ -128,37 +128,44 @@ pub struct RollingRadiusDifference {
 }
 
 impl RollingRadiusDifference {
-    /// Of a wheelset whose wheels and rails are mirror images of each other, in the middle of the
-    /// track and on both sides of it: up to a lateral position (in m), at `intervals` equal steps,
-    /// or as far as the wheels touch their rails.
+    /// Of a wheelset in the middle of the track and on both sides of it: up to a lateral position
+    /// (in m), at `intervals` equal steps, or as far as the wheels touch their rails.
     ///
     /// # Errors
     /// A position that is not positive, wheels that do not touch their rails in the middle, and
     /// [`Error::Stopped`].
     pub fn new(
-        pair: &Pair,
+        pairs: &Sides<Arc<Pair>>,
         (largest, intervals): (f64, usize),
         roll: Roll,
         watch: Watch,
     ) -> Result<Self, Error> {
         require_positive(Quantity::LateralPosition, largest)?;
         let intervals = intervals.max(1);
-        let mut outwards: Vec<[f64; 2]> = Vec::with_capacity(intervals + 1);
         let mut end = None;
-        for k in 0..=intervals {
-            tell(watch, Progress::count(Stage::NormalContact, k))?;
-            let lateral = largest * k as f64 / intervals as f64;
-            match difference(pair, lateral, roll) {
-                Ok(difference) => outwards.push([lateral, difference]),
-                Err(error) if k == 0 => return Err(error),
-                Err(error) => {
-                    end = Some(error);
-                    break;
+        let mut towards = |sign: f64| -> Result<Vec<[f64; 2]>, Error> {
+            let mut found = Vec::with_capacity(intervals + 1);
+            for k in 0..=intervals {
+                tell(watch, Progress::count(Stage::NormalContact, k))?;
+                let lateral = sign * largest * k as f64 / intervals as f64;
+                match difference(pairs, lateral, roll) {
+                    Ok(difference) => found.push([lateral, difference]),
+                    Err(error) if k == 0 => return Err(error),
+                    Err(error) => {
+                        end = Some(error);
+                        break;
+                    }
                 }
             }
-        }
-        let inwards = outwards.iter().skip(1).rev().map(|[y, difference]| [-y, -difference]);
-        let all: Vec<[f64; 2]> = inwards.chain(outwards.iter().copied()).collect();
+            Ok(found)
+        };
+        let left = towards(1.0)?;
+        let right = if pairs.are_one() {
+            left.iter().map(|point| point.map(|part| -part)).collect()
+        } else {
+            towards(-1.0)?
+        };
+        let all: Vec<[f64; 2]> = right.into_iter().skip(1).rev().chain(left).collect();
         let [lateral, difference] = [0, 1].map(|c| all.iter().map(|point| point[c]).collect());
         Ok(Self { lateral, difference, end })
     }
@@ -166,6 +173,12 @@ impl RollingRadiusDifference {
     /// The first and the last lateral position, in m.
     pub fn ends(&self) -> [f64; 2] {
         [self.lateral[0], self.lateral[self.lateral.len() - 1]]
+    }
+
+    /// The largest amplitude of a motion within the positions, in m.
+    pub fn reach(&self) -> f64 {
+        let [first, last] = self.ends();
+        0.5 * (last - first)
     }
 
     /// Δr at a lateral position (in m), in m; unknown beyond the ends.
@@ -241,8 +254,7 @@ impl RollingRadiusDifference {
     }
 
     fn require_amplitude(&self, amplitude: f64) -> Result<(), Error> {
-        let [first, last] = self.ends();
-        let requirement = Requirement::AboveUpTo(0.0, 0.5 * (last - first));
+        let requirement = Requirement::AboveUpTo(0.0, self.reach());
         require(Quantity::Amplitude, requirement, amplitude)
     }
 
@@ -282,13 +294,13 @@ impl RollingRadiusDifference {
 }
 
 /// Δr at a lateral position (in m), in m.
-fn difference(pair: &Pair, lateral: f64, roll: Roll) -> Result<f64, Error> {
+fn difference(pairs: &Sides<Arc<Pair>>, lateral: f64, roll: Roll) -> Result<f64, Error> {
     if roll == Roll::Resting {
-        return Ok(RestingWheelset::new(pair, lateral, 0.0)?.rolling_radius_difference());
+        return Ok(RestingWheelset::new(pairs, lateral, 0.0)?.rolling_radius_difference());
     }
     let radius = |side: Side| -> Result<f64, Error> {
-        let attitude = Attitude { lateral: side.outwards() * lateral, roll: 0.0, yaw: 0.0 };
-        Ok(RigidContact::of(pair, side, &attitude)?.0.rolling_radius)
+        let attitude = Attitude::of(side, [lateral, 0.0, 0.0]);
+        Ok(RigidContact::of(pairs.of(side), side, &attitude)?.0.rolling_radius)
     };
     Ok(radius(Side::Left)? - radius(Side::Right)?)
 }

@@ -120,7 +120,7 @@ fn plane(pair: &Pair, region: &Region) -> ContactPlane {
     }
     let [_, z] = pair.rail.at(arc).place;
     let mut plane = ContactPlane {
-        origin: [region.x, region.y, z],
+        origin: [region.x, region.y, pair.rail_height(region.x, z)],
         inclination: region.inclination,
         arcs: [arc, near.wheel[1] + arc - near.rail[1]],
         guess: [region.along.map(|x| x - region.x), [0.0; 2]],

@@ -7,11 +7,13 @@
 //!
 //! Q = Rᵀ(P − o),  Q_y = y₀ + y(s_w),  √(Q_x² + Q_z²) = R0 − z(s_w),
 //!
-//! so neither the slope of the flange nor the yaw angle is approximated.
+//! so neither the slope of the flange nor the yaw angle is approximated. A roller's height follows
+//! from the same equations with R0 + z.
 
 use super::contact_plane::ContactPlane;
 use super::pair::Pair;
 use super::pose::{Pose, minus};
+use super::profile_curve::ProfileCurve;
 
 /// Accuracy of a height, in m.
 const ACCURACY: f64 = 1e-13;
@@ -29,7 +31,20 @@ pub(super) const CLEAR: f64 = 1e-2;
 pub(super) struct PlaneView<'a> {
     pair: &'a Pair,
     plane: &'a ContactPlane,
-    /// Origin of the plane in the wheelset's axes, in m.
+    wheel: Revolved<'a>,
+    roller: Option<Revolved<'a>>,
+}
+
+/// A surface of revolution above a plane.
+struct Revolved<'a> {
+    profile: &'a ProfileCurve,
+    /// Position of the origin of the profile along the axle, in m.
+    offset: f64,
+    /// Nominal radius, in m.
+    radius: f64,
+    /// Whether the radius grows (1) or falls (−1) with the z of the profile.
+    sign: f64,
+    /// Origin of the plane in the axes of the body, in m.
     origin: [f64; 3],
     /// The plane's directions x, s and n there.
     axes: [[f64; 3]; 3],
@@ -53,57 +68,61 @@ pub(super) struct RailPoint {
     pub slope: f64,
 }
 
-/// A solution on the wheel: height in m, arc length in m.
-type OnWheel = [f64; 2];
+/// A solution on a surface of revolution: height in m, arc length in m.
+type OnSurface = [f64; 2];
 
 impl<'a> PlaneView<'a> {
+    /// Of a wheel with a pose in the track.
     pub fn new(pair: &'a Pair, pose: &Pose, plane: &'a ContactPlane) -> Self {
-        let origin = pose.in_wheelset(minus(plane.origin, pose.centre));
         let axes = [[1.0, 0.0, 0.0], plane.across(), plane.normal()];
-        Self { pair, plane, origin, axes: axes.map(|axis| pose.in_wheelset(axis)) }
+        let wheel = Revolved {
+            profile: &pair.wheel,
+            offset: pair.wheel_offset,
+            radius: pair.nominal_radius,
+            sign: -1.0,
+            origin: pose.in_body(minus(plane.origin, pose.centre)),
+            axes: axes.map(|axis| pose.in_body(axis)),
+        };
+        let roller = pair.roller.map(|radius| Revolved {
+            profile: &pair.rail,
+            offset: 0.0,
+            radius,
+            sign: 1.0,
+            origin: minus(plane.origin, [0.0, 0.0, -radius]),
+            axes,
+        });
+        Self { pair, plane, wheel, roller }
     }
 
     /// Distances at the positions `x` × `s` (in m, relative to the plane's origin), rows along x.
     pub fn heights(&self, x: &[f64], s: &[f64]) -> Heights {
-        let mut distance = vec![CLEAR; x.len() * s.len()];
-        let mut is_beyond = vec![true; x.len() * s.len()];
-        let middle = [nearest_to_zero(x), nearest_to_zero(s)];
-        let start = [0.0, self.plane.arcs[1]];
-        let upwards: Vec<usize> = (middle[1]..s.len()).collect();
-        let downwards: Vec<usize> = (0..middle[1]).rev().collect();
-        for rows in [upwards, downwards] {
+        let [rail_arc, wheel_arc] = self.plane.arcs;
+        let wheel = self.wheel.heights(x, s, wheel_arc);
+        let rail = if let Some(roller) = &self.roller {
+            roller.heights(x, s, rail_arc)
+        } else {
+            let rows = self.rail_heights(s);
+            rows.into_iter().flat_map(|height| x.iter().map(move |_| height)).collect()
+        };
+        let both = wheel.into_iter().zip(rail);
+        let distance: Vec<Option<f64>> = both.map(|(wheel, rail)| Some(wheel? - rail?)).collect();
+        Heights {
+            is_beyond: distance.iter().map(Option::is_none).collect(),
+            distance: distance.into_iter().map(|distance| distance.unwrap_or(CLEAR)).collect(),
+        }
+    }
+
+    /// Heights of a straight rail at all s, in m, outwards from the origin of the plane.
+    fn rail_heights(&self, s: &[f64]) -> Vec<Option<f64>> {
+        let mut heights = vec![None; s.len()];
+        for rows in outwards(s) {
             let mut rail = Some((0.0, self.plane.arcs[0]));
-            let mut wheel = Some((0.0, start));
             for j in rows {
-                rail = self.on_rail(s[j], rail).map(|(_, arc)| (s[j], arc));
-                let Some((_, arc)) = rail else { break };
-                let height = self.rail_height(arc);
-                let found = |from: Option<(f64, OnWheel)>, at: f64| {
-                    let (before, [n, wheel_arc]) = from?;
-                    let guess = [n, wheel_arc + s[j] - before];
-                    self.on_wheel([at, s[j]], guess).map(|wheel| (s[j], wheel))
-                };
-                wheel = found(wheel, x[middle[0]]);
-                let mut keep = |i: usize, wheel: OnWheel| {
-                    distance[j * x.len() + i] = wheel[0] - height;
-                    is_beyond[j * x.len() + i] = false;
-                };
-                let columns: [Vec<usize>; 2] =
-                    [(middle[0]..x.len()).collect(), (0..middle[0]).rev().collect()];
-                for columns in columns {
-                    let mut beside = wheel;
-                    for i in columns {
-                        beside = found(beside, x[i]);
-                        let Some((_, wheel)) = beside else { break };
-                        keep(i, wheel);
-                    }
-                }
-                if wheel.is_none() {
-                    break;
-                }
+                rail = self.on_rail(s[j], rail);
+                heights[j] = rail.map(|(_, arc)| self.rail_height(arc));
             }
         }
-        Heights { distance, is_beyond }
+        heights
     }
 
     /// The arc length of the rail at s (in m), from that at another s.
@@ -145,23 +164,56 @@ impl<'a> PlaneView<'a> {
         let [y, z] = self.pair.rail.at(arc).place;
         normal_y * (y - self.plane.origin[1]) + normal_z * (z - self.plane.origin[2])
     }
+}
 
-    /// Height and arc length of the wheel at (x, s), from a guess; all in m.
-    fn on_wheel(&self, [x, s]: [f64; 2], guess: OnWheel) -> Option<OnWheel> {
+impl Revolved<'_> {
+    /// Heights at the positions `x` × `s` (in m), rows along x, outwards from the origin of the
+    /// plane, where the arc length is near `arc`; in m.
+    fn heights(&self, x: &[f64], s: &[f64], arc: f64) -> Vec<Option<f64>> {
+        let mut heights = vec![None; x.len() * s.len()];
+        let middle = nearest_to_zero(x);
+        for rows in outwards(s) {
+            let mut along = Some((0.0, [0.0, arc]));
+            for j in rows {
+                let found = |from: Option<(f64, OnSurface)>, at: f64| {
+                    let (before, [n, arc]) = from?;
+                    self.at([at, s[j]], [n, arc + s[j] - before]).map(|surface| (s[j], surface))
+                };
+                along = found(along, x[middle]);
+                if along.is_none() {
+                    break;
+                }
+                for columns in outwards(x) {
+                    let mut beside = along;
+                    for i in columns {
+                        beside = found(beside, x[i]);
+                        let Some((_, [n, _])) = beside else { break };
+                        heights[j * x.len() + i] = Some(n);
+                    }
+                }
+            }
+        }
+        heights
+    }
+
+    /// Height and arc length at (x, s), from a guess; all in m.
+    fn at(&self, [x, s]: [f64; 2], guess: OnSurface) -> Option<OnSurface> {
         let [along, across, normal] = self.axes;
         let base = [0, 1, 2].map(|k| self.origin[k] + x * along[k] + s * across[k]);
-        let end = self.pair.wheel.length();
+        let end = self.profile.length();
+        // No more digits than a large radius leaves.
+        let accuracy = ACCURACY.max(8.0 * f64::EPSILON * self.radius);
         let [mut n, mut arc] = [guess[0], guess[1].clamp(0.0, end)];
         for _ in 0..MOST_STEPS {
             let [q_x, q_y, q_z] = [0, 1, 2].map(|k| base[k] + n * normal[k]);
             let radius = q_x.hypot(q_z);
-            let point = self.pair.wheel.at(arc);
+            let point = self.profile.at(arc);
             let off = [
-                q_y - self.pair.wheel_offset - point.place[0],
-                radius - self.pair.nominal_radius + point.place[1],
+                q_y - self.offset - point.place[0],
+                radius - self.radius - self.sign * point.place[1],
             ];
             let by_height = [normal[1], (q_x * normal[0] + q_z * normal[2]) / radius];
-            let by_arc = [-point.tangent[0], point.tangent[1]];
+            let by_arc = [-point.tangent[0], -self.sign * point.tangent[1]];
             let determinant = by_height[0] * by_arc[1] - by_arc[0] * by_height[1];
             let step = [
                 (off[0] * by_arc[1] - by_arc[0] * off[1]) / determinant,
@@ -170,7 +222,7 @@ impl<'a> PlaneView<'a> {
             let [up, on] = step.map(|step| step.clamp(-LONGEST_STEP, LONGEST_STEP));
             n -= up;
             let next = arc - on;
-            if up.abs().max(on.abs()) < ACCURACY {
+            if up.abs().max(on.abs()) < accuracy {
                 return (0.0..=end).contains(&next).then_some([n, next]);
             }
             arc = next.clamp(0.0, end);
@@ -180,6 +232,12 @@ impl<'a> PlaneView<'a> {
         }
         None
     }
+}
+
+/// Indices from the position nearest to zero up, and from that before it down.
+fn outwards(positions: &[f64]) -> [Vec<usize>; 2] {
+    let middle = nearest_to_zero(positions);
+    [(middle..positions.len()).collect(), (0..middle).rev().collect()]
 }
 
 /// Index of the position nearest to zero.

@@ -80,6 +80,7 @@ impl Lowering<'_> {
         self.gap.least().map_or(0.0, |point| -point.gap)
     }
 
+    /// That of the wheelset.
     pub fn pose(&self, depth: f64) -> Pose {
         self.attitude.at_height(self.pair.nominal_radius, self.touch() - depth)
     }
@@ -89,9 +90,9 @@ impl Lowering<'_> {
         if depth > DEEPEST {
             return Err(WheelRailError::DeepOverlap { depth }.into());
         }
-        let regions = self.gap.regions(self.touch() - depth, self.pair.nominal_radius);
+        let regions = self.gap.regions(self.touch() - depth, self.pair.radius_along());
         let planes = planes(self.pair, &regions, &self.joining);
-        let pose = self.pose(depth);
+        let pose = self.pair.wheel_in(&self.pose(depth));
         let pressing = Pressing {
             pair: self.pair,
             pose: &pose,

@@ -1,24 +1,23 @@
 //! Where a wheel is close to a prismatic rail, and regions in which both would overlap.
 //!
 //! The candidates for contact are the points of the wheel at which its normal has no component
-//! along the rail. On the surface of revolution of radius r(y) they lie, in the wheelset's axes, at
-//! x = −r r′ tan ψ with the yaw angle ψ: exactly, so the longitudinal shift of the contact under
-//! yaw is that of the surfaces. The gap between these points, seen from below, and the rail, seen
-//! from above, is vertical.
+//! along the rail: exactly, so the longitudinal shift of the contact under yaw is that of the
+//! surfaces. Above a roller they are those at which both surfaces have the same slope along it. The
+//! gap between these points, seen from below, and the rail, seen from above, is vertical.
 //!
 //! The gap does not depend on the height and is computed once for each lateral position, roll and
 //! yaw.
 
 use super::pair::{Candidate, Pair};
-use super::pose::Attitude;
+use super::pose::{Attitude, Pose};
 use super::seen::Seen;
 use crate::reporting::{Error, WheelRailError};
 
-/// Largest x of a candidate relative to the radius of the wheel, dimensionless.
+/// Largest x of a candidate relative to the radius of the wheel or of the roller, dimensionless.
 const FARTHEST: f64 = 0.5;
 
-/// Margin for rounding around the rail, in m.
-const MARGIN: f64 = 1e-3;
+/// Newton steps to a candidate above a roller.
+const STEPS: usize = 5;
 
 /// Power of the overlap with which the points of a region weigh in its middle, dimensionless:
 /// integrated along rolling, the square of the depth.
@@ -69,7 +68,8 @@ impl Gap {
     /// # Errors
     /// A wheel that is nowhere above the rail.
     pub fn new(pair: &Pair, attitude: &Attitude) -> Result<Self, Error> {
-        let wheel = pair.across.wheel(wheel_line(pair, attitude));
+        let pose = pair.wheel_in(&attitude.at_height(pair.nominal_radius, 0.0));
+        let wheel = pair.across.wheel(wheel_line(pair, &pose));
         let mut runs: Vec<Vec<GapPoint>> = Vec::new();
         let mut is_open = false;
         for (k, (rail, wheel)) in pair.rail_from_above.iter().zip(wheel).enumerate() {
@@ -77,12 +77,13 @@ impl Gap {
                 is_open = false;
                 continue;
             };
+            let z = pair.rail_height(wheel.extra, rail.z);
             let point = GapPoint {
                 y: pair.across.at(k),
-                rail: [rail.z, rail.arc],
+                rail: [z, rail.arc],
                 inclination: rail.extra,
                 wheel: [wheel.extra, wheel.arc],
-                gap: wheel.z - rail.z,
+                gap: wheel.z - z,
             };
             match runs.last_mut().filter(|_| is_open) {
                 Some(run) => run.push(point),
@@ -91,7 +92,7 @@ impl Gap {
             is_open = true;
         }
         if runs.is_empty() {
-            let wheel = pair.wheel_span.map(|y| y + pair.wheel_offset + attitude.lateral);
+            let wheel = pair.wheel_span.map(|y| y + pair.wheel_offset + pose.centre[1]);
             return Err(WheelRailError::BesideRail { wheel, rail: pair.across.ends }.into());
         }
         Ok(Self { runs })
@@ -161,25 +162,48 @@ impl Region {
     }
 }
 
-/// The candidates of the wheel in the track, of those that may be above the rail.
-fn wheel_line(pair: &Pair, attitude: &Attitude) -> impl Iterator<Item = Option<Seen>> {
-    let pose = attitude.at_height(pair.nominal_radius, 0.0);
-    let tangent = attitude.yaw.tan();
-    // What roll and yaw move a point of the wheel sideways at most.
-    let [roll, yaw] = [attitude.roll.abs(), attitude.yaw.abs()];
-    let reach = pair.nominal_radius + pair.wheel_offset;
-    let margin = 2.0 * reach * (roll + yaw) + MARGIN;
-    let sideways = attitude.lateral + pair.wheel_offset;
-    let [from, to] = [pair.across.ends[0] - margin, pair.across.ends[1] + margin];
+/// The candidates of the wheel in the track.
+fn wheel_line(pair: &Pair, pose: &Pose) -> impl Iterator<Item = Option<Seen>> {
     pair.candidates.iter().map(move |candidate| {
-        let Candidate { arc, y, radius, slope } = (*candidate)?;
-        let x = radius * slope * tangent;
-        let may_be_seen = y + sideways > from && y + sideways < to;
-        if !may_be_seen || x.abs() > FARTHEST * radius {
+        let candidate = (*candidate)?;
+        let [mut sin, mut cos] = pose.silhouette(candidate.slope)?.sin_cos;
+        if let Some(roller) = pair.roller {
+            [sin, cos] = above_roller(pose, &candidate, (pair, roller), [sin, cos])?;
+        }
+        let Candidate { arc, y, radius, .. } = candidate;
+        let [x, y, z] = pose.in_track([radius * sin, pair.wheel_offset + y, -radius * cos]);
+        (sin.abs() <= FARTHEST).then_some(Seen { y, z, arc, extra: x })
+    })
+}
+
+/// Sine and cosine of the angle at which a point of the wheel has the slope along the track that a
+/// roller of a radius (in m) has below it, from those at which it has none; dimensionless.
+///
+/// With the normal N of the wheel, −N_x/N_z = −x/√(r² − x²).
+fn above_roller(
+    pose: &Pose,
+    candidate: &Candidate,
+    (pair, roller): (&Pair, f64),
+    [sin, cos]: [f64; 2],
+) -> Option<[f64; 2]> {
+    let Candidate { y, radius, slope, .. } = *candidate;
+    let mut angle = sin.atan2(cos);
+    let mut place = [sin, cos];
+    for _ in 0..STEPS {
+        let [sin, cos] = place;
+        let [n_x, _, n_z] = pose.turned([sin, slope, -cos]);
+        let [by_x, _, by_z] = pose.turned([cos, 0.0, sin]);
+        let [x, ..] = pose.in_track([radius * sin, pair.wheel_offset + y, -radius * cos]);
+        let height = (roller * roller - x * x).sqrt();
+        let off = n_x / n_z - x / height;
+        let slope = (by_x * n_z - n_x * by_z) / (n_z * n_z)
+            - radius * by_x * roller * roller / height.powi(3);
+        angle -= off / slope;
+        if !(angle.abs() < 1.0 && x.abs() <= FARTHEST * roller) {
             return None;
         }
-        let below = -(radius * radius - x * x).sqrt();
-        let [x, y, z] = pose.in_track([x, pair.wheel_offset + y, below]);
-        Some(Seen { y, z, arc, extra: x })
-    })
+        let (sin, cos) = angle.sin_cos();
+        place = [sin, cos];
+    }
+    Some(place)
 }

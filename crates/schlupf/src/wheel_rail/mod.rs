@@ -2,23 +2,28 @@
 //! are, their creepages, pressures and forces.
 //!
 //! The track frame has its origin between the rails in the plane of their tops: x along the track,
-//! y to the left, z up. A wheel is a surface of revolution, a rail a prism. The steps, each in a
-//! file: the profiles as smooth curves and in their places; the vertical gap and its regions of
-//! overlap under the wheel's exact locus of contact; the planes of the contacts; the undeformed
-//! distance above each; the normal contact ([`crate::normal::rough_contact`]) in each, all of them
+//! y to the left, z up. A wheel is a surface of revolution, a rail a prism or, on a test rig, a
+//! roller. The steps, each in a file: the profiles as smooth curves and in their places, with the
+//! deviations of the bodies; the vertical gap and its regions of overlap under the wheel's exact
+//! locus of contact; the planes of the contacts; the undeformed distance above each; the normal
+//! contact ([`crate::normal::rough_contact`]) in each, all of them
 //! sharing the vertical force; the creepages from the rigid motion; the tangential problems.
 //!
 //! A right wheel is solved as the mirror image of a left one.
 //!
 //! Limits: the pressure of each contact is that in a plane (a warning says how far a conformal one
-//! turns), while its rows slip as the curved surface; rails
-//! are straight prisms; the friction that helps to carry the wheel is that of steady rolling.
+//! turns), while its rows slip as the curved surface; rails do not vary along the track; the planes
+//! on a roller are parallel to x; the friction that helps to carry the wheel is that of steady
+//! rolling.
 
+mod side;
 mod spline;
 mod profile_curve;
 mod seen;
-mod pair;
 mod pose;
+mod deviation;
+mod shapes;
+mod pair;
 mod gap;
 mod contact_plane;
 mod distance;
@@ -28,7 +33,6 @@ mod pressing;
 mod creepage;
 mod rows;
 mod equilibrium;
-mod side;
 mod patch;
 mod holes;
 mod drive;
@@ -44,12 +48,14 @@ mod columns;
 pub use conicity::{RestingWheelset, RigidContact, Roll, RollingRadiusDifference};
 pub use contact_plane::Joining;
 pub use creepage::Motion;
+pub use deviation::Deviation;
 pub use drive::{Along, Drive};
-pub use pair::{Pair, RailShape, Track, WheelShape};
+pub use pair::Pair;
 pub use profile_curve::{CurvePoint, LEAST_SPACING, ProfileCurve};
 pub use resting::resting_roll;
 pub use rows::RowsMove;
-pub use side::Side;
+pub use shapes::{RailPlace, RailShape, Track, WheelShape};
+pub use side::{Side, Sides};
 pub use sliding::Tangential;
 pub use virtual_penetration::NormalMethod;
 pub use wheel::{Contact, Position, Support, WheelOnRail, WheelSolution};

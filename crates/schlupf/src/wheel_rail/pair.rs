@@ -3,8 +3,11 @@
 //! Everything in this module and below is that of the *left* wheel, so y points outwards; a right
 //! wheel is solved as the mirror image of a left one.
 
+use super::deviation::Deviation;
+use super::pose::{Pose, plus};
 use super::profile_curve::{CurvePoint, ProfileCurve};
 use super::seen::{Across, FLATTEST, Seen};
+use super::shapes::{RailPlace, RailShape, Track, WheelShape};
 use crate::reporting::{Error, Quantity, Requirement, WheelRailError, require};
 
 /// Bounds of lengths of the track and of the wheelset, in m.
@@ -16,43 +19,8 @@ const STEEPEST_CANT: f64 = 0.5;
 /// Step along a profile at which it is searched, in m.
 const STEP: f64 = 1e-5;
 
-/// The wheels of a wheelset.
-#[derive(Debug, Clone, PartialEq)]
-pub struct WheelShape {
-    /// Profile: z up, zero where the radius is the nominal one.
-    pub profile: ProfileCurve,
-    /// Nominal rolling radius, in m.
-    pub nominal_radius: f64,
-    /// Position y of the flange back in the coordinates of the profile, in m; negative.
-    pub flange_back_position: f64,
-}
-
-/// The rails of a track.
-#[derive(Debug, Clone, PartialEq)]
-pub struct RailShape {
-    /// Profile, with z up.
-    pub profile: ProfileCurve,
-    /// Inclination towards the middle of the track as a slope, such as 1/40; dimensionless.
-    pub cant: f64,
-}
-
-/// What determines where the profiles are.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Track {
-    /// Distance of the gauge faces, in m.
-    pub gauge: f64,
-    /// Depth below the top of the rail down to which the gauge is measured, in m.
-    pub gauge_depth: f64,
-    /// Distance of the flange backs of the wheelset, in m.
-    pub flange_back_distance: f64,
-}
-
-impl Default for Track {
-    /// 1435 mm, 14 mm below the top of the rail; 1360 mm between the flange backs.
-    fn default() -> Self {
-        Self { gauge: 1.435, gauge_depth: 14e-3, flange_back_distance: 1.360 }
-    }
-}
+/// Bounds of the radius of a roller, in m.
+const ROLLER: Requirement = Requirement::Between(1e-3, 1e4);
 
 /// Points along a profile at small equal steps.
 struct Samples {
@@ -86,6 +54,12 @@ pub struct Pair {
     pub(super) nominal_radius: f64,
     /// Distance of the origin of the wheel's profile from the middle of the wheelset, in m.
     pub(super) wheel_offset: f64,
+    /// The axes of the wheel in those of the wheelset.
+    wheel_in_set: Pose,
+    pub(super) wheel_deviation: Deviation,
+    pub(super) rail_deviation: Deviation,
+    /// Nominal radius of a roller, in m.
+    pub(super) roller: Option<f64>,
     /// The rail's profile in its own coordinates.
     pub(super) rail_profile: ProfileCurve,
     /// In the track frame.
@@ -96,7 +70,7 @@ pub struct Pair {
     /// Origin of the rail's profile in the track frame, y and z in m.
     pub(super) rail_origin: [f64; 2],
     /// In m.
-    gauge_depth: f64,
+    gauge_depth: Option<f64>,
 }
 
 /// Where the gauge of a rail is measured.
@@ -136,9 +110,9 @@ impl Samples {
 }
 
 impl Pair {
-    /// Places the profiles: the rail turned by its cant about the origin of its profile, its top at
-    /// z = 0 and its gauge point, the inmost point down to the gauge depth, half the gauge from the
-    /// middle; the wheel with its flange back half their distance from the middle of the wheelset.
+    /// Places the profiles: the rail turned by its cant about the origin of its profile and where
+    /// it is said to be, the wheel with its flange back half their distance from the middle of the
+    /// wheelset; then both as they deviate.
     ///
     /// # Errors
     /// A length that cannot be, or a profile without a running surface.
@@ -146,33 +120,67 @@ impl Pair {
         require(Quantity::WheelRadiusX, LENGTH, wheel.nominal_radius)?;
         require(Quantity::Gauge, LENGTH, track.gauge)?;
         require(Quantity::GaugeDepth, Requirement::Between(0.0, 1.0), track.gauge_depth)?;
-        require(Quantity::FlangeBackDistance, LENGTH, track.flange_back_distance)?;
+        let between = Requirement::Magnitude(10.0);
+        require(Quantity::FlangeBackDistance, between, track.flange_back_distance)?;
         let position = Requirement::Between(-1.0, 1.0);
         require(Quantity::FlangeBackPosition, position, wheel.flange_back_position)?;
         require(Quantity::RailCant, Requirement::Magnitude(STEEPEST_CANT), rail.cant)?;
-        let turned = rail.profile.placed(rail.cant.atan(), [0.0; 2]);
-        let samples = Samples::new(&turned);
-        require_surface(&samples, Quantity::RailProfile)?;
-        let GaugePoint { inmost, top, depth } = gauge_point(&samples, track.gauge_depth);
-        let rail_origin = [0.5 * track.gauge - inmost, -top];
-        let in_track = turned.placed(0.0, rail_origin);
+        let roller = (rail.radius != f64::INFINITY).then_some(rail.radius);
+        if let Some(radius) = roller {
+            require(Quantity::RailRadiusX, ROLLER, radius)?;
+        }
+        wheel.deviation.check(Quantity::WheelDeviation)?;
+        rail.deviation.check(Quantity::RailDeviation)?;
+        let cant = rail.cant.atan();
+        let (origin, gauge_depth) = rail_origin(rail, track)?;
+        let Deviation { displacement: [_, dy, dz], roll, .. } = rail.deviation;
+        let rail_origin = [origin[0] + dy, origin[1] + dz];
+        let in_track = rail.profile.placed(cant + roll, rail_origin);
         let on_wheel = Samples::new(&wheel.profile);
         require_surface(&on_wheel, Quantity::WheelProfile)?;
         let on_rail = Samples::new(&in_track);
+        require_surface(&on_rail, Quantity::RailProfile)?;
         let across = Across::between(on_rail.span());
+        let wheel_offset = 0.5 * track.flange_back_distance - wheel.flange_back_position;
         Ok(Self {
             wheel: wheel.profile.clone(),
             candidates: on_wheel.candidates(wheel.nominal_radius),
             wheel_span: on_wheel.span(),
             nominal_radius: wheel.nominal_radius,
-            wheel_offset: 0.5 * track.flange_back_distance - wheel.flange_back_position,
+            wheel_offset,
+            wheel_in_set: wheel.deviation.pose([0.0, wheel_offset, -wheel.nominal_radius]),
+            wheel_deviation: wheel.deviation,
+            rail_deviation: rail.deviation,
+            roller,
             rail_from_above: across.rail(&on_rail.arc, &on_rail.points),
             across,
             rail_profile: rail.profile.clone(),
             rail: in_track,
             rail_origin,
-            gauge_depth: depth,
+            gauge_depth,
         })
+    }
+
+    /// The wheel in the track, in a wheelset there.
+    pub(super) fn wheel_in(&self, wheelset: &Pose) -> Pose {
+        wheelset.then(&self.wheel_in_set)
+    }
+
+    /// Origin of the wheel's profile in the axes of the wheelset, in m.
+    pub(super) fn wheel_origin(&self) -> [f64; 3] {
+        let place = [0.0, self.wheel_offset, -self.nominal_radius];
+        plus(place, self.wheel_deviation.displacement)
+    }
+
+    /// Radius (in m) that a wheel above a plane has for the same distance along rolling.
+    pub(super) fn radius_along(&self) -> f64 {
+        let curvature = self.roller.map_or(0.0, f64::recip) + self.nominal_radius.recip();
+        curvature.recip()
+    }
+
+    /// Height (in m) at x of what is at `z` at x = 0 (in m): on a roller, on its circle.
+    pub(super) fn rail_height(&self, x: f64, z: f64) -> f64 {
+        self.roller.map_or(z, |radius| ((radius + z).powi(2) - x * x).sqrt() - radius)
     }
 
     /// An error for a contact at a lateral position in the track (in m) that reaches the end of the
@@ -187,9 +195,9 @@ impl Pair {
         WheelRailError::AtProfileEnd { profile, end, position }.into()
     }
 
-    /// Depth below the top of the rail down to which its gauge is measured, in m: less than asked
-    /// for where the profile ends above, so that the rail is too far inwards.
-    pub fn gauge_depth(&self) -> f64 {
+    /// Depth below the top of the rail down to which its gauge is measured, if it is, in m: less
+    /// than asked for where the profile ends above, so that the rail is too far inwards.
+    pub fn gauge_depth(&self) -> Option<f64> {
         self.gauge_depth
     }
 
@@ -212,6 +220,22 @@ impl Pair {
     pub fn wheel(&self) -> &ProfileCurve {
         &self.wheel
     }
+}
+
+/// The origin of the profile of a rail in the track, and the depth down to which its gauge was
+/// measured, if it was; in m.
+fn rail_origin(rail: &RailShape, track: &Track) -> Result<([f64; 2], Option<f64>), Error> {
+    if let RailPlace::Origin(place) = rail.place {
+        for part in place {
+            require(Quantity::RailOrigin, Requirement::Magnitude(10.0), part)?;
+        }
+        return Ok((place, None));
+    }
+    let samples = Samples::new(&rail.profile.placed(rail.cant.atan(), [0.0; 2]));
+    require_surface(&samples, Quantity::RailProfile)?;
+    let GaugePoint { inmost, top, depth } = gauge_point(&samples, track.gauge_depth);
+    let z = if rail.radius.is_finite() { 0.0 } else { -top };
+    Ok(([0.5 * track.gauge - inmost, z], Some(depth)))
 }
 
 fn require_surface(samples: &Samples, profile: Quantity) -> Result<(), Error> {

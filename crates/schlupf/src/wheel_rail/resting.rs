@@ -6,11 +6,11 @@ use super::drive::Drive;
 use super::gap::Gap;
 use super::pair::Pair;
 use super::pose::Attitude;
-use super::side::Side;
+use super::side::{Side, Sides};
 use super::sliding::Tangential;
 use super::wheel::{Position, WheelOnRail, WheelSolution};
 use crate::numerics::root::Bracket;
-use crate::reporting::{Error, Watch, WheelRailError};
+use crate::reporting::{Error, Quantity, Watch, WheelRailError, require_positive};
 
 /// Change of the roll angle below which it is found, in rad: less than 0.2 µm at the rails.
 const SETTLED: f64 = 2e-7;
@@ -29,18 +29,23 @@ const MOST_ROUNDS: usize = 100;
 ///
 /// # Errors
 /// A wheel beside its rail.
-pub fn resting_roll(pair: &Pair, [lateral, yaw]: [f64; 2], depths: [f64; 2]) -> Result<f64, Error> {
+pub fn resting_roll(
+    pairs: &Sides<Arc<Pair>>,
+    [lateral, yaw]: [f64; 2],
+    depths: [f64; 2],
+) -> Result<f64, Error> {
     let height = |side: Side, roll: f64, depth: f64| -> Result<f64, Error> {
-        let sign = side.outwards();
-        let attitude = Attitude { lateral: sign * lateral, roll: sign * roll, yaw: sign * yaw };
-        let least = Gap::new(pair, &attitude)?.least();
+        let attitude = Attitude::of(side, [lateral, roll, yaw]);
+        let least = Gap::new(pairs.of(side), &attitude)?.least();
         Ok(least.map_or(0.0, |point| -point.gap) - depth)
     };
     let difference = |roll: f64| -> Result<f64, Error> {
         Ok(height(Side::Left, roll, depths[0])? - height(Side::Right, roll, depths[1])?)
     };
+    let offset = 0.5 * (pairs.left.wheel_offset + pairs.right.wheel_offset);
+    require_positive(Quantity::FlangeBackDistance, offset)?;
     let mut bracket = Bracket::new([f64::NEG_INFINITY, f64::INFINITY]);
-    let mut slope = Slope::new(pair);
+    let mut slope = Slope::new(pairs);
     let mut roll = 0.0;
     loop {
         let off = difference(roll)?;
@@ -62,8 +67,8 @@ struct Slope {
 }
 
 impl Slope {
-    fn new(pair: &Pair) -> Self {
-        Self { usual: -2.0 * pair.wheel_offset, last: None }
+    fn new(Sides { left, right }: &Sides<Arc<Pair>>) -> Self {
+        Self { usual: -(left.wheel_offset + right.wheel_offset), last: None }
     }
 
     /// The slope through the last point and this one.
@@ -94,22 +99,21 @@ impl WheelOnRail {
         self.check()?;
         tangential.check(self.motion.speed)?;
         let place = [self.position.lateral, self.position.yaw];
-        let rigid = resting_roll(&self.pair, place, [0.0; 2])?;
+        let rigid = resting_roll(&self.pairs, place, [0.0; 2])?;
         let depth = |side: Side| {
             let position = Position { roll: rigid, ..self.position };
             Self { side, position, ..self.clone() }.frictionless_depth(tangential, watch)
         };
         let depths = [depth(Side::Left)?, depth(Side::Right)?];
-        let mut roll = resting_roll(&self.pair, place, depths)?;
+        let mut roll = resting_roll(&self.pairs, place, depths)?;
         let mut bracket = Bracket::new([f64::NEG_INFINITY, f64::INFINITY]);
-        let mut slope = Slope::new(&self.pair);
+        let mut slope = Slope::new(&self.pairs);
         let mut step = f64::INFINITY;
         let mut before: Option<[WheelSolution; 2]> = None;
         for _ in 0..MOST_ROUNDS {
             let wheel = |side: Side, turned: Option<f64>| {
                 let position = Position { roll, ..self.position };
-                let mut wheel =
-                    Self { pair: Arc::clone(&self.pair), side, position, ..self.clone() };
+                let mut wheel = Self { side, position, ..self.clone() };
                 if let Some(angular_velocity) = turned {
                     wheel.drive = Drive::AngularVelocity;
                     wheel.motion.angular_velocity = angular_velocity;

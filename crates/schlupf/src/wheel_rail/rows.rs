@@ -6,9 +6,7 @@
 //! the interface. (CONTACT takes the undeformed wheel; the difference is of the order of half the
 //! overlap over the radius.) In the plane of the contact the interface is n(s) = (n_r + n_w)/2 of
 //! the rail's profile and of the wheel's outline, which is what is seen of the wheel along the
-//! track: the points of its surface whose normal has no component along the track, at
-//! x = r sin θ, sin θ = σ tan ψ in the wheelset's axes, with the slope σ = dz/dy of the wheel's
-//! profile, its radius r and the yaw angle ψ.
+//! track: the points of its surface whose normal has no component along the track.
 //!
 //! The creepages of the plane are those of the material point Q of the wheel at its origin
 //! ([`super::creepage`]). A row at s slips as the point Q + s s₀ + (n(s) − n(0)) n₀, in the tangent
@@ -79,6 +77,7 @@ struct Height {
 /// A wheel and a rail above the plane of a contact.
 pub(super) struct Passing<'a> {
     pub pair: &'a Pair,
+    /// That of the wheel.
     pub pose: &'a Pose,
     pub plane: &'a ContactPlane,
 }
@@ -176,15 +175,10 @@ impl Passing<'_> {
     fn outline(&self, arc: f64) -> Option<OutlinePoint> {
         let point = self.pair.wheel.at(arc);
         let ([y, z], [ty, tz], [by, bz]) = (point.place, point.tangent, point.bend);
-        let [cos_yaw, minus_sin_yaw, _] = self.pose.rotation[0];
-        let tan_yaw = -minus_sin_yaw / cos_yaw;
         let radius = self.pair.nominal_radius - z;
-        let sin = tz / ty * tan_yaw;
-        let cos = (1.0 - sin * sin).sqrt();
-        let turn = (bz * ty - tz * by) / (ty * ty) * tan_yaw / cos;
-        if !(turn.is_finite() && cos > 0.0) {
-            return None;
-        }
+        let silhouette = self.pose.silhouette(tz / ty)?;
+        let [sin, cos] = silhouette.sin_cos;
+        let turn = (bz * ty - tz * by) / (ty * ty) * silhouette.by_slope;
         let place = [radius * sin, y + self.pair.wheel_offset, -radius * cos];
         let tangent = [-tz * sin + radius * cos * turn, ty, tz * cos + radius * sin * turn];
         let place = minus(self.pose.in_track(place), self.plane.origin);

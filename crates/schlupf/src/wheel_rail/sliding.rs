@@ -147,7 +147,8 @@ impl Sliding<'_> {
 
     fn moving(&self, pressed: &Pressed, angular_velocity: f64) -> Moving {
         let motion = Motion { angular_velocity, ..self.motion };
-        Moving::new(&self.pose(), &pressed.plane, pressed.approach, &motion)
+        let bodies = (self.lowering.pair, &self.pose());
+        Moving::new(bodies, (&pressed.plane, pressed.approach), &motion)
     }
 
     /// How much of the motion of its rows a contact takes.
@@ -167,7 +168,7 @@ impl Sliding<'_> {
         }
         let moving = self.moving(pressed, angular_velocity);
         let motion = creepages(&pressed.plane, &moving);
-        let pose = &self.pose();
+        let pose = &self.lowering.pair.wheel_in(&self.pose());
         let passing = Passing { pair: self.lowering.pair, pose, plane: &pressed.plane };
         let rows = passing.rows(&touched(pressed), &moving, &motion)?;
         Ok(rows.map(|rows| if share == 1.0 { rows } else { rows.scaled(share) }))
@@ -197,6 +198,7 @@ impl Sliding<'_> {
         Ok(Friction { law, ..friction })
     }
 
+    /// That of the wheelset.
     pub fn pose(&self) -> Pose {
         self.lowering.pose(self.lowered.at.depth)
     }

@@ -12,7 +12,7 @@ use super::pair::Pair;
 use super::pose::{Attitude, minus};
 use super::pressing::Accuracy;
 use super::rows::{CONFORMAL, RowsMove};
-use super::side::Side;
+use super::side::{Side, Sides};
 use super::sliding::{Slid, Sliding, Tangential, turn};
 use super::turning::Turning;
 use super::virtual_penetration::NormalMethod;
@@ -49,8 +49,8 @@ pub enum Support {
 /// A wheel on a rail.
 #[derive(Debug, Clone)]
 pub struct WheelOnRail {
-    /// Profiles and where they are.
-    pub pair: Arc<Pair>,
+    /// Profiles and where they are, each as seen from the left.
+    pub pairs: Sides<Arc<Pair>>,
     /// Which wheel.
     pub side: Side,
     /// Where the wheelset is.
@@ -262,6 +262,8 @@ impl WheelOnRail {
         }
         require_finite(Quantity::RollRate, self.motion.roll_rate)?;
         require_finite(Quantity::YawRate, self.motion.yaw_rate)?;
+        let curve = Requirement::Radius(1.0, f64::INFINITY);
+        require(Quantity::CurveRadius, curve, self.motion.curve_radius)?;
         self.drive.check()?;
         let angle = Requirement::Inside(-1.0, 1.0);
         require_finite(Quantity::LateralPosition, self.position.lateral)?;
@@ -275,10 +277,14 @@ impl WheelOnRail {
         }
     }
 
+    /// Its own profiles, and where they are.
+    pub fn pair(&self) -> &Pair {
+        self.pairs.of(self.side)
+    }
+
     fn attitude(&self) -> Attitude {
         let Position { lateral, yaw, roll } = self.position;
-        let sign = self.side.outwards();
-        Attitude { lateral: sign * lateral, roll: sign * roll, yaw: sign * yaw }
+        Attitude::of(self.side, [lateral, roll, yaw])
     }
 
     /// The contacts, and the height if the vertical force is given.
@@ -300,7 +306,7 @@ impl WheelOnRail {
     ) -> Result<Found, Error> {
         self.check()?;
         tangential.check(self.motion.speed)?;
-        let gap = Gap::new(&self.pair, &self.attitude())?;
+        let gap = Gap::new(self.pair(), &self.attitude())?;
         let lowering = self.lowering(&gap, tangential, watch);
         match self.support {
             Support::Height(height) => {
@@ -325,7 +331,7 @@ impl WheelOnRail {
         tangential: &Tangential,
         watch: Watch<'a>,
     ) -> Lowering<'a> {
-        let (pair, joining, attitude) = (&*self.pair, self.joining, self.attitude());
+        let (pair, joining, attitude) = (self.pair(), self.joining, self.attitude());
         let contact_modulus = tangential.interface.contact_modulus();
         let method = self.normal_method;
         Lowering { pair, gap, attitude, joining, contact_modulus, method, watch }
@@ -365,7 +371,7 @@ impl WheelOnRail {
         watch: Watch,
     ) -> Result<f64, Error> {
         let Support::Force(force) = self.support else { return Ok(0.0) };
-        let gap = Gap::new(&self.pair, &self.attitude())?;
+        let gap = Gap::new(self.pair(), &self.attitude())?;
         let lowering = self.lowering(&gap, tangential, watch);
         let how = (Accuracy::Coarse, NEARLY_SETTLED);
         Ok(lowering.carrying(force, &[], first_guess(&lowering, force), how)?.at.depth)
@@ -391,7 +397,7 @@ impl WheelOnRail {
         with_solvers.sort_by(|(one, _), (two, _)| two.0.force.total_cmp(&one.0.force));
         let (solved, solvers): (Vec<Slid>, Vec<_>) = with_solvers.into_iter().unzip();
         let holes =
-            solved.iter().flat_map(|(pressed, ..)| holes::under(&self.pair, pressed)).collect();
+            solved.iter().flat_map(|(pressed, ..)| holes::under(self.pair(), pressed)).collect();
         let contacts: Vec<Contact> =
             solved.into_iter().map(|solved| self.contact(lowering, lowered, solved)).collect();
         let mut force = [0.0; 3];
@@ -414,7 +420,7 @@ impl WheelOnRail {
             guess: lowered.at,
             rows: self.rows,
             rounds,
-            is_smoothed: self.pair.wheel.smoothing() + self.pair.rail.smoothing() > 0.0,
+            is_smoothed: self.pair().wheel.smoothing() + self.pair().rail.smoothing() > 0.0,
             holes,
         };
         (wheel, solvers)
@@ -426,18 +432,19 @@ impl WheelOnRail {
         lowered: &Lowered,
         (pressed, problem, solution): Slid,
     ) -> Contact {
-        let pose = lowering.pose(lowered.at.depth);
+        let pair = self.pair();
+        let pose = pair.wheel_in(&lowering.pose(lowered.at.depth));
         let plane = &pressed.plane;
         let sign = self.side.outwards();
         let [x, y, z] = plane.origin;
-        let on_wheel = pose.in_wheelset(minus(plane.origin, pose.centre));
+        let on_wheel = pose.in_body(minus(plane.origin, pose.centre));
         Contact {
             position: [x, sign * y, z],
             angle: -sign * plane.inclination,
-            rail_position: y - self.pair.rail_origin[0],
-            wheel_position: on_wheel[1] - self.pair.wheel_offset,
+            rail_position: y - pair.rail_origin[0],
+            wheel_position: on_wheel[1] - pair.wheel_offset,
             rolling_radius: on_wheel[0].hypot(on_wheel[2]),
-            turn: turn(&self.pair, &pressed),
+            turn: turn(pair, &pressed),
             problem,
             solution,
         }

@@ -192,8 +192,6 @@ impl WheelRail {
                 angle("VPITCHW"),
             ])?;
             self.wheel_deviation = Some([deviation, rates]);
-        } else if kind != 0 && kind != 1 {
-            self.wheel_deviation = None;
         }
         Ok(())
     }

@@ -49,7 +49,7 @@ pub(super) fn contacts(report: &WheelsetReport) -> Option<String> {
     Heading::new("Contact points", &report.title, load, report.status()).draw(&mut drawing);
     for (k, side) in [Side::Left, Side::Right].into_iter().enumerate() {
         // As seen by who looks along the track, so the axis is that of −y.
-        let outer = -side.outwards() * (1e3 * report.pair.rail_origin()[0] + BEYOND);
+        let outer = -side.outwards() * (1e3 * report.pairs.of(side).rail_origin()[0] + BEYOND);
         let inner = outer + side.outwards() * VIEW;
         let frame = Frame {
             corner: [60.0 + k as f64 * (width + BETWEEN), top],
@@ -72,7 +72,7 @@ fn view(
     (frame, side, scale): (&Frame, Side, &ColorScale),
 ) {
     let sign = side.outwards();
-    let pair = &report.pair;
+    let pair = report.pairs.of(side);
     let line = |curve: &ProfileCurve, place: &dyn Fn([f64; 2]) -> [f64; 2]| -> Vec<[f64; 2]> {
         places(curve).map(|at| frame.at(place(at))).collect()
     };

@@ -7,7 +7,7 @@ mod summary;
 
 use schlupf::Status;
 use schlupf::reporting::{Column, Message, Record, Value, columns};
-use schlupf::wheel_rail::{Contact, Pair, RollingRadiusDifference, Side, WheelSolution};
+use schlupf::wheel_rail::{Contact, Pair, RollingRadiusDifference, Side, Sides, WheelSolution};
 use std::sync::Arc;
 
 use crate::output::figures::{Drawing, FigureError};
@@ -59,7 +59,7 @@ pub struct WheelsetReport {
     /// Title of the case.
     pub title: String,
     /// Profiles of both sides, for the figure.
-    pub pair: Arc<Pair>,
+    pub pairs: Sides<Arc<Pair>>,
     /// Vertical force on each wheel, in N.
     pub load: f64,
     /// The positions.

@@ -175,7 +175,9 @@ pub fn heat(case: &mut Translation, control: &Control, heat: Option<&Heat>, whee
         case.quantity(CONDUCTIVITY[path], conductivity, (1e3, "W/(m K)"));
         case.quantity(DENSITY[path], density, (1e9, "kg/m^3"));
     }
-    if let Some(part) = heat.plastic_part.filter(|part| !part.is(1)) {
+    let is_plastic =
+        case.document.fields().iter().any(|field| field.path == field!("layer.yield_stress"));
+    if let Some(part) = heat.plastic_part.filter(|part| is_plastic && !part.is(1)) {
         let what = "a part of the plastic work that does not heat is not available";
         case.refuse(part, what, "BETAPL = 1 heats with all of it");
     }

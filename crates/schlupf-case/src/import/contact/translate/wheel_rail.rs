@@ -29,7 +29,7 @@ pub fn translate(
     case.document.text(field!("normal.model"), "wheel-rail");
     search(&mut case, control, wheel_rail);
     match &wheel_rail.track {
-        Some(track) => write_track(&mut case, track),
+        Some(track) => write_track(&mut case, control, track),
         None => case.miss(control.distance, "the track"),
     }
     match &wheel_rail.rail {
@@ -45,9 +45,6 @@ pub fn translate(
 }
 
 fn digits(case: &mut Translation, control: &Control) {
-    if control.config.value >= 4.0 {
-        case.refuse(control.config, "rollers are not available", "C1 = 0 or 1 is a track");
-    }
     match control.tangential.whole() {
         1 => case.refuse(
             control.tangential,
@@ -155,24 +152,39 @@ fn search(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
     case.document.text(field!("normal.row_motion"), "plane");
 }
 
-fn write_track(case: &mut Translation, track: &Track) {
+/// Whether the wheel is the left one.
+fn is_left(control: &Control) -> bool {
+    control.config.is(0) || control.config.is(4)
+}
+
+/// Whether it runs on a roller.
+fn is_on_roller(control: &Control) -> bool {
+    control.config.value >= 4.0
+}
+
+fn write_track(case: &mut Translation, control: &Control, track: &Track) {
     if track.gauge_height.value <= 0.0 {
-        case.refuse(
-            track.gauge_height,
-            "rails placed by their origin (RAILY0, RAILZ0) are not available",
-            "GAUGHT > 0 places them by the gauge GAUGWD",
-        );
-        return;
+        // y to the right and z downwards there.
+        let outwards = if is_left(control) { -1.0 } else { 1.0 };
+        case.quantity(field!("rail.origin_y"), track.face, (outwards, "mm"));
+        case.quantity(field!("rail.origin_z"), track.gauge, (-1.0, "mm"));
+    } else {
+        if track.face.value > 1.0 {
+            let what = "gauge faces other than the first are not available";
+            case.refuse(track.face, what, "GAUGSQ = 0");
+        }
+        case.quantity(field!("track.gauge"), track.gauge, (1.0, "mm"));
+        case.quantity(field!("track.gauge_depth"), track.gauge_height, (1.0, "mm"));
     }
-    if track.face.value > 1.0 {
-        case.refuse(track.face, "gauge faces other than the first are not available", "GAUGSQ = 0");
+    if is_on_roller(control) {
+        case.quantity(field!("rail.radius_x"), track.cant, (1.0, "mm"));
+    } else {
+        case.document.number(field!("rail.cant"), track.cant.value.tan());
+        case.stands(field!("rail.cant"), track.cant);
     }
-    case.quantity(field!("track.gauge"), track.gauge, (1.0, "mm"));
-    case.quantity(field!("track.gauge_depth"), track.gauge_height, (1.0, "mm"));
-    case.document.number(field!("rail.cant"), track.cant.value.tan());
-    case.stands(field!("rail.cant"), track.cant);
-    if let Some(curvature) = track.curvature {
-        case.refuse_unless_zero(curvature, "curved track is not available", "CURV = 0 is straight");
+    if let Some(curvature) = track.curvature.filter(|curvature| curvature.value != 0.0) {
+        let radius = Given { value: curvature.value.recip(), ..curvature };
+        case.quantity(field!("track.curve_radius"), radius, (-1e-3, "m"));
     }
 }
 
@@ -181,6 +193,7 @@ struct ProfilePaths {
     profile: FieldPath,
     y: FieldPath,
     z: FieldPath,
+    scale: FieldPath,
     smoothing: FieldPath,
 }
 
@@ -188,12 +201,14 @@ const RAIL: ProfilePaths = ProfilePaths {
     profile: field!("rail.profile"),
     y: field!("rail.profile_y"),
     z: field!("rail.profile_z"),
+    scale: field!("rail.profile_scale"),
     smoothing: field!("rail.profile_smoothing"),
 };
 const WHEEL: ProfilePaths = ProfilePaths {
     profile: field!("wheel.profile"),
     y: field!("wheel.profile_y"),
     z: field!("wheel.profile_z"),
+    scale: field!("wheel.profile_scale"),
     smoothing: field!("wheel.profile_smoothing"),
 };
 
@@ -222,11 +237,8 @@ fn write_profile(case: &mut Translation, profile: &Profile, paths: &ProfilePaths
         case.notice(Notice::ThresholdsLeftOut { profile: paths.profile }, options);
     }
     if profile.scale.value != 1.0 {
-        case.refuse(
-            profile.scale,
-            "a scale of a profile is not available",
-            "SCALEYZ = 1 for a file in mm; the header `y [m],z [m]` names other units",
-        );
+        case.document.number(paths.scale, profile.scale.value);
+        case.stands(paths.scale, profile.scale);
     }
     let smoothing = profile.smoothing;
     if smoothing.value <= 0.0 {
@@ -234,9 +246,17 @@ fn write_profile(case: &mut Translation, profile: &Profile, paths: &ProfilePaths
     }
     match profile.smoothing_method.map_or(0, Given::whole) {
         1 => case.quantity(paths.smoothing, smoothing, (1.0, "mm")),
+        2 => {
+            case.remark(format!(
+                "{}: penalty of the second derivative in place of the third, with the wavelength \
+                 that both halve.",
+                paths.smoothing
+            ));
+            case.quantity(paths.smoothing, smoothing, (1.0, "mm"));
+        }
         _ => case.refuse(
             smoothing,
-            "this method of smoothing is not available",
+            "this method of smoothing, whose wavelength depends on the points, is not available",
             "ISMOOTH = 1 (PRFOPT = 1) smooths with a length L_FILT in mm",
         ),
     }
@@ -246,7 +266,7 @@ fn write_profile(case: &mut Translation, profile: &Profile, paths: &ProfilePaths
 const NO_TAPE_CIRCLE: f64 = 1e3;
 
 fn wheelset(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
-    let side = if control.config.is(0) || control.config.is(4) { "left" } else { "right" };
+    let side = if is_left(control) { "left" } else { "right" };
     case.document.text(field!("wheelset.side"), side);
     let (Some(size), Some(position), Some(velocity)) =
         (wheel_rail.wheelset, wheel_rail.position, wheel_rail.velocity)
@@ -267,7 +287,11 @@ fn wheelset(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
         case.refuse(velocity[5], what, "E = 2 to 5 gives them anew");
     }
     // y to the right and z downwards there: a turn by π about x.
-    let [_, y, support, roll, yaw, _] = position;
+    let [along, y, support, roll, yaw, _] = position;
+    if is_on_roller(control) {
+        let what = "a wheel before or behind the top of its roller is not available";
+        case.refuse_unless_zero(along, what, "X_WS = 0 is above its axle");
+    }
     case.quantity(field!("wheelset.lateral_position"), y, (-1.0, "mm"));
     case.quantity(field!("wheelset.yaw_angle"), yaw, (-1e3, "mrad"));
     case.quantity(field!("wheelset.roll_angle"), roll, (1e3, "mrad"));
@@ -277,7 +301,11 @@ fn wheelset(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
         case.quantity(field!("normal.load"), support, (1e-3, "kN"));
     }
     let [forward, lateral, vertical, roll, yaw, pitch] = velocity;
-    case.quantity(field!("kinematics.speed"), forward, (1e-3, "m/s"));
+    if is_on_roller(control) {
+        case.quantity(field!("rail.angular_velocity"), forward, (1.0, "rad/s"));
+    } else {
+        case.quantity(field!("kinematics.speed"), forward, (1e-3, "m/s"));
+    }
     case.quantity(field!("wheelset.lateral_velocity"), lateral, (-1.0, "mm/s"));
     case.quantity(field!("wheelset.vertical_velocity"), vertical, (-1.0, "mm/s"));
     case.quantity(field!("wheelset.roll_rate"), roll, (1.0, "rad/s"));
@@ -293,7 +321,7 @@ fn wheelset(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
         2 => case.quantity(field!("kinematics.wheel_torque"), pitch, (-1e-3, "N m")),
         _ => case.quantity(field!("kinematics.angular_velocity"), pitch, (-1.0, "rad/s")),
     }
-    deviations(case, wheel_rail);
+    deviations(case, is_left(control), wheel_rail);
 }
 
 /// Whether the last velocity is another quantity than the digit F says, as one that an earlier case
@@ -307,12 +335,50 @@ fn changed_meaning(control: &Control, last: &Given) -> bool {
     last.name != name
 }
 
-/// Deviations from the design are refused unless they vanish.
-fn deviations(case: &mut Translation, wheel_rail: &WheelRail) {
-    let of_wheel = wheel_rail.wheel_deviation.into_iter().flatten().flatten();
-    let of_rail = wheel_rail.rail_deviation.into_iter().flatten();
-    for given in of_rail.chain(of_wheel) {
-        let what = "a deviation from the design is not available";
-        case.refuse_unless_zero(given, what, "0 is the design itself");
+/// A field of a deviation, on the left and on the right, with the factor and the unit that make it
+/// of a value; `None` for what has no effect.
+type Deviation = Option<([FieldPath; 2], (f64, &'static str))>;
+
+macro_rules! own {
+    ($body:literal, $name:literal, $factor:literal, $unit:literal) => {
+        Some((
+            [field!("left_", $body, ".", $name), field!("right_", $body, ".", $name)],
+            ($factor, $unit),
+        ))
+    };
+}
+
+/// DYRAIL, DZRAIL, DROLLR, VYRAIL, VZRAIL and VROLLR.
+const OF_RAIL: [Deviation; 6] = [
+    own!("rail", "lateral_displacement", -1.0, "mm"),
+    own!("rail", "vertical_displacement", -1.0, "mm"),
+    own!("rail", "roll_angle", 1e3, "mrad"),
+    own!("rail", "lateral_velocity", -1.0, "mm/s"),
+    own!("rail", "vertical_velocity", -1.0, "mm/s"),
+    own!("rail", "roll_rate", 1.0, "rad/s"),
+];
+/// DXWHL to DPITCHW: a round wheel looks the same at any pitch. Then VXWHL to VPITCHW.
+const OF_WHEEL: [Deviation; 12] = [
+    own!("wheel", "longitudinal_displacement", 1.0, "mm"),
+    own!("wheel", "lateral_displacement", -1.0, "mm"),
+    own!("wheel", "vertical_displacement", -1.0, "mm"),
+    own!("wheel", "roll_angle", 1e3, "mrad"),
+    own!("wheel", "yaw_angle", -1e3, "mrad"),
+    None,
+    own!("wheel", "longitudinal_velocity", 1.0, "mm/s"),
+    own!("wheel", "lateral_velocity", -1.0, "mm/s"),
+    own!("wheel", "vertical_velocity", -1.0, "mm/s"),
+    own!("wheel", "roll_rate", 1.0, "rad/s"),
+    own!("wheel", "yaw_rate", -1.0, "rad/s"),
+    own!("wheel", "pitch_rate", -1.0, "rad/s"),
+];
+
+fn deviations(case: &mut Translation, is_left: bool, wheel_rail: &WheelRail) {
+    let of_wheel = wheel_rail.wheel_deviation.into_iter().flatten().flatten().zip(OF_WHEEL);
+    let of_rail = wheel_rail.rail_deviation.into_iter().flatten().zip(OF_RAIL);
+    for (given, field) in of_rail.chain(of_wheel).filter(|(given, _)| given.value != 0.0) {
+        if let Some(([left, right], into)) = field {
+            case.quantity(if is_left { left } else { right }, given, into);
+        }
     }
 }
