@@ -114,6 +114,11 @@ impl Settings {
         self.given.contains_key(&path) && self.is_used(path.field())
     }
 
+    /// Whether a field was given, with an effect or without.
+    pub fn is_written(&self, path: FieldPath) -> bool {
+        self.given.contains_key(&path)
+    }
+
     /// Whether any of these fields was given.
     pub fn any_given(&self, paths: &[FieldPath]) -> bool {
         paths.iter().any(|path| self.is_given(*path))

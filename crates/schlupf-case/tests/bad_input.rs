@@ -244,6 +244,17 @@ fn contradictions_name_both_sides() {
             &["together with normal.peak_pressure", "the peak pressure determines the load"],
         ),
         (
+            "[normal]\nload = \"80 kN\"\napproach = \"50 um\"",
+            "normal.load",
+            &["together with normal.approach", "the approach determines the load"],
+        ),
+        (
+            "[normal]\napproach = \"50 um\"\n[history]\ntime = [\"0 s\", \"1 s\"]\n\
+             load = [\"80 kN\", \"90 kN\"]",
+            "history.load",
+            &["together with normal.approach"],
+        ),
+        (
             "[elasticity]\nbedding_x = \"1e13 N/m^3\"\nspring_x = \"1e6 N/m\"",
             "elasticity.spring_x",
             &["together with elasticity.bedding_x"],

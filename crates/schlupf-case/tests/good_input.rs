@@ -11,8 +11,8 @@ use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
 use schlupf::interface::friction::FrictionState;
 use schlupf::interface::heat::Partition;
 use schlupf::normal::{Extent, Grid};
-use schlupf::unwatched;
-use schlupf_case::{Case, CaseFile, Folder, Overrides, Place, field};
+use schlupf::{Quantity, unwatched};
+use schlupf_case::{Case, CaseFile, ElasticityModel, Folder, Overrides, Place, field};
 
 fn texts(notices: &[schlupf::reporting::Message]) -> Vec<String> {
     notices.iter().map(|notice| notice.text.clone()).collect()
@@ -103,6 +103,31 @@ fn semi_axes_come_with_load_or_peak_pressure() {
     let loaded = read(text, &["normal.load=90 kN"]);
     let summary = loaded.problem.normal.normal_contact(None).unwrap().summary;
     assert_relative_eq!(summary.load, 90e3, max_relative = 1e-13);
+}
+
+/// Whatever has an approach finds the load: it is no condition then, and a state has another
+/// approach. A line contact is solved on the half-space, in one row, unless asked otherwise.
+#[test]
+fn an_approach_takes_the_place_of_the_load() {
+    let load = |case: &Case| case.problem.normal.normal_contact(None).unwrap().summary.load;
+    let line = "[normal]\nmodel = \"line\"\nlength = \"20 mm\"\n";
+    for text in ["", line] {
+        let by_load = read(text, &["normal.load=30 kN"]);
+        let found = by_load.problem.normal.normal_contact(None).unwrap().summary;
+        let approach = format!("normal.approach={} m", found.approach.unwrap());
+        let case = read(text, &[&approach]);
+        assert_relative_eq!(load(&case), 30e3, max_relative = 1e-10);
+        let condition = |assignment: &str| {
+            let assignments = &[assignment.to_owned()];
+            let overrides = Overrides { option: "--set", assignments };
+            let file = CaseFile::from_str(text, "case.toml", Folder::new(""), overrides);
+            file.unwrap().condition(field!("normal.load"))
+        };
+        assert_eq!(condition(&approach), None);
+        assert_eq!(condition("normal.load=30 kN"), Some(Quantity::Load));
+    }
+    let line = read(line, &["normal.load=30 kN"]);
+    assert_eq!((line.elasticity, line.options.cells_y), (ElasticityModel::HalfSpace, 1));
 }
 
 #[test]

@@ -183,6 +183,11 @@ fn contradictions_are_told() {
             "wheelset.roll_angle is missing, which wheelset.height needs",
         ),
         (
+            with(profiles).replace("load = ", "approach = \"50 um\"\n#"),
+            "normal.approach must not be given with normal.model = \"wheel-rail\", but is \"50 um\": \
+             the contacts of a wheel have wheelset.height in common",
+        ),
+        (
             with(profiles) + "[history]\ntime = [\"0 s\", \"1 s\"]\ncreepage_y = [0.0, 0.1]\n",
             "history.time must be left out with normal.model = \"wheel-rail\"",
         ),

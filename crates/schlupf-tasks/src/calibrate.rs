@@ -164,8 +164,9 @@ impl Patch {
 
     fn warnings(&self, layer: &CalibratedLayer) -> Vec<Message> {
         let of_parts = layer.caveat_of_parts(self.normal.summary.parts);
-        let is_table = matches!(self.normal.pressure, Pressure::Tabulated(..));
-        let of_shape = (is_table && of_parts.is_none()).then_some(Warning::EquivalentEllipse {});
+        let is_elliptic = matches!(self.normal.pressure, Pressure::Elliptic);
+        let of_shape =
+            (!is_elliptic && of_parts.is_none()).then_some(Warning::EquivalentEllipse {});
         let warnings: Vec<Warning> =
             of_parts.into_iter().chain(of_shape).chain(self.bodies.caveat()).collect();
         self.notices.iter().cloned().chain(messages(&warnings)).collect()

@@ -11,11 +11,11 @@ use std::sync::Arc;
 use common::{problem, rolling};
 use schlupf::bodies::Material;
 use schlupf::elasticity::{Compliance, Convolution, Elasticity, HalfSpace};
-use schlupf::interface::Incremental;
 use schlupf::interface::friction::Constant;
-use schlupf::normal::{Ellipse, Grid, PressureSource, PressureTable, Tabulated};
+use schlupf::interface::{ContactLaw, Incremental};
+use schlupf::normal::{Ellipse, Grid, Line, PressureSource, PressureTable, Tabulated};
 use schlupf::solver::reference::{Carter, HainesOllerton};
-use schlupf::{Error, Options, Solution, Status, unwatched};
+use schlupf::{Error, Options, Problem, Solution, Status, unwatched};
 
 const CYLINDERS: Carter = Carter {
     half_length: 5e-3,
@@ -24,6 +24,9 @@ const CYLINDERS: Carter = Carter {
     shear_modulus: 82e9,
     poisson_ratio: 0.28,
 };
+
+/// Length of a line contact with a = 1 mm, in m.
+const LENGTH: f64 = 0.2;
 
 /// Creepages over that of full sliding.
 const CREEPAGES: [f64; 8] = [0.01, 0.03, 0.1, 0.25, 0.5, 0.75, 0.9, 1.2];
@@ -81,20 +84,29 @@ fn cylinders() -> Tabulated {
     Tabulated::new(PressureTable::new(&x, &[-a, a], line.repeat(2)).unwrap(), None).unwrap()
 }
 
-/// Steady rolling under a longitudinal creepage, with the contact law's k_c (in 1/m) and cells
-/// along and across.
-fn solve(
+fn of_bodies(
     (normal, elasticity): (Arc<dyn PressureSource>, Arc<dyn Elasticity>),
     creepage: f64,
     stiffness: f64,
-    [cells_x, cells_y]: [usize; 2],
-) -> Solution {
+) -> Problem {
     let mut coulomb = problem(rolling(creepage, 0.0, 0.0));
     coulomb.normal = normal;
     coulomb.interface.elasticity = elasticity;
     coulomb.interface.contact_law = Incremental::new(stiffness).unwrap().into();
     coulomb.interface.friction.law =
         Arc::new(Constant::new(CYLINDERS.friction_coefficient).unwrap());
+    coulomb
+}
+
+/// Steady rolling under a longitudinal creepage, with the contact law's k_c (in 1/m) and cells
+/// along and across.
+fn solve(
+    bodies: (Arc<dyn PressureSource>, Arc<dyn Elasticity>),
+    creepage: f64,
+    stiffness: f64,
+    [cells_x, cells_y]: [usize; 2],
+) -> Solution {
+    let coulomb = of_bodies(bodies, creepage, stiffness);
     let options = Options { cells_x, cells_y, slip_threshold: 0.99, ..Options::default() };
     let solution = schlupf::solver::solve(&coulomb, &options, &unwatched).unwrap();
     assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
@@ -194,4 +206,88 @@ fn haines_ollerton_1963_creep_curve() {
         println!("ν = {poisson_ratio}: {errors:+.4?}");
         assert!(errors.iter().all(|e| e.abs() < 0.015), "ν = {poisson_ratio}: {errors:+.4?}");
     }
+}
+
+/// Carter 1926: a line contact in one row of the half-space, within 0.5 % of μN in steady rolling
+/// and at the end of a march. Bristles are as nearly rigid as above, relative to the contact's
+/// length. CONTACT has 0.6480 μN on 55 elements of 0.04 mm under 2.4·10⁻⁴ (Vollebregt 2022, user
+/// guide, §5.2).
+#[test]
+fn carter_1926_line_contact() {
+    let carter = of_line_contact();
+    let rigid = 1e11;
+    for share in CREEPAGES {
+        let creepage = share * carter.full_sliding_creepage();
+        let exact = carter.force_over_limit(creepage);
+        let force = solve(line_contact(LENGTH), creepage, rigid, [100, 1]).normalised.x;
+        println!("{share}: {force:+.4}, exactly {exact:+.4}");
+        assert!((force - exact).abs() < 0.005, "{share}: {force}, exactly {exact}");
+    }
+    let creepage = 2.4e-4;
+    let force = solve(line_contact(LENGTH), creepage, rigid, [50, 1]).normalised.x;
+    assert!((force + 0.648).abs() < 0.015, "{force}");
+    let marching = of_bodies(line_contact(LENGTH), creepage, rigid);
+    let options = Options { cells_x: 40, cells_y: 1, ..Options::default() };
+    let marched = common::solve(&marching, &options).normalised.x;
+    assert!((marched - carter.force_over_limit(creepage)).abs() < 0.005, "{marched}");
+    assert!((marched - force).abs() < 1e-3, "{marched}, {force} at once");
+}
+
+/// Cattaneo 1938 (Johnson 1985, §7.2(a)): a shift of two cylinders leaves a middle of the length 2c
+/// sticking, c² = a² (1 − |Q|/μN), in which the traction of full sliding is reduced by one of the
+/// same shape; to 1 % of μp0 in the cells' means.
+#[test]
+fn cattaneo_1938_line_contact() {
+    let carter = of_line_contact();
+    let [a, limit] = [carter.half_length, carter.friction_coefficient * carter.peak_pressure];
+    let mut coulomb = of_bodies(line_contact(LENGTH), 0.0, 1.0);
+    coulomb.interface.contact_law = ContactLaw::Coulomb;
+    let options = Options { cells_x: 100, cells_y: 1, ..Options::default() };
+    let solution = schlupf::solver::shift(&coulomb, [1e-6, 0.0], &options, &unwatched).unwrap();
+    assert_eq!(solution.status, Status::Converged, "{:?}", solution.warnings);
+    let force = solution.normalised.x.abs();
+    assert!((0.3..0.7).contains(&force), "{force}");
+    let c = a * (1.0 - force).sqrt();
+    let fields = &solution.fields;
+    let half = |x: f64, half: f64| (half * half - x * x).max(0.0).sqrt() / a;
+    for (x, traction) in fields.x.iter().zip(&fields.traction_x) {
+        let exact = limit * (half(*x, a) - half(*x, c));
+        assert!((traction.abs() - exact).abs() < 0.01 * limit, "{x}: {traction}, exactly {exact}");
+    }
+}
+
+/// Rows across show the ends, where there is more traction; the middle row has the force of plane
+/// strain within 1 %.
+#[test]
+fn the_middle_of_a_line_contact_is_in_plane_strain() {
+    let carter = of_line_contact();
+    let creepage = 0.5 * carter.full_sliding_creepage();
+    let solution = solve(line_contact(20e-3), creepage, 1e11, [24, 25]);
+    let fields = &solution.fields;
+    let of_row = |row: usize| -> f64 {
+        let cells = (0..fields.len()).filter(|cell| fields.cell[*cell][1] == row);
+        let force: [f64; 2] = cells.fold([0.0; 2], |[t, p], cell| {
+            [t + fields.traction_x[cell], p + fields.pressure[cell]]
+        });
+        force[0] / force[1] / carter.friction_coefficient
+    };
+    let (middle, end) = (of_row(12), of_row(0));
+    println!("middle {middle:+.4}, end {end:+.4}");
+    assert!((middle - carter.force_over_limit(creepage)).abs() < 0.01, "{middle}");
+    assert!(end.abs() > middle.abs() + 0.01, "{end}");
+}
+
+/// CONTACT's example of Carter's problem (Vollebregt 2022, user guide, §5.2): steel cylinders with
+/// G = 82 GPa, ν = 0.28, R = 0.5 m, 35.78 kN on 200 mm; of a length in m.
+fn line_contact(length: f64) -> (Arc<dyn PressureSource>, Arc<dyn Elasticity>) {
+    let steel = Material { young_modulus: 2.56 * 82e9, poisson_ratio: 0.28, ..Material::STEEL };
+    let modulus = schlupf::bodies::contact_modulus(&steel, &steel);
+    let line = Line::new([0.5, f64::INFINITY], length, modulus, 178.9e3 * length).unwrap();
+    (Arc::new(line), Arc::new(HalfSpace::new(&steel, &steel).unwrap()))
+}
+
+fn of_line_contact() -> Carter {
+    let contact = line_contact(LENGTH).0.normal_contact(None).unwrap().summary;
+    let (half_length, peak_pressure) = (contact.semi_axis_x, contact.peak_pressure);
+    Carter { half_length, peak_pressure, ..CYLINDERS }
 }

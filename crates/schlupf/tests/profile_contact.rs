@@ -8,7 +8,7 @@ use common::{cells, half_space, problem, rolling};
 use schlupf::elasticity::Winkler;
 use schlupf::normal::patch::Patch;
 use schlupf::normal::profile::{Profile, UndeformedDistance, relative_radius};
-use schlupf::normal::{Grid, Hertz, NormalSummary, PressureSource};
+use schlupf::normal::{Grid, Hertz, Line, NormalSummary, PressureSource, Radii};
 use schlupf::problem::{Brush, FastMethod, TractionBound};
 use schlupf::solver::simplified::FastContact;
 use schlupf::{Options, Quantity, Solution, unwatched};
@@ -337,4 +337,76 @@ fn the_relative_radius_follows_from_both_bodies() {
     assert!(flat.contains("wheel_radius_x") && flat.contains("zero"), "{flat}");
     let groove = relative_radius([0.5, -0.4]).unwrap_err().to_string();
     assert!(groove.contains("must be positive"), "{groove}");
+}
+
+/// Goal: an approach in place of a load is the same contact: that of Hertz by its closed form, and
+/// that of any distance at the approach found under a load, with its load to 10⁻⁴ and its sizes to
+/// the accuracy of cells. Set-up: steel; a parabola and two patches across, a fourth power on a
+/// lattice. Source: Hertz 1882.
+#[test]
+fn hertz_1882_by_approach() {
+    let load = 80e3;
+    let exact = summary(&hertz([0.46, 0.3], load));
+    let approach = exact.approach.unwrap();
+    let flat = Radii { x: f64::INFINITY, y: f64::INFINITY };
+    let found = Hertz::from_approach(Radii { x: 0.46, y: 0.3 }, flat, MODULUS, approach).unwrap();
+    assert_relative_eq!(summary(&found).load, load, max_relative = 1e-12);
+    let parabola = |y: f64| y * y / (2.0 * 0.3);
+    let found = Profile::from_approach(across(0.46, parabola), MODULUS, approach, CELLS).unwrap();
+    assert_relative_eq!(summary(&found).load, load, max_relative = 3e-4);
+    assert_hertzian(&summary(&found), &exact);
+
+    let arcs = |y: f64| {
+        let arc = |middle: f64, radius: f64| (y - middle).powi(2) / (2.0 * radius);
+        arc(-0.02, 0.08).min(arc(0.02, 0.04) + 10e-6)
+    };
+    for distance in [
+        across(0.46, parabola),
+        across(0.46, arcs),
+        on_lattice(0.02, |x, y| (x * x + y * y).powi(2) * 1e3),
+    ] {
+        let by_load = summary(&pressed(distance.clone(), load));
+        let approach = by_load.approach.unwrap();
+        let source = Profile::from_approach(distance, MODULUS, approach, CELLS).unwrap();
+        let found = summary(&source);
+        assert_eq!((found.approach, found.parts), (Some(approach), by_load.parts));
+        assert_relative_eq!(found.load, load, max_relative = 1e-4);
+        assert_relative_eq!(found.peak_pressure, by_load.peak_pressure, max_relative = 1e-3);
+        assert_relative_eq!(found.semi_axis_x, by_load.semi_axis_x, max_relative = 3e-3);
+        assert_relative_eq!(found.semi_axis_y, by_load.semi_axis_y, max_relative = 3e-3);
+        // Under that load it is the same contact, about the same origin.
+        let again = source.normal_contact(Some(found.load)).unwrap().summary;
+        assert_eq!(again, found);
+    }
+}
+
+/// Goal: a distance along x on a length is the line contact of its closed form, by load and by
+/// approach; two cylinders side by side share the load; and the ends of the points are refused.
+/// Set-up: R = 0.5 m on 200 mm, every 20 µm. Source: Hertz 1882, [`Line`].
+#[test]
+fn hertz_1882_line_contact_from_the_distance() {
+    let (radius, length, load) = (0.5, 0.2, 35.78e3);
+    let x = line(-4e-3, 4e-3, 401);
+    let of = |distance: &dyn Fn(f64) -> f64| {
+        UndeformedDistance::along(x.clone(), x.iter().map(|x| distance(*x)).collect(), length)
+    };
+    let cylinder = |x: f64| x * x / (2.0 * radius);
+    let exact = summary(&Line::new([radius, f64::INFINITY], length, MODULUS, load).unwrap());
+    let off = of(&|x| cylinder(x - 1e-3)).unwrap();
+    let found = summary(&pressed(off.clone(), load));
+    assert_hertzian(&found, &exact);
+    assert_relative_eq!(found.origin.unwrap()[0], 1e-3, max_relative = 1e-3);
+    let approach = exact.approach.unwrap();
+    let by_approach = Profile::from_approach(off, MODULUS, approach, CELLS).unwrap();
+    assert_relative_eq!(summary(&by_approach).load, load, max_relative = 3e-4);
+
+    let two = of(&|x| cylinder(x.abs() - 2e-3)).unwrap();
+    let found = pressed(two, load).normal_contact(None).unwrap();
+    assert_eq!(found.summary.parts, 2);
+    let patch = Patch::new(&found, Grid::across(&found.extent(), 60, 1));
+    assert_eq!(patch.strips.len(), 2);
+    assert_relative_eq!(patch.load(), load, max_relative = 1e-9);
+
+    let error = pressed(of(&|x| -cylinder(x)).unwrap(), load).normal_contact(None).unwrap_err();
+    assert!(error.to_string().contains("reaches the edge of the given distance"), "{error}");
 }

@@ -152,6 +152,11 @@ pub const ALTERNATIVES: &[Alternatives] = &[
         reason: "with the semi-axes, the peak pressure determines the load",
     },
     Alternatives {
+        first: &fields!["normal.approach"],
+        second: &fields!["normal.load", "history.load"],
+        reason: "the approach determines the load",
+    },
+    Alternatives {
         first: STIFFNESSES.split_at(PER_AREA).0,
         second: STIFFNESSES.split_at(PER_AREA).1,
         reason: "stiffnesses are given per area (bedding, coupling) or for each cell (spring)",

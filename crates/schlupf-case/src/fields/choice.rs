@@ -60,10 +60,12 @@ choices! {
 
     /// `normal.model`.
     NormalModel {
-        Hertz "hertz" "from the radii and the moduli of both bodies, and load";
+        Hertz "hertz" "from the radii and the moduli of both bodies, and load or approach";
+        Line "line"
+            "from the radii along rolling and the moduli of two cylinders, length, and load or approach";
         Ellipse "ellipse" "from semi_axis_x, semi_axis_y, and load or peak_pressure";
         Tabulated "tabulated" "from file, scaled to load if that is given";
-        Profile "profile" "from file, the undeformed distance of the bodies, and load";
+        Profile "profile" "from file, the undeformed distance of the bodies, and load or approach";
         WheelRail "wheel-rail"
             "from wheel.profile, rail.profile, track, wheelset, and load, the vertical force: all \
              contacts of a wheel";

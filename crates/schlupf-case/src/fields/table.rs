@@ -157,7 +157,8 @@ const CREEPAGE: Requirement = Magnitude(1e6);
 const TURNING: Requirement = Magnitude(1e6);
 const OVER_LOAD: Requirement = Magnitude(1e3);
 const TANGENTIAL: Requirement = Magnitude(1e12);
-const LOAD: Requirement = Between(1e-3, 1e12);
+const LOAD: Requirement = Between(1e-9, 1e12);
+const APPROACH: Requirement = Between(1e-12, 1.0);
 const PEAK_PRESSURE: Requirement = Between(1.0, 1e14);
 const SEMI_AXIS: Requirement = Between(1e-7, 1e2);
 const SPACING: Requirement = Between(1e-9, 1e2);
@@ -287,7 +288,7 @@ macro_rules! body {
 
 body! {
     Wheel "wheel" "The wheel: elastic and thermal constants, temperature, curvature radii.",
-    "0.46 m", "inf", &["hertz", "profile", "wheel-rail"], Radius(1e-3, 5.0), {
+    "0.46 m", "inf", &["hertz", "line", "profile", "wheel-rail"], Radius(1e-3, 5.0), {
         "profile" [WheelProfile] Kind::Path, Finite, Nothing,
             "profile: a file (CSV with the header `y [mm],z [mm]`, Simpack, Miniprof, or two columns in \
              mm) or the name of one that is built in, such as \"S1002\"",
@@ -312,10 +313,10 @@ body! {
 
 body! {
     Rail "rail" "The rail: the same fields as the wheel.",
-    "inf", "300 mm", &["hertz", "profile", "wheel-rail"], RADIUS, {
+    "inf", "300 mm", &["hertz", "line", "profile", "wheel-rail"], RADIUS, {
         "angular_velocity" [] quantity(&Measure::ANGULAR_VELOCITY), TURNING, Nothing,
             "of a roller of radius radius_x, in place of kinematics.speed", example("20 rad/s"),
-            with(NORMAL_MODEL, &["hertz", "profile", "wheel-rail"]);
+            with(NORMAL_MODEL, &["hertz", "line", "profile", "wheel-rail"]);
         "profile" [RailProfile] Kind::Path, Finite, Nothing,
             "profile: a file or the name of one that is built in, such as \"60E1\"; as for the wheel",
             shaping(), example("60E1"), with(NORMAL_MODEL, WHEEL_RAIL);
@@ -352,6 +353,16 @@ section! {
     "load" [Load] quantity(&Measure::FORCE), LOAD, Text("80 kN"), "N, normal load; with \"wheel-rail\" the vertical force on the wheel", shaping(),
         default_with(NORMAL_MODEL, &["hertz"]),
         usually(LOAD_OF_WHEEL);
+    "approach" [Approach] quantity(&Measure::LENGTH), APPROACH, Nothing,
+        "δ, approach of the bodies since they touch, in place of load, which is found", shaping(),
+        example("0.05 mm"), with(NORMAL_MODEL, &["hertz", "line", "profile"]),
+        usually(Between(1e-7, 1e-3));
+    "length" [LineLength] quantity(&Measure::LENGTH), SEMI_AXIS, Nothing,
+        "L, length of a line contact across rolling, on which the whole load acts; with \"profile\" for \
+         a file of x alone",
+        shaping(),
+        example("20 mm"), with(NORMAL_MODEL, &["line", "profile"]),
+        usually(Between(1e-4, 2.0));
     "semi_axis_x" [SemiAxisX] quantity(&Measure::LENGTH), SEMI_AXIS, Nothing,
         "a, semi-axis along rolling", shaping(), example("6 mm"),
         with(NORMAL_MODEL, &["ellipse"]),
@@ -366,7 +377,8 @@ section! {
         usually(Between(1e6, 2e10));
     "file" [PressureTable UndeformedDistance] Kind::Path, Finite, Nothing,
         "CSV with the header `x [mm],y [mm],pressure [MPa]`, or with \"profile\" `x [mm],y \
-         [mm],distance [um]` or `y [mm],distance [mm]` (across at x = 0); or .npy in Pa or \
+         [mm],distance [um]`, `y [mm],distance [mm]` (across at x = 0) or `x [mm],distance [mm]` \
+         (along, for a line contact); or .npy in Pa or \
          m, each row along x",
         shaping(), example("pressure.csv"), with(NORMAL_MODEL, FILES);
     "spacing_x" [] quantity(&Measure::LENGTH), SPACING, Nothing,

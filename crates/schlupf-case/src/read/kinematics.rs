@@ -86,7 +86,7 @@ pub fn reference(settings: &Settings) -> Result<ReferencePoint, CaseError> {
         NormalModel::Tabulated | NormalModel::Profile | NormalModel::WheelRail => {
             return Ok(ReferencePoint::File);
         }
-        NormalModel::Hertz | NormalModel::Ellipse => {}
+        NormalModel::Hertz | NormalModel::Line | NormalModel::Ellipse => {}
     }
     let message = format!(
         "{FIELD} must be \"patch\" with normal.model = {}, which has no file and so no other origin, but is \

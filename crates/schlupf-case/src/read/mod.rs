@@ -278,7 +278,7 @@ impl Parts {
         let is_known = matches!(self.stiffness, OfRoughness::Known(_));
         Ok(is_known
             && match settings.chosen(field!("normal.model"))? {
-                NormalModel::Hertz | NormalModel::Tabulated => true,
+                NormalModel::Hertz | NormalModel::Line | NormalModel::Tabulated => true,
                 NormalModel::Ellipse => settings.is_given(field!("normal.load")),
                 NormalModel::Profile | NormalModel::WheelRail => false,
             })

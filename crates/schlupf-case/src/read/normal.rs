@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use schlupf::bodies::{Material, contact_modulus};
 use schlupf::normal::profile::{Profile, UndeformedDistance, relative_radius};
-use schlupf::normal::{Ellipse, Hertz, PressureSource, PressureTable, Tabulated};
+use schlupf::normal::{Ellipse, Hertz, Line, PressureSource, PressureTable, Tabulated};
 
 use super::bodies::{RAIL, WHEEL, radii};
 use super::wheel_rail::refuse_micro_model;
@@ -17,6 +17,7 @@ use crate::tables::{self, NpyFile};
 
 const FILE: FieldPath = field!("normal.file");
 const LOAD: FieldPath = field!("normal.load");
+const APPROACH: FieldPath = field!("normal.approach");
 const SPACINGS: [FieldPath; 2] = fields!["normal.spacing_x", "normal.spacing_y"];
 
 /// The source of the normal pressure.
@@ -26,6 +27,7 @@ pub fn source(
 ) -> Result<Arc<dyn PressureSource>, CaseError> {
     Ok(match settings.chosen(field!("normal.model"))? {
         NormalModel::Hertz => Arc::new(hertz(settings, contact_modulus(wheel, rail))?),
+        NormalModel::Line => Arc::new(line(settings, contact_modulus(wheel, rail))?),
         NormalModel::Ellipse => Arc::new(ellipse(settings)?),
         NormalModel::Tabulated => Arc::new(tabulated(settings)?),
         NormalModel::Profile => Arc::new(profile(settings, contact_modulus(wheel, rail))?),
@@ -35,8 +37,29 @@ pub fn source(
 
 fn hertz(settings: &Settings, contact_modulus: f64) -> Result<Hertz, CaseError> {
     let (wheel, rail) = (radii(settings, &WHEEL)?, radii(settings, &RAIL)?);
-    let load = settings.number(field!("normal.load"))?;
-    Hertz::new(wheel, rail, contact_modulus, load).map_err(|error| settings.explain(&error))
+    let hertz = match settings.optional_number(APPROACH)? {
+        Some(approach) => Hertz::from_approach(wheel, rail, contact_modulus, approach),
+        None => Hertz::new(wheel, rail, contact_modulus, settings.number(LOAD)?),
+    };
+    hertz.map_err(|error| settings.explain(&error))
+}
+
+fn line(settings: &Settings, contact_modulus: f64) -> Result<Line, CaseError> {
+    let radii = [radii(settings, &WHEEL)?, radii(settings, &RAIL)?].map(|body| body.x);
+    let length = settings.number(field!("normal.length"))?;
+    let line = match settings.optional_number(APPROACH)? {
+        Some(approach) => Line::from_approach(radii, length, contact_modulus, approach),
+        None => Line::new(radii, length, contact_modulus, given_load(settings)?),
+    };
+    line.map_err(|error| settings.explain(&error))
+}
+
+/// The load, which has no default.
+fn given_load(settings: &Settings) -> Result<f64, CaseError> {
+    if settings.is_given(LOAD) {
+        return settings.number(LOAD);
+    }
+    Err(settings.missing_beside(LOAD, field!("normal.model")))
 }
 
 fn ellipse(settings: &Settings) -> Result<Ellipse, CaseError> {
@@ -44,8 +67,7 @@ fn ellipse(settings: &Settings) -> Result<Ellipse, CaseError> {
     let b = settings.number(field!("normal.semi_axis_y"))?;
     let ellipse = match settings.optional_number(field!("normal.peak_pressure"))? {
         Some(peak_pressure) => Ellipse::from_peak_pressure(a, b, peak_pressure),
-        None if settings.is_given(LOAD) => Ellipse::from_load(a, b, settings.number(LOAD)?),
-        None => return Err(settings.missing_beside(LOAD, field!("normal.model"))),
+        None => Ellipse::from_load(a, b, given_load(settings)?),
     };
     ellipse.map_err(|error| settings.explain(&error))
 }
@@ -65,20 +87,22 @@ fn table(settings: &Settings) -> Result<PressureTable, CaseError> {
 }
 
 fn profile(settings: &Settings, contact_modulus: f64) -> Result<Profile, CaseError> {
-    if !settings.is_given(LOAD) {
-        return Err(settings.missing_beside(LOAD, field!("normal.model")));
-    }
-    let distance = distance(settings)?;
-    let (load, cells) = (settings.number(LOAD)?, settings.count(field!("normal.cells"))?);
-    Profile::new(distance, contact_modulus, load, cells).map_err(|error| settings.explain(&error))
+    let distance = || distance(settings);
+    let cells = settings.count(field!("normal.cells"))?;
+    let profile = match settings.optional_number(APPROACH)? {
+        Some(approach) => Profile::from_approach(distance()?, contact_modulus, approach, cells),
+        None => Profile::new(distance()?, contact_modulus, given_load(settings)?, cells),
+    };
+    profile.map_err(|error| settings.explain(&error))
 }
 
 fn distance(settings: &Settings) -> Result<UndeformedDistance, CaseError> {
     let file = File::read(settings)?;
-    match file.npy(settings) {
-        Some(npy) => tables::distance_from_npy(&npy),
-        None => tables::distance_from_csv(file.name, file.bytes, || rolling_radius(settings)),
+    if let Some(npy) = file.npy(settings) {
+        return tables::distance_from_npy(&npy);
     }
+    let length = || settings.number(field!("normal.length"));
+    tables::distance_from_csv(file.name, file.bytes, || rolling_radius(settings), length)
 }
 
 /// Relative radius along rolling of both bodies, in m.

@@ -20,6 +20,7 @@ use crate::profiles::ProfileReading;
 use crate::settings::Settings;
 
 const LOAD: FieldPath = field!("normal.load");
+const APPROACH: FieldPath = field!("normal.approach");
 const HEIGHT: FieldPath = field!("wheelset.height");
 const ROLL: FieldPath = field!("wheelset.roll_angle");
 
@@ -157,6 +158,16 @@ pub fn no_contact(settings: &Settings) -> CaseError {
 }
 
 fn support(settings: &Settings) -> Result<Support, CaseError> {
+    if settings.is_written(APPROACH) {
+        let message = format!(
+            "{APPROACH} must not be given with {} = {}, but is {}: the contacts of a wheel have \
+             {HEIGHT} in common",
+            field!("normal.model"),
+            settings.shown(field!("normal.model")),
+            settings.shown(APPROACH)
+        );
+        return Err(settings.error(APPROACH, message));
+    }
     match settings.optional_number(HEIGHT)? {
         Some(_) if !settings.is_given(ROLL) => Err(settings.missing_beside(ROLL, HEIGHT)),
         Some(height) => Ok(Support::Height(height)),

@@ -10,43 +10,58 @@ use crate::units::Measure;
 
 const COLUMNS: [Column; 3] = [
     Column { name: "x", measure: Some(&Measure::LENGTH), required: false, holes: false },
-    Column { name: "y", measure: Some(&Measure::LENGTH), required: true, holes: false },
+    Column { name: "y", measure: Some(&Measure::LENGTH), required: false, holes: false },
     Column { name: "distance", measure: Some(&Measure::LENGTH), required: true, holes: false },
 ];
 
 /// The distance from a CSV file: with columns x, y and distance on a lattice, its rows in any
 /// order; with y and distance alone across at x = 0, where `rolling_radius` gives the relative
-/// radius (in m) along rolling.
+/// radius (in m) along rolling; with x and distance alone along it, where `length` gives the length
+/// of the line contact, in m.
 pub fn from_csv(
     name: String,
     bytes: Vec<u8>,
     rolling_radius: impl Fn() -> Result<f64, CaseError>,
+    length: impl Fn() -> Result<f64, CaseError>,
 ) -> Result<UndeformedDistance, CaseError> {
     let columns = Columns::read(name, bytes, &FILE, &COLUMNS)?;
     let [xs, ys, distances] = &columns.values[..] else {
         return Err(columns.error(columns.header_line, "columns are missing"));
     };
-    let distance = if columns.has(0) {
+    let sorted = |order: &[usize], values: &[f64]| order.iter().map(|row| values[*row]).collect();
+    let distance = if columns.has(0) && columns.has(1) {
         let help = "give the distance everywhere, or the column y alone for a profile across";
         let table = lattice::from_columns(&columns, [xs, ys, distances], help)?;
         UndeformedDistance::on_lattice(table.x, table.y, table.values)
     } else {
-        let order = ascending(&columns, ys)?;
-        let sorted = |values: &[f64]| order.iter().map(|row| values[*row]).collect();
-        UndeformedDistance::across(sorted(ys), sorted(distances), rolling_radius()?)
+        let (name, places) = match [columns.has(0), columns.has(1)] {
+            [true, _] => ('x', xs),
+            [false, true] => ('y', ys),
+            [false, false] => {
+                let message = "column `y` is missing, or `x`, or both";
+                return Err(columns.error(columns.header_line, message));
+            }
+        };
+        let order = ascending(&columns, name, places)?;
+        let [places, distances] = [places, distances].map(|values| sorted(&order, values));
+        if name == 'x' {
+            UndeformedDistance::along(places, distances, length()?)
+        } else {
+            UndeformedDistance::across(places, distances, rolling_radius()?)
+        }
     };
     distance.map_err(|error| columns.error(columns.header_line, error.text(&FieldNames::CASE)))
 }
 
-/// The rows in the order of y, each of which must be given once.
-fn ascending(columns: &Columns, ys: &[f64]) -> Result<Vec<usize>, CaseError> {
+/// The rows in the order of a position, each of which must be given once.
+fn ascending(columns: &Columns, name: char, ys: &[f64]) -> Result<Vec<usize>, CaseError> {
     let mut order: Vec<usize> = (0..ys.len()).collect();
     order.sort_by(|a, b| ys[*a].total_cmp(&ys[*b]));
     let twice = order.windows(2).find(|pair| ys[pair[0]] == ys[pair[1]]);
     let Some(&[first, second]) = twice else { return Ok(order) };
     let message = format!(
-        "every y must be given once, but y = {} mm stands in line {} too (for a distance that also changes along \
-         rolling give a column `x`)",
+        "every {name} must be given once, but {name} = {} mm stands in line {} too (for a distance that changes \
+         in both directions give columns `x` and `y`)",
         lattice::millimetres(ys[first]),
         columns.lines[first.min(second)]
     );
@@ -69,7 +84,7 @@ mod tests {
     const LINE: &str = "y [mm],distance [mm]\n# left\n2,0.4\n1,0.1\n0,0\n-1,0.1\n";
 
     fn read(text: &str) -> Result<UndeformedDistance, String> {
-        let read = from_csv("d.csv".to_owned(), text.as_bytes().to_vec(), || Ok(0.46));
+        let read = from_csv("d.csv".to_owned(), text.as_bytes().to_vec(), || Ok(0.46), || Ok(0.2));
         read.map_err(|error| error.to_string())
     }
 
@@ -82,6 +97,12 @@ mod tests {
         );
         assert_eq!(read(LINE).unwrap(), expected.unwrap());
         assert!(read(PLANE).is_ok());
+        let along = UndeformedDistance::along(
+            vec![-1e-3, 0.0, 1e-3, 2e-3],
+            vec![1e-4, 0.0, 1e-4, 4e-4],
+            0.2,
+        );
+        assert_eq!(read(&LINE.replace("y [mm]", "x [mm]")).unwrap(), along.unwrap());
     }
 
     #[test]
@@ -100,7 +121,7 @@ mod tests {
             (PLANE, "[um]", "[MPa]", "column `distance` must name its unit"),
             (PLANE, "distance", "gap", "has a column `gap"),
             (PLANE, "x [mm],y", "y [mm],z", "has a column `z"),
-            (LINE, "y [mm]", "x [mm]", "column `y` is missing"),
+            (LINE, LINE, "distance [mm]\n1\n", "column `y` is missing"),
             (
                 LINE,
                 "1,0.1\n",

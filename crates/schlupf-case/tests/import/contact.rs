@@ -1,7 +1,7 @@
 //! Input files of CONTACT, written from the documented meaning of their values: each choice, what a
 //! case keeps of those before it, signs, and what is not available.
 
-use crate::support::{BALL, errors, has, import, import_with, one, with};
+use crate::support::{BALL, errors, has, import, import_with, one, posed, with};
 use schlupf_case::import::contact::WheelBody;
 
 /// The whole of the simplest case: every value under its unit and sign.
@@ -70,7 +70,7 @@ fn hertz_in_all_descriptions() {
         let line = case.text.lines().find(|line| line.starts_with("load")).unwrap();
         let found: f64 = line.split(['"', ' ']).nth(3).unwrap().parse().unwrap();
         assert!((found / load - 1.0).abs() < 1e-9, "{area}: {found}, not {load}");
-        assert!(case.text.contains("# The load is that of Hertz for PEN = "), "{}", case.text);
+        assert!(case.text.contains("# The load is that for an approach of "), "{}", case.text);
     }
 }
 
@@ -138,6 +138,64 @@ fn distances_on_the_grid() {
     let rows = table(&format!("9 1\n {}\n {}", values[..7].join(" "), values[7..].join(",")));
     for (k, row) in rows.iter().enumerate() {
         assert!((row[2] - 0.01 * (k * k) as f64).abs() < 1e-12, "{row:?}");
+    }
+}
+
+/// An approach PEN is measured from where the distance is zero, in a table as in Hertz's contact: a
+/// sphere of 300 mm that is 10 µm lower reaches the contact of 5 mm, with the load of its closed
+/// form.
+#[test]
+fn an_approach_of_any_distance() {
+    let height = |k: i32| (0.1 * f64::from(k)).powi(2) / 600.0 - 0.01;
+    let profile: Vec<String> = (-80..=80).map(|k| height(k).to_string()).collect();
+    let area = format!(
+        "3\n 141 141 -7.0 -7.0 0.1 0.1\n 2 1\n 161 0.0 300. -8.0 0.1\n {}",
+        profile.join("\n ")
+    );
+    let changes = [
+        ("203100", "203000"),
+        (" 52359.878", " 0.0733333333333333"),
+        ("-3\n 44 44 5.0 5.0 1.1", area.as_str()),
+    ];
+    let case = one(&with(BALL, &changes));
+    let load = 4.0 * 82031.25 / 0.72 * 125.0 / 900.0 / 1e3;
+    let line = case.text.lines().find(|line| line.starts_with("load")).unwrap();
+    let found: f64 = line.split(['"', ' ']).nth(3).unwrap().parse().unwrap();
+    assert!((found / load - 1.0).abs() < 3e-4, "{found}, not {load}");
+}
+
+/// One row of elements is a line contact, of any distance that is quadratic along x: CONTACT's
+/// example of Carter's problem (Vollebregt 2022, user guide, §5.2), by its load and by the approach
+/// that CONTACT found.
+#[test]
+fn one_row_is_a_line_contact() {
+    let quadratic = "3\n 55 1 -1.05 3.0 0.04 200.0\n 1 1\n 0.001 0.0 0.0 0.0 0.0 0.0";
+    let circular = "3\n 55 1 -1.05 3.0 0.04 200.0\n 2 1\n 2 0.0 500. -10. 20.\n 0.0 0.0";
+    for area in [quadratic, circular] {
+        let steel = ("0.28 0.28 82031.25 82031.25", "0.28 0.28 82000. 82000.");
+        let row = [("-3\n 44 44 5.0 5.0 1.1", area), steel];
+        let of_load = with(BALL, &row);
+        let of_load =
+            with(&of_load, &[(" 52359.878 0.001 -0.0005 0.0002", " 35780. -0.00024 0. 0.")]);
+        let case = one(&of_load);
+        has(
+            &case.text,
+            &[
+                "model = \"line\"",
+                "length = \"200 mm\"",
+                "radius_x = \"500 mm\"",
+                "load = \"35.78 kN\"",
+                "cells_x = 50",
+                "cells_y = 1",
+            ],
+        );
+        let contact = posed(&case).problem.normal.normal_contact(None).unwrap().summary;
+        assert!((contact.approach.unwrap() / 6.49156e-6 - 1.0).abs() < 2e-4);
+        let by_approach = with(&of_load, &[("203100", "203000"), (" 35780.", " 0.00649156")]);
+        let text = one(&by_approach).text;
+        let line = text.lines().find(|line| line.starts_with("load")).unwrap();
+        let found: f64 = line.split(['"', ' ']).nth(3).unwrap().parse().unwrap();
+        assert!((found / 35.78 - 1.0).abs() < 3e-4, "{found}");
     }
 }
 
@@ -459,9 +517,14 @@ fn values_that_are_not_available_are_named() {
         (&[(area, "-6\n 44 44 5 4 6 1.1")], 13, "IPOTCN = -6: the contact of two half-ellipses"),
         (&[("5.0 5.0 1.1", "5.0 5.0 0.9")], 14, "SCALE = 0.9: must be at least 1"),
         (
-            &[(area, "1\n 9 1 -1 0 .2 99\n 1 1\n 1 0 0 0 0 0")],
+            &[(area, "1\n 9 9 -1 0 .2 99\n 1 1\n 1 0 0 0 0 0")],
             16,
             "B3 = 0: the distance must be curved",
+        ),
+        (
+            &[(area, "1\n 9 1 -1 0 .2 99\n 3 1\n 1 1 0 0 0 0 9 9")],
+            15,
+            "IBASE = 3: a single row of elements is available",
         ),
         (
             &[(area, "1\n 9 9 -1 -1 .2 .2\n 1 1\n .002 0 .002 0 0 0")],
@@ -476,7 +539,7 @@ fn values_that_are_not_available_are_named() {
         (
             &[("203100", "203000"), (area, "1\n 5 5 -1 -1 .5 .5\n 1 1\n 1 1 1 0 0 0")],
             9,
-            "PEN = 52359.878: an approach is",
+            "PEN = 52359.878: there is no such contact",
         ),
         (&[("203100", "203130")], 5, "digit F of PBTNFS must be one of 0, 1, 2, but is 3"),
         (
@@ -505,7 +568,7 @@ fn impossible_values_are_named() {
     let area = "-3\n 44 44 5.0 5.0 1.1";
     for (changes, line, expected) in [
         (&[(area, "-3\n 44 44 5.0 0.0 1.1")][..], 14, "BB = 0: must be positive"),
-        (&[(area, "-2\n 44 44 0.01 1e9 1.1")], 13, "IPOTCN = -2: is no contact of Hertz"),
+        (&[(area, "-2\n 44 44 0.01 1e9 1.1")], 13, "IPOTCN = -2: there is no such contact"),
         (&[("203100", "203000"), ("52359.878", "-0.1")], 13, "IPOTCN = -3: FN, or PEN, must be"),
         (&[("82031.25 82031.25", "82031.25 0.0")], 12, "GG2 = 0: must be positive"),
         (&[("0.28 0.28 ", "0.6 0.28 ")], 12, "POISS1 = 0.6: must be 0 to 0.5"),

@@ -125,6 +125,10 @@ impl Elasticity for CalibratedLayer {
         Ok(Box::new(layer.growing(SIZE_EXPONENT)))
     }
 
+    fn assumes_ellipse(&self) -> bool {
+        true
+    }
+
     fn caveat(&self) -> Option<Warning> {
         self.half_space.caveat()
     }

@@ -123,7 +123,7 @@ impl HalfSpace {
 
 /// The influences on a grid, with the averaging over the cell removed to second order: the constant
 /// traction of a cell represents a smooth one, whose displacement differs by −h²∇²u/12 from that of
-/// its means.
+/// its means. A single row has the same traction over its whole width, as in plane strain.
 ///
 /// Each corner of the cells is evaluated once, and influences at distances of either sign follow
 /// from the first quadrant, because A_xx and A_yy are even in x and in y, and A_xy is odd in both.
@@ -142,12 +142,9 @@ impl Influences {
         for j in 0..rows as isize {
             for i in 0..columns as isize {
                 let here = plain.at(i, j);
-                let neighbours = [
-                    plain.at(i + 1, j),
-                    plain.at(i - 1, j),
-                    plain.at(i, j + 1),
-                    plain.at(i, j - 1),
-                ];
+                let beside = |j: isize| if grid.rows > 1 { plain.at(i, j) } else { here };
+                let neighbours =
+                    [plain.at(i + 1, j), plain.at(i - 1, j), beside(j + 1), beside(j - 1)];
                 quadrant.push(std::array::from_fn(|c| {
                     let around: f64 = neighbours.iter().map(|neighbour| neighbour[c]).sum();
                     here[c] + (4.0 * here[c] - around) / 12.0

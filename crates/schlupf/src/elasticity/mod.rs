@@ -91,6 +91,11 @@ pub trait Elasticity: Debug + Send + Sync {
         None
     }
 
+    /// Whether its stiffnesses are those for an elliptic patch.
+    fn assumes_ellipse(&self) -> bool {
+        false
+    }
+
     /// What the model neglects for the given bodies, if whoever uses the results should know.
     fn caveat(&self) -> Option<Warning> {
         None

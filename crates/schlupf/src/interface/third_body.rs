@@ -29,7 +29,7 @@ pub struct YieldLimit {
 }
 
 /// Bounds of a thickness, in m.
-const THICKNESS: Requirement = Requirement::Between(1e-12, 1.0);
+const THICKNESS: Requirement = Requirement::Between(0.0, 1.0);
 
 /// Bounds of a shear modulus and of a limit of elasticity, in Pa.
 const MODULUS: Requirement = Requirement::Between(1.0, 1e14);
@@ -45,7 +45,8 @@ impl YieldLimit {
 }
 
 impl ThirdBodyLayer {
-    /// An elastic layer of thickness h (in m) and shear modulus G, in Pa.
+    /// An elastic layer of thickness h (in m) and shear modulus G, in Pa. Without thickness it is
+    /// rigid until it yields.
     ///
     /// ```
     /// use schlupf::interface::ThirdBodyLayer;
@@ -57,7 +58,7 @@ impl ThirdBodyLayer {
     /// ```
     ///
     /// # Errors
-    /// A thickness outside 1 pm to 1 m, and a shear modulus outside 1 Pa to 100 TPa.
+    /// A thickness outside 0 to 1 m, and a shear modulus outside 1 Pa to 100 TPa.
     pub fn new(thickness: f64, shear_modulus: f64) -> Result<Self, Error> {
         require(Quantity::LayerThickness, THICKNESS, thickness)?;
         require(Quantity::LayerShearModulus, MODULUS, shear_modulus)?;
@@ -160,22 +161,23 @@ impl ShearedPoint {
     /// u against each other (in m). Exact if the traction keeps its direction: elastic up to τ_c,
     /// then dτ/du = k_τ G/h/(k_τ + G/h), and elastic again where u goes back.
     pub fn shear(&mut self, layer: &ThirdBodyLayer, displacement: [f64; 2]) -> [f64; 2] {
-        let stiffness = layer.compliance().recip();
-        let elastic = [0, 1].map(|c| stiffness * (displacement[c] - self.plastic[c]));
-        let size = elastic[0].hypot(elastic[1]);
+        let compliance = layer.compliance();
+        let moved = [0, 1].map(|c| displacement[c] - self.plastic[c]);
+        let size = moved[0].hypot(moved[1]);
+        let elastic = moved.map(|u| if u == 0.0 { 0.0 } else { u / compliance });
         let Some(limit) = layer.yield_limit() else { return elastic };
-        if size <= limit.at(self.accumulated) {
+        let yielding = compliance * limit.at(self.accumulated);
+        if size <= yielding {
             return elastic;
         }
-        let direction = elastic.map(|t| t / size);
+        let direction = moved.map(|u| u / size);
         // Until nothing is left of a limit that falls.
-        let flow = ((size - limit.at(self.accumulated)) / (stiffness + limit.hardening))
-            .min(size / stiffness);
+        let flow = ((size - yielding) / (1.0 + compliance * limit.hardening)).min(size);
         self.accumulated += flow;
         for (plastic, along) in self.plastic.iter_mut().zip(direction) {
             *plastic += flow * along;
         }
-        direction.map(|along| (size - stiffness * flow) * along)
+        direction.map(|along| limit.at(self.accumulated) * along)
     }
 }
 
@@ -216,6 +218,17 @@ mod tests {
         }
         along(&mut once, 140e-6);
         assert_relative_eq!(often.accumulated, once.accumulated, max_relative = 1e-12);
+    }
+
+    /// Without thickness nothing moves up to the limit, and all movement is plastic beyond.
+    #[test]
+    fn without_thickness_it_is_rigid_until_it_yields() {
+        let limit = YieldLimit { stress: 35e6, hardening: 1e12 };
+        let layer = ThirdBodyLayer::new(0.0, 82e9).unwrap().with_yield(limit).unwrap();
+        let mut point = ShearedPoint::default();
+        assert_eq!(point.shear(&layer, [0.0; 2]), [0.0; 2]);
+        assert_relative_eq!(point.shear(&layer, [3e-6, 4e-6])[1], 32e6, max_relative = 1e-12);
+        assert_relative_eq!(point.accumulated, 5e-6, max_relative = 1e-12);
     }
 
     /// Sand softens from 400 MPa by 200 MPa/mm, and never below nothing.

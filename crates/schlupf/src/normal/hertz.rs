@@ -85,6 +85,23 @@ impl Hertz {
         Ok(Self { curvature_x, curvature_y, contact_modulus, load })
     }
 
+    /// The same to an approach δ of distant points (in m) in place of a load, N ∝ δ^(3/2).
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn from_approach(
+        wheel: Radii,
+        rail: Radii,
+        contact_modulus: f64,
+        approach: f64,
+    ) -> Result<Self, Error> {
+        require_positive(Quantity::Approach, approach)?;
+        let unit = Self::new(wheel, rail, contact_modulus, 1.0)?;
+        let load = (approach / unit.approach(1.0)).powf(1.5);
+        require_positive(Quantity::Load, load)?;
+        Ok(Self { load, ..unit })
+    }
+
     /// A contact with the undeformed distance z = A x² + B y², A and B in 1/m.
     pub fn from_curvatures(
         distance_x: f64,
@@ -107,6 +124,12 @@ impl Hertz {
         let scale = (load * unit_integral / (TAU * self.contact_modulus * distance_x)).cbrt();
         [scale * root, scale / root]
     }
+
+    /// Approach (in m) under `load` (in N).
+    fn approach(&self, load: f64) -> f64 {
+        let [a, b] = self.semi_axes(load);
+        3.0 * load / (TAU * self.contact_modulus) * carlson_f(a * a, b * b)
+    }
 }
 
 impl PressureSource for Hertz {
@@ -114,13 +137,12 @@ impl PressureSource for Hertz {
         let load = load.unwrap_or(self.load);
         require_positive(Quantity::Load, load)?;
         let [a, b] = self.semi_axes(load);
-        let approach = 3.0 * load / (TAU * self.contact_modulus) * carlson_f(a * a, b * b);
         let summary = NormalSummary {
             load,
             semi_axis_x: a,
             semi_axis_y: b,
             peak_pressure: 3.0 * load / (TAU * a * b),
-            approach: Some(approach),
+            approach: Some(self.approach(load)),
             origin: None,
             parts: 1,
         };

@@ -6,6 +6,7 @@ pub mod patch;
 mod at_load;
 mod ellipse;
 mod hertz;
+mod line;
 pub mod rough_contact;
 pub mod profile;
 mod opened;
@@ -16,6 +17,7 @@ pub(crate) use hertz::{approach_shares, row_potential};
 pub use at_load::AtLoad;
 pub use ellipse::Ellipse;
 pub use grid::{Axis, BORDER, Extent, Grid, VectorField};
+pub use line::Line;
 pub(crate) use opened::Opened;
 pub(crate) use tabulated::positive_runs;
 pub use tabulated::{PressureTable, Tabulated};
@@ -24,7 +26,7 @@ use std::fmt::Debug;
 use std::sync::Arc;
 
 use crate::bodies::RowMotion;
-use crate::reporting::{Error, Warning, Watch};
+use crate::reporting::{Error, Quantity, Warning, Watch};
 
 /// A source of the normal pressure. Extension point.
 ///
@@ -137,6 +139,8 @@ pub struct NormalSummary {
 pub enum Pressure {
     /// p0 √(1 − x²/a² − y²/b²), with the sizes of the summary (Hertz 1882).
     Elliptic,
+    /// p0 √(1 − x²/a²) on a rectangle of these sizes: a line contact.
+    Line,
     /// A table times a factor (dimensionless).
     Tabulated(Arc<PressureTable>, f64),
 }
@@ -149,10 +153,27 @@ impl NormalSummary {
 }
 
 impl NormalContact {
+    /// Whether its pressure does not change across rolling.
+    pub(crate) fn is_line(&self) -> bool {
+        match &self.pressure {
+            Pressure::Elliptic => false,
+            Pressure::Line => true,
+            Pressure::Tabulated(table, _) => table.is_line(),
+        }
+    }
+
+    /// Refuses a line contact where `assumed_by` takes the patch for an ellipse.
+    pub(crate) fn refuse_line(&self, assumed_by: Quantity) -> Result<(), Error> {
+        match self.pressure {
+            Pressure::Line => Err(Error::LineIsNoEllipse { assumed_by }),
+            Pressure::Elliptic | Pressure::Tabulated(..) => Ok(()),
+        }
+    }
+
     /// The bounding rectangle of the patch.
     pub fn extent(&self) -> Extent {
         match &self.pressure {
-            Pressure::Elliptic => {
+            Pressure::Elliptic | Pressure::Line => {
                 let (a, b) = (self.summary.semi_axis_x, self.summary.semi_axis_y);
                 Extent { x: [-a, a], y: [-b, b] }
             }

@@ -142,6 +142,12 @@ impl PressureTable {
         }
     }
 
+    /// Whether it is the same in all rows.
+    pub(crate) fn is_line(&self) -> bool {
+        let (first, rest) = self.pressure.split_at(self.x.count);
+        rest.chunks_exact(self.x.count).all(|row| row == first)
+    }
+
     pub(crate) fn axis_x(&self) -> &Axis {
         &self.x
     }

@@ -96,6 +96,7 @@ quantities! {
     PeakPressure "peak_pressure" "p0" "Pa" "largest pressure"
     SemiAxisX "semi_axis_x" "a" "m" "half the length of the patch along rolling"
     SemiAxisY "semi_axis_y" "b" "m" "half the width of the patch across rolling"
+    LineLength "line_length" "L" "m" "length of the line contact across rolling"
     AxisRatio "axis_ratio" "a/b" "" "length of the patch over its width"
     LookUpTable "look_up_table" "" "" "look-up table of the forces"
     PressureTable "pressure_table" "p" "Pa" "table of the normal pressure"

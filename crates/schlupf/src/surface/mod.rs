@@ -136,6 +136,11 @@ impl HeightMap {
         Ok(Self { lattice, heights, is_periodic: false })
     }
 
+    /// A single row of heights (in m), which are finite: a line contact.
+    pub(crate) fn row(lattice: Lattice, heights: Vec<f64>) -> Self {
+        Self { lattice, heights, is_periodic: false }
+    }
+
     /// Heights given by a function of x and y (in m), relative to the centre of the lattice.
     ///
     /// ```

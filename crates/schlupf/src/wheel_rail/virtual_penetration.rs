@@ -179,12 +179,12 @@ impl<'a> Patch<'a> {
         method: NormalMethod,
     ) -> Result<Self, f64> {
         let curvature = rows.at(middle).curvature;
-        let shares = |s: f64| match method {
-            NormalMethod::KikPiotrowski => [SHARE; 2],
-            _ => {
-                let across = (rows.at(s).least + approach).max(0.0) / (s - middle).powi(2);
-                approach_shares(curvature / across)
+        let shares = |s: f64| {
+            if method == NormalMethod::KikPiotrowski {
+                return [SHARE; 2];
             }
+            let across = (rows.at(s).least + approach).max(0.0) / (s - middle).powi(2);
+            approach_shares(curvature / across)
         };
         let mut edges = [middle; 2];
         for (side, edge) in edges.iter_mut().enumerate() {

@@ -1,7 +1,7 @@
 //! `[elasticity]`.
 
 use super::solver::{FULL, METHOD};
-use super::{NORMAL_MODEL, WHEEL_RAIL, quantity};
+use super::{NORMAL_MODEL, quantity};
 use crate::fields::choice::{CalibratedWith, Choose, ElasticityModel, UnlikeBodiesModel};
 use crate::fields::field::Default::{Computed, Nothing, Same, Text};
 use crate::fields::field::{Field, Kind, Section};
@@ -25,7 +25,7 @@ section! {
 
     "model" [Elasticity] Kind::Choice(ElasticityModel::CHOICES), Finite, Text("elastic-layer"),
         "model of the deformation; \"half-space\" by default with normal.model = \"wheel-rail\"",
-        shaping(), with(METHOD, FULL), default_else(NORMAL_MODEL, WHEEL_RAIL, "half-space");
+        shaping(), with(METHOD, FULL), default_else(NORMAL_MODEL, &["wheel-rail", "line"], "half-space");
     "calibration" [Calibration] Kind::Choice(CalibratedWith::CHOICES), Finite,
         Computed("\"half-space\", where no stiffness is given"),
         "where the stiffnesses come from", shaping(), example("half-space"), with(MODEL, SPRINGS);

@@ -1,5 +1,6 @@
 //! `[grid]`, `[solver]` and `[fastsim]`.
 
+use super::NORMAL_MODEL;
 use crate::fields::choice::{
     BoundChoice, BranchChoice, Choose, DriverChoice, FlexibilitiesChoice, MethodChoice,
 };
@@ -29,7 +30,7 @@ section! {
     "cells_x" [CellsX] Kind::Count, Between(2.0, MAX_CELLS as f64), Text("24"),
         "cells along rolling", with(METHOD, CELLS);
     "cells_y" [CellsY] Kind::Count, Between(1.0, MAX_CELLS as f64), Text("24"),
-        "cells across rolling", with(METHOD, CELLS);
+        "cells across rolling", with(METHOD, CELLS), default_else(NORMAL_MODEL, &["line"], "1");
 }
 
 section! {

@@ -217,6 +217,30 @@ impl Area {
 }
 
 impl Distance {
+    /// The undeformed distance (in mm) at a point (in mm), the centre of an element.
+    pub fn at(&self, [x, y]: [f64; 2], element: usize) -> f64 {
+        let b = |k: usize| self.values.get(k).map_or(0.0, |given| given.value);
+        match self.base.whole() {
+            1 => b(0) * x * x + b(1) * x * y + b(2) * y * y + b(3) * x + b(4) * y + b(5),
+            2 => {
+                let [middle, radius, start, step] = [b(1), b(2), b(3), b(4)];
+                let heights = self.values.len().saturating_sub(5).max(2);
+                let place = (y - start) / step;
+                // Linear, beyond the ends, too.
+                let k = (place.floor().max(0.0) as usize).min(heights - 2);
+                let part = place - k as f64;
+                let height = (1.0 - part) * b(5 + k) + part * b(6 + k);
+                height + (x - middle).powi(2) / (2.0 * radius)
+            }
+            3 => {
+                b(0) * (b(1) * (x - b(2))).sin() - b(3) * (b(4) * (x - b(5))).sin()
+                    + x * x / b(6)
+                    + y * y / b(7)
+            }
+            _ => b(element),
+        }
+    }
+
     fn read(reader: &mut Reader, area: &Area) -> Reading<Self> {
         let [base, plan] = reader.numbers([whole("IBASE"), whole("IPLAN")])?;
         let values = match base.whole() {

@@ -18,8 +18,8 @@ pub fn iteration(reader: &mut Reader, control: &Control) -> Reading<()> {
         [whole("NPOT_MAX")],
     )?;
     let items: &[Item] = match method {
-        2 | 3 => &[real("OMEGAH"), real("OMEGAS"), whole("INISLP"), real("OMGSLP")],
-        4 => &[whole("INISLP"), real("OMGSLP")],
+        2 | 3 => &[real("OMEGAH"), real("OMEGAS"), real("INISLP"), real("OMGSLP")],
+        4 => &[real("INISLP"), real("OMGSLP")],
         5 => &[
             real("FDECAY"),
             real("BETATH"),

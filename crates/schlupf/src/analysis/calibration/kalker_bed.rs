@@ -50,6 +50,10 @@ impl Elasticity for KalkerBed {
     fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error> {
         self.on(grid.semi_axes())?.compliance(grid)
     }
+
+    fn assumes_ellipse(&self) -> bool {
+        true
+    }
 }
 
 /// Beddings along and across rolling (in N/m³) for a shear modulus G (in Pa) and a semi-axis a (in

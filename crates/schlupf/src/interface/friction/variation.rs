@@ -26,7 +26,7 @@ impl Variation {
         Self::new(Quantity::VariationInclination, inclination, factor)
     }
 
-    fn new(quantity: Quantity, at: Vec<f64>, factor: Vec<f64>) -> Result<Self, Error> {
+    fn new(quantity: Quantity, at: Vec<f64>, mut factor: Vec<f64>) -> Result<Self, Error> {
         let (fewest, count) = (2, at.len());
         if count < fewest {
             return Err(Error::TooFew { quantity, fewest, count });
@@ -50,7 +50,9 @@ impl Variation {
         if (centre - 1.0).abs() > ROUNDING {
             return Err(Error::OffCentreFactor { over: quantity, factor: centre });
         }
-        let factor = factor.iter().map(|factor| factor / centre).collect();
+        for factor in &mut factor {
+            *factor /= centre;
+        }
         Ok(Self { at, factor })
     }
 

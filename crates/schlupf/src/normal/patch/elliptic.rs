@@ -76,7 +76,7 @@ fn integrate_row(contact: &NormalSummary, grid: &Grid, row: usize) -> Vec<Integr
 }
 
 /// Adds a chord and its pressure p0/a √(h² − x²), where h is half the chord.
-fn add_chord(columns: &mut [Integrals], grid: &Grid, slope: f64, chord: &Chord) {
+pub(super) fn add_chord(columns: &mut [Integrals], grid: &Grid, slope: f64, chord: &Chord) {
     cover(columns, grid, chord);
     let half = chord.leading_edge;
     // ∫ √(h² − x²) dx

@@ -7,6 +7,7 @@
 
 mod coverage;
 mod elliptic;
+mod line;
 mod interpolation;
 mod parts;
 mod tabulated;
@@ -182,6 +183,7 @@ impl Patch {
     pub fn new(contact: &NormalContact, grid: Grid) -> Self {
         let patch = match &contact.pressure {
             Pressure::Elliptic => elliptic::patch(&contact.summary, grid),
+            Pressure::Line => line::patch(&contact.summary, grid),
             Pressure::Tabulated(table, factor) => tabulated::patch(table, *factor, grid),
         };
         let mut patch = Self { rows: contact.rows.clone(), ..patch };

@@ -21,9 +21,15 @@ pub struct UndeformedDistance {
 pub(super) enum Shape {
     /// d(y) + x²/(2R).
     Across { y: Vec<f64>, distance: Vec<f64>, radius: f64 },
+    /// d(x) on a length across rolling, of a line contact.
+    Along { x: Vec<f64>, distance: Vec<f64>, length: f64 },
     /// Given at the points x × y, rows along x.
     Lattice { x: Vec<f64>, y: Vec<f64>, distance: Vec<f64> },
 }
+
+/// Steps in each direction in which the lowest point is looked for around the lowest given one: the
+/// distance is then within 10⁻⁴ of what it grows by between points.
+const FINE: usize = 64;
 
 /// Minimum number of points in each direction.
 const FEWEST: usize = 4;
@@ -36,6 +42,7 @@ impl UndeformedDistance {
         };
         match &self.shape {
             Shape::Across { y, .. } => vec![within(y, extent.y)],
+            Shape::Along { x, .. } => vec![within(x, extent.x)],
             Shape::Lattice { x, y, .. } => vec![within(x, extent.x), within(y, extent.y)],
         }
     }
@@ -48,6 +55,16 @@ impl UndeformedDistance {
         check_positions('y', &y)?;
         check_values(&distance, y.len())?;
         Ok(Self { shape: Shape::Across { y, distance, radius: relative_radius } })
+    }
+
+    /// The distance of two cylindrical bodies with parallel axes, given by `distance` (in m) at the
+    /// positions `x` (in m, ascending), the same on a length across rolling, in m: a line contact,
+    /// whose pressure does not change across.
+    pub fn along(x: Vec<f64>, distance: Vec<f64>, length: f64) -> Result<Self, Error> {
+        require_positive(Quantity::LineLength, length)?;
+        check_positions('x', &x)?;
+        check_values(&distance, x.len())?;
+        Ok(Self { shape: Shape::Along { x, distance, length } })
     }
 
     /// A distance given (in m) at the positions `x` × `y` (in m, ascending), rows along x: the
@@ -65,8 +82,14 @@ impl UndeformedDistance {
         let ends = |v: &[f64]| [v[0], v[v.len() - 1]];
         match &self.shape {
             Shape::Across { y, .. } => [[f64::NEG_INFINITY, f64::INFINITY], ends(y)],
+            Shape::Along { x, length, .. } => [ends(x), [-0.5 * length, 0.5 * length]],
             Shape::Lattice { x, y, .. } => [ends(x), ends(y)],
         }
+    }
+
+    /// Whether it is the same all across.
+    pub(super) fn is_line(&self) -> bool {
+        matches!(self.shape, Shape::Along { .. })
     }
 
     /// Distance (in m) at the positions `x` × `y` (in m), rows along x.
@@ -76,6 +99,10 @@ impl UndeformedDistance {
                 let rolling: Vec<f64> = x.iter().map(|x| 0.5 * x * x / radius).collect();
                 let across = y.iter().map(|y| weights_at(nodes, *y).apply(|j| distance[j]));
                 across.flat_map(|d| rolling.iter().map(move |r| d + r)).collect()
+            }
+            Shape::Along { x: nodes, distance, .. } => {
+                let along = x.iter().map(|x| weights_at(nodes, *x).apply(|i| distance[i]));
+                along.collect::<Vec<_>>().repeat(y.len())
             }
             Shape::Lattice { x: columns, y: rows, distance } => {
                 let along: Vec<Weights> = x.iter().map(|x| weights_at(columns, *x)).collect();
@@ -91,10 +118,23 @@ impl UndeformedDistance {
         }
     }
 
-    /// Smallest distance at a given point, in m.
-    pub(super) fn lowest(&self) -> f64 {
-        let (Shape::Across { distance, .. } | Shape::Lattice { distance, .. }) = &self.shape;
-        distance.iter().copied().fold(f64::INFINITY, f64::min)
+    /// Smallest distance, where the bodies touch first, in m: found about the lowest given point.
+    pub fn lowest(&self) -> f64 {
+        let (Shape::Across { distance, .. }
+        | Shape::Along { distance, .. }
+        | Shape::Lattice { distance, .. }) = &self.shape;
+        let least = (1..distance.len())
+            .fold(0, |least, k| if distance[k] < distance[least] { k } else { least });
+        let around = |line: &[f64], k: usize| -> Vec<f64> {
+            let (from, to) = (line[k.saturating_sub(1)], line[(k + 1).min(line.len() - 1)]);
+            (0..=FINE).map(|i| from + (to - from) * i as f64 / FINE as f64).collect()
+        };
+        let [x, y] = match &self.shape {
+            Shape::Across { y, .. } => [vec![0.0], around(y, least)],
+            Shape::Along { x, .. } => [around(x, least), vec![0.0]],
+            Shape::Lattice { x, y, .. } => [around(x, least % x.len()), around(y, least / x.len())],
+        };
+        self.sample(&x, &y).into_iter().fold(distance[least], f64::min)
     }
 }
 

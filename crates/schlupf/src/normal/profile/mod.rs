@@ -1,9 +1,9 @@
 //! Pressure from the shape of both bodies: a wheel's profile over that of a rail, new or worn.
 //!
-//! The undeformed distance h(x, y) of the bodies and their load N define a normal contact of two
-//! elastic half-spaces, gap = h + u − δ ≥ 0, p ≥ 0, gap p = 0, ∫ p dA = N, which
-//! [`super::rough_contact`] solves on cells. The patch may have any shape and several separate
-//! parts.
+//! The undeformed distance h(x, y) of the bodies and their load N or their approach δ define a
+//! normal contact of two elastic half-spaces, gap = h + u − δ ≥ 0, p ≥ 0, gap p = 0, ∫ p dA = N,
+//! which [`super::rough_contact`] solves on cells. The approach is that since the first contact.
+//! The patch may have any shape and several separate parts.
 //!
 //! The contact is first located on a coarse lattice, starting from a rectangle that is certain to
 //! contain it; then it is solved on a lattice of [`Profile::DEFAULT_CELLS`] cells across it, along
@@ -20,7 +20,7 @@
 //! distance is cubic; its roughness and rounding are part of the shape, and affect the pressure: a
 //! wave of amplitude Δ and length λ makes one of π E* Δ/λ.
 //!
-//! Contacts are cached by load, because a problem is asked for its patch many times. A change of
+//! Contacts are cached, because a problem is asked for its patch many times. A change of
 //! the load changes the shape, so the contact is recomputed instead of scaled (there is no
 //! `growth`).
 
@@ -40,26 +40,27 @@ use crate::reporting::{
 
 pub use distance::UndeformedDistance;
 
-use search::{Search, Solved};
+use search::{Held, Search, Solved};
 
 /// Minimum number of points of the distance across each part of a patch, needed to resolve its
 /// shape.
 const FEWEST_POINTS: usize = 7;
 
-/// Contact of two bodies of given shape under a load.
+/// Contact of two bodies of given shape under a load, or at an approach.
 #[derive(Debug)]
 pub struct Profile {
     distance: UndeformedDistance,
     contact_modulus: f64,
-    load: f64,
+    held: Held,
     cells: usize,
-    /// Solved loads, in N, and their contacts, the latest last.
-    solved: Mutex<Vec<(f64, Placed)>>,
+    /// Solved contacts, the latest last.
+    solved: Mutex<Vec<Placed>>,
 }
 
 /// A solved contact in the coordinates of the distance.
 #[derive(Debug, Clone)]
 struct Placed {
+    load: f64,
     approach: f64,
     extent: Extent,
     table: Arc<PressureTable>,
@@ -99,22 +100,46 @@ impl Profile {
         cells: usize,
     ) -> Result<Self, Error> {
         require_positive(Quantity::Load, load)?;
+        Self::at(distance, contact_modulus, Held::Load(load), cells)
+    }
+
+    /// The same at an approach (in m) in place of a load.
+    pub fn from_approach(
+        distance: UndeformedDistance,
+        contact_modulus: f64,
+        approach: f64,
+        cells: usize,
+    ) -> Result<Self, Error> {
+        require_positive(Quantity::Approach, approach)?;
+        Self::at(distance, contact_modulus, Held::Approach(approach), cells)
+    }
+
+    fn at(
+        distance: UndeformedDistance,
+        contact_modulus: f64,
+        held: Held,
+        cells: usize,
+    ) -> Result<Self, Error> {
         require_positive(Quantity::WheelYoungModulus, contact_modulus)?;
         let [least, most] = CELLS_RANGE;
         let range = Requirement::Between(least as f64, most as f64);
         require(Quantity::NormalCells, range, cells as f64)?;
-        Ok(Self { distance, contact_modulus, load, cells, solved: Mutex::default() })
+        Ok(Self { distance, contact_modulus, held, cells, solved: Mutex::default() })
     }
 
-    fn contact(&self, load: f64, watch: Watch) -> Result<Placed, Error> {
-        let known = self.kept().iter().find(|(at, _)| *at == load).map(|(_, c)| c.clone());
+    fn contact(&self, held: Held, watch: Watch) -> Result<Placed, Error> {
+        let is_it = |contact: &&Placed| match held {
+            Held::Load(load) => contact.load == load,
+            Held::Approach(approach) => contact.approach == approach,
+        };
+        let known = self.kept().iter().find(is_it).cloned();
         if let Some(contact) = known {
             return Ok(contact);
         }
         let search = Search {
             distance: &self.distance,
             contact_modulus: self.contact_modulus,
-            load,
+            held,
             cells: self.cells,
             watch,
         };
@@ -123,11 +148,11 @@ impl Profile {
         if kept.len() >= KEPT {
             kept.remove(0);
         }
-        kept.push((load, contact.clone()));
+        kept.push(contact.clone());
         Ok(contact)
     }
 
-    fn kept(&self) -> MutexGuard<'_, Vec<(f64, Placed)>> {
+    fn kept(&self) -> MutexGuard<'_, Vec<Placed>> {
         // Entries are inserted and removed as a whole, so a panic elsewhere leaves nothing half
         // done.
         self.solved.lock().unwrap_or_else(PoisonError::into_inner)
@@ -151,19 +176,21 @@ pub fn relative_radius(radii: [f64; 2]) -> Result<f64, Error> {
 }
 
 fn placed(solved: Solved) -> Result<Placed, Error> {
-    let Solved { x, y, pressure, approach } = solved;
+    let Solved { x, y, pressure, load, approach } = solved;
     let table = PressureTable::where_it_is(&x, &y, pressure)?;
-    Ok(Placed { approach, extent: table.extent(), table: Arc::new(table) })
+    Ok(Placed { load, approach, extent: table.extent(), table: Arc::new(table) })
 }
 
 impl PressureSource for Profile {
     fn normal_contact(&self, load: Option<f64>) -> Result<NormalContact, Error> {
-        let load = load.unwrap_or(self.load);
-        require_positive(Quantity::Load, load)?;
-        let own = self.contact(self.load, &unwatched)?.extent;
+        if let Some(load) = load {
+            require_positive(Quantity::Load, load)?;
+        }
+        let own = self.contact(self.held, &unwatched)?.extent;
         let middle = |[from, to]: [f64; 2]| 0.5 * (from + to);
         let origin = [middle(own.x), middle(own.y)];
-        let Placed { approach, extent, table } = self.contact(load, &unwatched)?;
+        let held = load.map_or(self.held, Held::Load);
+        let Placed { load, approach, extent, table } = self.contact(held, &unwatched)?;
         let half = |[from, to]: [f64; 2]| 0.5 * (to - from);
         let summary = NormalSummary {
             load,
@@ -180,8 +207,8 @@ impl PressureSource for Profile {
     }
 
     fn prepare(&self, load: Option<f64>, watch: Watch) -> Result<(), Error> {
-        for load in [self.load, load.unwrap_or(self.load)] {
-            self.contact(load, watch)?;
+        for held in [self.held, load.map_or(self.held, Held::Load)] {
+            self.contact(held, watch)?;
         }
         Ok(())
     }
@@ -208,7 +235,7 @@ impl PressureSource for Profile {
     }
 
     fn caveat(&self) -> Option<Warning> {
-        let own = self.contact(self.load, &unwatched).ok()?;
+        let own = self.contact(self.held, &unwatched).ok()?;
         let parts = own.table.parts();
         let across = self.distance.points_within(&own.extent);
         let fewest = across.into_iter().min()?;

@@ -12,11 +12,19 @@ pub(super) struct Search<'a> {
     pub distance: &'a UndeformedDistance,
     /// E*, in Pa.
     pub contact_modulus: f64,
-    /// N, in N.
-    pub load: f64,
+    pub held: Held,
     /// Number of cells across the contact in each direction.
     pub cells: usize,
     pub watch: Watch<'a>,
+}
+
+/// What the bodies are pressed together by, or to.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Held {
+    /// N, in N.
+    Load(f64),
+    /// δ, in m.
+    Approach(f64),
 }
 
 /// A pressure at equidistant positions, in the coordinates of the distance.
@@ -27,6 +35,8 @@ pub(super) struct Solved {
     pub y: Vec<f64>,
     /// Rows along x, in Pa.
     pub pressure: Vec<f64>,
+    /// N, in N.
+    pub load: f64,
     /// Approach of the bodies, in m.
     pub approach: f64,
 }
@@ -42,8 +52,8 @@ struct Pressed {
     lattice: Lattice,
     rectangle: Rectangle,
     solution: RoughContactSolution,
-    /// h in each cell, in m.
-    distance: Vec<f64>,
+    /// δ relative to the origin of the distance, in m.
+    level: f64,
 }
 
 /// Lower bound of the load that a body carries, relative to E* δ √A, dimensionless.
@@ -84,7 +94,7 @@ impl Search<'_> {
             let next = self.widened(rectangle, again, missed);
             if next == rectangle {
                 self.refuse_edge(&pressed, again)?;
-                return Ok(pressed.solved());
+                return Ok(self.solved(pressed));
             }
             (touched, rectangle) = (again, next);
         }
@@ -119,17 +129,21 @@ impl Search<'_> {
         Err(lost(rectangle))
     }
 
-    /// An upper estimate of the approach (in m) under the load, and not much larger.
+    /// The approach (in m) if it is held, otherwise an upper estimate, and not much larger.
     ///
     /// With A the area within δ of first contact, a flat punch carries 1.1 E* δ √A, a sphere half
     /// as much, a cone 0.36 E* δ √A.
     fn greatest_approach(&self) -> f64 {
+        let load = match self.held {
+            Held::Load(load) => load,
+            Held::Approach(approach) => return approach,
+        };
         let [_, across] = self.distance.bounds();
         let carries = |approach: f64| {
             LEAST_CARRIED * self.contact_modulus * approach * self.area(approach).sqrt()
         };
-        let mut approach = 1e-6 * self.load / (self.contact_modulus * length(across));
-        while carries(approach) < self.load && approach < length(across) {
+        let mut approach = 1e-6 * load / (self.contact_modulus * length(across));
+        while carries(approach) < load && approach < length(across) {
             approach *= 1.5;
         }
         approach
@@ -142,6 +156,10 @@ impl Search<'_> {
             Shape::Across { y, distance, radius } => {
                 let chord = |d: f64| 2.0 * (2.0 * radius * (level - d).max(0.0)).sqrt();
                 distance.iter().enumerate().map(|(j, d)| chord(*d) * share(y, j)).sum()
+            }
+            Shape::Along { x, distance, length } => {
+                let inside = (0..x.len()).filter(|i| distance[*i] < level);
+                length * inside.map(|i| share(x, i)).sum::<f64>()
             }
             Shape::Lattice { x, y, distance } => {
                 let cell = |k: usize| share(x, k % x.len()) * share(y, k / x.len());
@@ -158,6 +176,9 @@ impl Search<'_> {
             Shape::Across { y, distance, radius } => {
                 let half = (2.0 * radius * approach).sqrt();
                 [[-half, half], spanned(y, |j| distance[j] < level)]
+            }
+            Shape::Along { x, distance, .. } => {
+                [spanned(x, |i| distance[i] < level), self.distance.bounds()[1]]
             }
             Shape::Lattice { x, y, distance } => {
                 let n = x.len();
@@ -180,6 +201,7 @@ impl Search<'_> {
         options: &RoughContactOptions,
     ) -> Result<Pressed, Error> {
         let [columns, rows] = cells;
+        let rows = if self.distance.is_line() { 1 } else { rows };
         let lattice = Lattice {
             columns,
             rows,
@@ -188,10 +210,21 @@ impl Search<'_> {
         };
         let [x, y] = positions(&lattice, rectangle);
         let distance = self.distance.sample(&x, &y);
-        let map = HeightMap::new(lattice, distance.clone())?;
+        let map = if self.distance.is_line() {
+            HeightMap::row(lattice, distance)
+        } else {
+            HeightMap::new(lattice, distance)?
+        };
+        let [lowest, _] = map.range();
         let mut contact = RoughContact::new(map, self.contact_modulus, Boundary::Free)?;
-        let solution = contact.solve(self.load, options, self.watch)?;
-        Ok(Pressed { lattice, rectangle, solution, distance })
+        let solution = match self.held {
+            Held::Load(load) => contact.solve(load, options, self.watch),
+            Held::Approach(approach) => {
+                contact.solve_at_level(self.distance.lowest() + approach, options, self.watch)
+            }
+        }?;
+        let level = lowest + solution.approach;
+        Ok(Pressed { lattice, rectangle, solution, level })
     }
 
     /// The rectangle enlarged where the contact continues beyond it; unchanged if it contains all
@@ -219,7 +252,7 @@ impl Search<'_> {
 
     /// The rectangle of the given points outside the lattice at which the bodies would overlap.
     fn pressed_in_outside(&self, pressed: &Pressed) -> Option<Rectangle> {
-        let level = pressed.level();
+        let level = pressed.level;
         let forces = pressed.forces();
         let [columns, rows] = pressed.rectangle;
         let is_outside =
@@ -229,7 +262,7 @@ impl Search<'_> {
             if distance >= level || !is_outside(x, y) {
                 return false;
             }
-            let moved: f64 = forces.iter().map(|[fx, fy, f]| f / (x - fx).hypot(y - fy)).sum();
+            let moved: f64 = forces.iter().map(|[fx, fy, f]| f / self.reach(x - fx, y - fy)).sum();
             distance + over * moved < level - NEGLIGIBLE * pressed.solution.approach
         };
         match &self.distance.shape {
@@ -238,6 +271,12 @@ impl Search<'_> {
                     (0..y.len()).map(|j| is_pressed_in(0.0, y[j], distance[j])).collect();
                 let is_any = is_hit.iter().any(|hit| *hit);
                 is_any.then(|| [columns, spanned(y, |j| is_hit[j])])
+            }
+            Shape::Along { x, distance, .. } => {
+                let is_hit: Vec<bool> =
+                    (0..x.len()).map(|i| is_pressed_in(x[i], 0.0, distance[i])).collect();
+                let is_any = is_hit.iter().any(|hit| *hit);
+                is_any.then(|| [spanned(x, |i| is_hit[i]), rows])
             }
             Shape::Lattice { x, y, distance } => {
                 let n = x.len();
@@ -252,15 +291,42 @@ impl Search<'_> {
         }
     }
 
+    /// The distance (in m) at which a point force displaces as much as one at a distance (in m)
+    /// along and across, which acts on the whole length of a line contact.
+    fn reach(&self, x: f64, y: f64) -> f64 {
+        match &self.distance.shape {
+            Shape::Along { length, .. } => 0.5 * length / (0.5 * length / x.abs()).asinh(),
+            Shape::Across { .. } | Shape::Lattice { .. } => x.hypot(y),
+        }
+    }
+
+    fn solved(&self, pressed: Pressed) -> Solved {
+        let [x, mut y] = positions(&pressed.lattice, pressed.rectangle);
+        let RoughContactSolution { mut pressure, load, .. } = pressed.solution;
+        if self.distance.is_line() {
+            // Two rows that are half as wide.
+            let aside = 0.25 * pressed.lattice.spacing_y;
+            y = vec![-aside, aside];
+            pressure = pressure.repeat(2);
+        }
+        let approach = match self.held {
+            Held::Load(_) => pressed.level - self.distance.lowest(),
+            Held::Approach(approach) => approach,
+        };
+        Solved { x, y, pressure, load, approach }
+    }
+
     /// Rejects a contact that extends to the limits of the known distance.
     fn refuse_edge(&self, pressed: &Pressed, touched: Rectangle) -> Result<(), Error> {
         let bounds = self.distance.bounds();
-        for (k, axis) in ['x', 'y'].into_iter().enumerate() {
+        let axes = if self.distance.is_line() { &['x'][..] } else { &['x', 'y'] };
+        for (k, axis) in axes.iter().copied().enumerate() {
             for end in 0..2 {
                 let edge = bounds[k][end];
                 let is_there = pressed.rectangle[k][end] == edge && touched[k][end] == edge;
                 if is_there {
-                    return Err(Error::ContactAtEdge { load: self.load, axis, edge });
+                    let load = pressed.solution.load;
+                    return Err(Error::ContactAtEdge { load, axis, edge });
                 }
             }
         }
@@ -313,11 +379,6 @@ impl Pressed {
         [spacing_x * longest(columns, &column), spacing_y * longest(rows, &row)]
     }
 
-    /// δ relative to the origin of the distance, in m.
-    fn level(&self) -> f64 {
-        self.solution.approach + self.distance.iter().copied().fold(f64::INFINITY, f64::min)
-    }
-
     /// The pressure as forces (in N) at positions x and y (in m), one for each loaded block of
     /// cells.
     fn forces(&self) -> Vec<[f64; 3]> {
@@ -346,12 +407,6 @@ impl Pressed {
             residual: self.solution.residual,
             tolerance: SOLVING.tolerance,
         })
-    }
-
-    fn solved(self) -> Solved {
-        let [x, y] = positions(&self.lattice, self.rectangle);
-        let RoughContactSolution { pressure, approach, .. } = self.solution;
-        Solved { x, y, pressure, approach }
     }
 }
 

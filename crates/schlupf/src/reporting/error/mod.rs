@@ -401,6 +401,21 @@ messages! {
         words.choice(Quantity::TractionBound, "elliptic")
     );
 
+    /// A line contact where an ellipse is assumed.
+    "line-is-no-ellipse" LineIsNoEllipse {
+        /// The method or the elasticity that assumes it.
+        assumed_by: Quantity,
+    } *assumed_by, |name, words| {
+        let other = match assumed_by {
+            Quantity::Method => "full",
+            _ => "half-space",
+        };
+        format!(
+            "{name} must not rest on Kalker's coefficients of an ellipse with a line contact; choose {}",
+            words.choice(*assumed_by, other)
+        )
+    };
+
     /// Coulomb's law between rigid bodies.
     "coulomb-of-rigid-bodies" CoulombOfRigidBodies {} Quantity::Elasticity, |name, words| format!(
         "{name}: with Coulomb's law ({}) the bodies must be elastic, because nothing else determines \

@@ -26,7 +26,7 @@ use crate::bodies::{Kinematics, ReferencePoint};
 use crate::normal::{Grid, NormalContact};
 use crate::problem::look_up_table::{AtShape, LookUpTable};
 use crate::problem::{AreaReduction, FastMethod, Method, Options, Problem, State};
-use crate::reporting::{Error, Progress, Stage, Warning, Watch, tell, unwatched};
+use crate::reporting::{Error, Progress, Quantity, Stage, Warning, Watch, tell, unwatched};
 use crate::solution::{Area, Fields, Instant, Power, Resultant, Solution, Status, Work};
 use crate::solver::Solver;
 use crate::solver::reference_point::AtPatch;
@@ -115,6 +115,7 @@ impl FastContact {
         method.check()?;
         let at = AtPatch::new(problem, &unwatched)?;
         let normal = at.problem.normal.normal_contact(None)?;
+        normal.refuse_line(Quantity::Method)?;
         let kernel = Kernel::new(&method, &at.problem, options, &normal)?;
         let contact = EllipticContact::of(&at.problem, normal.summary)?;
         Ok(Self { at, method, options: options.clone(), contact, kernel, limit: f64::INFINITY })

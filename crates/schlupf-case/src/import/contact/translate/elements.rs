@@ -2,6 +2,9 @@
 
 use std::fmt::Write;
 
+use schlupf::problem::MAX_CELLS;
+
+use crate::FieldPath;
 use crate::import::contact::given::Given;
 use crate::import::document::number;
 
@@ -39,6 +42,42 @@ impl Elements {
 /// Number of elements with their centre between two ends, from the first centre and the side.
 pub fn inside([low, high]: [f64; 2], (first, side, cells): (f64, f64, Given)) -> usize {
     (0..cells.whole()).filter(|k| (low..high).contains(&(first + *k as f64 * side))).count()
+}
+
+/// Cells across the contact.
+pub fn cells(case: &mut Translation, path: FieldPath, count: f64) {
+    let least = if path == field!("grid.cells_x") { 2.0 } else { 1.0 };
+    let count = count.round().clamp(least, MAX_CELLS as f64);
+    case.document.count(path, count as usize);
+}
+
+/// Cells across the contact in a direction, between two ends in mm; returns the number of elements
+/// inside.
+pub fn across(
+    case: &mut Translation,
+    given: NormalProblem,
+    k: usize,
+    [low, high]: [f64; 2],
+) -> usize {
+    let (first, side) = given.area.lattice();
+    let count = given.area.cells[k];
+    let from = first[k] - 0.5 * side[k];
+    let to = from + count.value * side[k];
+    // A cell that is touched at its edge alone may be outside.
+    if low < from - side[k] || high > to + side[k] {
+        let [from, to, low, high] = [from, to, low, high].map(rounded);
+        let what = format!(
+            "the potential contact area, {from} to {to} mm, cuts the contact off, which goes from \
+             {low} to {high} mm"
+        );
+        case.refuse(count, &what, "a larger area contains it");
+    }
+    cells(case, fields!["grid.cells_x", "grid.cells_y"][k], (high - low) / side[k]);
+    inside([low, high], (first[k], side[k], count))
+}
+
+fn rounded(length: f64) -> String {
+    number((1e3 * length).round() / 1e3)
 }
 
 /// Refuses elements that are too few for an ellipse and too many for one pressure.

@@ -2,9 +2,11 @@
 
 mod case;
 mod frame;
-mod hertz;
 mod contact;
+mod approach;
 mod elements;
+mod hertz;
+mod line;
 mod laws;
 mod friction;
 mod normal;

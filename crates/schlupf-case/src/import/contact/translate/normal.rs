@@ -3,19 +3,19 @@
 use std::fmt::Write;
 
 use schlupf::Error;
-use schlupf::problem::MAX_CELLS;
+use schlupf::normal::PressureSource;
+use schlupf::normal::profile::{Profile, UndeformedDistance};
 
-use crate::FieldPath;
-use crate::import::contact::basic::{Area, Basic, Distance, Motion};
+use crate::import::contact::basic::{Area, Basic, Distance};
 use crate::import::contact::given::Given;
 use crate::import::document::number;
 
+use super::approach::{MILLIMETRE, above, accepted, load};
 use super::case::Translation;
 use super::contact::{Contact, NormalProblem};
-use super::elements::{self, Elements};
+use super::elements::{self, Elements, across, cells};
 use super::hertz;
-
-const MILLIMETRE: f64 = 1e-3;
+use super::line;
 
 /// Writes the normal contact; nothing if it is refused.
 pub fn write(
@@ -128,13 +128,6 @@ fn semi_axes(case: &mut Translation, given: NormalProblem, load: f64) -> Option<
     }
 }
 
-/// Cells across the contact.
-fn cells(case: &mut Translation, path: FieldPath, count: f64) {
-    let least = if path == field!("grid.cells_x") { 2.0 } else { 1.0 };
-    let count = count.round().clamp(least, MAX_CELLS as f64);
-    case.document.count(path, count as usize);
-}
-
 /// Bodies with the distance A x² + B y² (in 1/m); their load, in N.
 fn curved(
     case: &mut Translation,
@@ -156,36 +149,6 @@ fn curved(
     Ok(load)
 }
 
-/// The load (in N), as given or from the approach.
-fn load(
-    case: &mut Translation,
-    given: NormalProblem,
-    of_approach: impl Fn(f64) -> Result<f64, Error>,
-) -> Result<f64, Error> {
-    let normal = given.motion.normal;
-    // What is not positive is refused with its name.
-    if given.control.normal.is(1) || normal.value <= 0.0 {
-        return Ok(normal.value);
-    }
-    let load = of_approach(MILLIMETRE * normal.value)?;
-    case.remark(format!("The load is that of Hertz for PEN = {} mm.", number(normal.value)));
-    Ok(load)
-}
-
-fn accepted(case: &mut Translation, given: Given, load: Result<f64, Error>) -> Option<f64> {
-    match load {
-        Ok(load) if load.is_finite() && load > 0.0 => Some(load),
-        Ok(_) => {
-            case.refuse(given, "FN, or PEN, must be positive", "");
-            None
-        }
-        Err(error) => {
-            case.refuse(given, &format!("is no contact of Hertz: {error}"), "");
-            None
-        }
-    }
-}
-
 fn by_distance(
     case: &mut Translation,
     given: NormalProblem,
@@ -200,21 +163,19 @@ fn by_distance(
         );
         return None;
     }
+    let is_row = given.area.cells[1].is(1);
     if distance.base.is(1)
         && let [b1, b2, b3, b4, b5, b6] = distance.values[..]
-        && b2.value == 0.0
+        && (b2.value == 0.0 || is_row)
     {
         if let Some(rectangle) = alike(given.area, [b1, b3], [b4, b5]) {
             return elements::uniform(case, given, rectangle, stem);
         }
-        return quadratic(case, given, [b1, b3, b4, b5, b6]);
+        if !is_row {
+            return quadratic(case, given, [b1, b3, b4, b5, b6]);
+        }
     }
-    if given.control.normal.is(0) {
-        let what = "an approach is available for Hertz's contact only";
-        case.refuse(given.motion.normal, what, "N = 1 gives the normal force FN");
-        return None;
-    }
-    table(case, given, distance, stem)
+    if is_row { line::write(case, given, distance) } else { table(case, given, distance, stem) }
 }
 
 /// Sides and middle, in mm, of an area whose elements have one pressure by symmetry: one or two in
@@ -243,62 +204,27 @@ fn quadratic(
 ) -> Option<Contact> {
     for (curvature, direction) in [(b1, "along"), (b3, "across")] {
         if curvature.value <= 0.0 {
-            let what = format!(
-                "the distance must be curved {direction} rolling: a contact in a plane (two-dimensional) \
-                 is not available"
-            );
-            case.refuse(curvature, &what, "give the bodies a large radius in this direction");
+            let what = format!("the distance must be curved {direction} rolling");
+            case.refuse(curvature, &what, "MY = 1 is a line contact, straight across rolling");
             return None;
         }
     }
     let centre = [-0.5 * b4.value / b1.value, -0.5 * b5.value / b3.value];
     let least = b6.value + 0.5 * (b4.value * centre[0] + b5.value * centre[1]);
-    let motion = Motion {
-        normal: if given.control.normal.is(1) {
-            given.motion.normal
-        } else {
-            Given { value: given.motion.normal.value - least, ..given.motion.normal }
-        },
-        ..*given.motion
-    };
+    let motion = above(given, least);
     let curvatures = [1e3 * b1.value, 1e3 * b3.value];
     let found = curved(case, NormalProblem { motion: &motion, ..given }, curvatures);
     let load = accepted(case, b1, found)?;
     let contact = hertz::contact(curvatures, hertz::modulus(given.elastic), load).ok()?;
     let axes = contact.semi_axes().map(|axis| axis / MILLIMETRE);
+    let inside = [0, 1].map(|k| across(case, given, k, [centre[k] - axes[k], centre[k] + axes[k]]));
     let (first, side) = given.area.lattice();
-    let mut inside = [0; 2];
-    for k in 0..2 {
-        let count = given.area.cells[k];
-        let from = first[k] - 0.5 * side[k];
-        let to = from + count.value * side[k];
-        // A cell that is touched at its edge alone may be outside.
-        if centre[k] - axes[k] < from - side[k] || centre[k] + axes[k] > to + side[k] {
-            let what = format!(
-                "the potential contact area, {} to {} mm, cuts the contact off, which goes from {} to {} mm",
-                rounded(from),
-                rounded(to),
-                rounded(centre[k] - axes[k]),
-                rounded(centre[k] + axes[k])
-            );
-            case.refuse(count, &what, "a larger area contains it");
-        }
-        inside[k] = elements::inside(
-            [centre[k] - axes[k], centre[k] + axes[k]],
-            (first[k], side[k], count),
-        );
-        cells(case, fields!["grid.cells_x", "grid.cells_y"][k], 2.0 * axes[k] / side[k]);
-    }
     // Where the grid is larger than the contact, its elements do not share the force evenly.
     if let Some(k) = (0..2).find(|k| inside[*k] <= elements::ALIKE) {
         elements::refuse_few(case, given.area.cells[k]);
     }
     let rows = Some([first[1] - centre[1], side[1]]);
     Some(Contact { load, centre, rows })
-}
-
-fn rounded(length: f64) -> String {
-    number((1e3 * length).round() / 1e3)
 }
 
 /// The distance on the grid of the file as a table of its own.
@@ -311,7 +237,7 @@ fn table(
     let counts = given.area.cells.map(|count| count.whole() as usize);
     if let Some(count) = given.area.cells.into_iter().find(|count| count.value < 4.0) {
         let what = "must be at least 4 for a distance that is given on the grid";
-        case.refuse(count, what, "a contact in a plane (two-dimensional) is not available");
+        case.refuse(count, what, "MY = 1 is a line contact");
         return None;
     }
     if distance.base.is(9) && distance.values.len() != counts[0] * counts[1] {
@@ -327,11 +253,13 @@ fn table(
     }
     let frame = given.frame;
     let mut text = String::from("x [mm],y [mm],distance [mm]\n");
+    let mut heights = Vec::with_capacity(counts[0] * counts[1]);
     for row in 0..counts[1] {
         for column in 0..counts[0] {
             let x = first[0] + column as f64 * side[0];
             let y = first[1] + row as f64 * side[1];
-            let height = value(distance, [x, y], row * counts[0] + column);
+            let height = distance.at([x, y], row * counts[0] + column);
+            heights.push(MILLIMETRE * height);
             // Writing to a string cannot fail.
             let _ = writeln!(
                 text,
@@ -342,34 +270,21 @@ fn table(
             );
         }
     }
+    let places =
+        |k: usize| (0..counts[k]).map(move |n| MILLIMETRE * (first[k] + n as f64 * side[k]));
+    let modulus = hertz::modulus(given.elastic);
+    let found = load(case, given, |level| {
+        let distance =
+            UndeformedDistance::on_lattice(places(0).collect(), places(1).collect(), heights)?;
+        let approach = level - distance.lowest();
+        let profile = Profile::from_approach(distance, modulus, approach, Profile::DEFAULT_CELLS)?;
+        Ok(profile.normal_contact(None)?.summary.load)
+    });
+    let load = accepted(case, given.motion.normal, found)?;
     let name = format!("{stem}_distance.csv");
     case.document.text(field!("normal.model"), "profile");
     case.document.text(field!("normal.file"), &name);
     case.document.text(field!("kinematics.reference"), "file");
     case.document.files.push((name, text.into_bytes()));
-    Some(Contact { load: given.motion.normal.value, centre: [0.0; 2], rows: None })
-}
-
-/// The undeformed distance (in mm) at a point (in mm), the centre of an element.
-fn value(distance: &Distance, [x, y]: [f64; 2], element: usize) -> f64 {
-    let b = |k: usize| distance.values.get(k).map_or(0.0, |given| given.value);
-    match distance.base.whole() {
-        1 => b(0) * x * x + b(1) * x * y + b(2) * y * y + b(3) * x + b(4) * y + b(5),
-        2 => {
-            let [middle, radius, start, step] = [b(1), b(2), b(3), b(4)];
-            let heights = distance.values.len().saturating_sub(5).max(2);
-            let place = (y - start) / step;
-            // Linear, beyond the ends, too.
-            let k = (place.floor().max(0.0) as usize).min(heights - 2);
-            let part = place - k as f64;
-            let height = (1.0 - part) * b(5 + k) + part * b(6 + k);
-            height + (x - middle).powi(2) / (2.0 * radius)
-        }
-        3 => {
-            b(0) * (b(1) * (x - b(2))).sin() - b(3) * (b(4) * (x - b(5))).sin()
-                + x * x / b(6)
-                + y * y / b(7)
-        }
-        _ => b(element),
-    }
+    Some(Contact { load, centre: [0.0; 2], rows: None })
 }

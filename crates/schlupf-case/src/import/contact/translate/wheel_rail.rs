@@ -88,7 +88,10 @@ fn materials(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) 
     }
     laws::heat(case, control, wheel_rail.heat.as_ref(), BODY);
     match &wheel_rail.friction {
-        Some(friction) => write_friction(case, control, friction, wheel_rail.position),
+        Some(friction) => {
+            let place = wheel_rail.position.map(|[s, ..]| s.value);
+            write_friction(case, control, friction, place);
+        }
         None => case.miss(control.friction_law, "the law of friction"),
     }
 }
@@ -97,7 +100,7 @@ fn write_friction(
     case: &mut Translation,
     control: &Control,
     friction: &Friction,
-    position: Option<[Given; 6]>,
+    place: Option<f64>,
 ) {
     if control.tangential.is(0) {
         case.remark("Without friction (T = 0): as good as none.");
@@ -106,13 +109,13 @@ fn write_friction(
         return;
     }
     let places: Vec<f64> = friction.places.iter().map(|place| place.value).collect();
-    match (friction.variation.whole(), position) {
+    match (friction.variation.whole(), place) {
         (1, _) => {
             let places: Vec<f64> = places.iter().map(|angle| angle.to_degrees()).collect();
             let path = field!("friction.variation_inclination");
             friction::varying(case, friction, (path, &places, "deg"));
         }
-        (2, Some([s, ..])) => friction::uniform(case, &friction.between(&places, s.value)),
+        (2, Some(place)) => friction::uniform(case, &friction.between(&places, place)),
         _ => friction::uniform(case, friction),
     }
 }

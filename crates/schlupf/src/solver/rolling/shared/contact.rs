@@ -5,7 +5,7 @@ use crate::normal::patch::{Interpolation, Patch};
 use crate::normal::{Grid, NormalContact, NormalSummary, VectorField};
 use crate::numerics::vector::{add_scaled, dot};
 use crate::problem::Problem;
-use crate::reporting::Error;
+use crate::reporting::{Error, Quantity};
 use crate::solver::settings;
 
 /// A patch with the compliance between its cells.
@@ -70,7 +70,11 @@ pub(crate) struct Former {
 impl DiscreteContact {
     /// The normal contact of a problem on a grid that covers it.
     pub fn new(problem: &Problem, normal: &NormalContact, grid: Grid) -> Result<Self, Error> {
-        let compliance = problem.interface.elasticity.compliance(&grid)?;
+        let elasticity = &problem.interface.elasticity;
+        if elasticity.assumes_ellipse() {
+            normal.refuse_line(Quantity::Elasticity)?;
+        }
+        let compliance = elasticity.compliance(&grid)?;
         let patch = touching_patch(normal, grid)?;
         let zeros = || VectorField::zeros(grid.len());
         let with_layer = problem.interface.layer.map(|_| zeros());

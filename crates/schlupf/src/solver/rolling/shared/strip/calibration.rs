@@ -192,8 +192,10 @@ impl Exact {
             .rev()
             .find(|parts| parts * parts * grid.len() <= 4 * MAX_CELLS_TOGETHER);
         let parts = parts.unwrap_or(1);
-        // Cubics need four rows.
-        let rows = grid.rows * parts.max(4_usize.div_ceil(grid.rows));
+        // Nothing changes across a line contact in one row; elsewhere cubics need four rows.
+        let is_plane = normal.is_line() && grid.rows == 1;
+        let across = if is_plane { 1 } else { parts.max(4_usize.div_ceil(grid.rows)) };
+        let rows = grid.rows * across;
         let finer = Grid::across(&grid.extent(), parts * grid.columns_within(), rows);
         let patch = Patch::new(normal, finer);
         let mut compliance = problem.interface.elasticity.compliance_on_finer(grid, &finer)?;
@@ -229,10 +231,13 @@ impl Exact {
 /// A field at a point (in m), by cubics between the cells of its grid.
 fn interpolated(grid: &Grid, values: &[f64], [x, y]: [f64; 2]) -> f64 {
     let (column, along) = cubic((x - grid.x(0)) / grid.spacing_x, grid.columns);
-    let (row, across) = cubic((y - grid.y(0)) / grid.spacing_y, grid.rows);
-    let of_row = |j: usize| -> f64 {
-        let row = &values[grid.index(column, row + j)..];
+    let of_row = |row: usize| -> f64 {
+        let row = &values[grid.index(column, row)..];
         along.iter().zip(row).map(|(weight, value)| weight * value).sum()
     };
-    across.iter().enumerate().map(|(j, weight)| weight * of_row(j)).sum()
+    if grid.rows == 1 {
+        return of_row(0);
+    }
+    let (row, across) = cubic((y - grid.y(0)) / grid.spacing_y, grid.rows);
+    across.iter().enumerate().map(|(j, weight)| weight * of_row(row + j)).sum()
 }
