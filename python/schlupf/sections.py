@@ -46,6 +46,7 @@ RailProfileY = Literal[
 ]
 NormalModel = Literal[
     "hertz",
+    "line",
     "ellipse",
     "tabulated",
     "profile",
@@ -56,6 +57,12 @@ NormalRowMotion = Literal[
     "surface",
     "plane",
 ]
+NormalMethod = Literal[
+    "half-spaces",
+    "kik-piotrowski",
+    "ellipse-corrected",
+    "equivalent-ellipse",
+]
 WheelsetSide = Literal[
     "right",
     "left",
@@ -64,6 +71,46 @@ WheelsetForceAxis = Literal[
     "track",
     "wheelset",
 ]
+LeftWheelProfileZ = Literal[
+    "auto",
+    "up",
+    "down",
+]
+LeftWheelProfileY = Literal[
+    "auto",
+    "outwards",
+    "inwards",
+]
+RightWheelProfileZ = Literal[
+    "auto",
+    "up",
+    "down",
+]
+RightWheelProfileY = Literal[
+    "auto",
+    "outwards",
+    "inwards",
+]
+LeftRailProfileZ = Literal[
+    "auto",
+    "up",
+    "down",
+]
+LeftRailProfileY = Literal[
+    "auto",
+    "outwards",
+    "inwards",
+]
+RightRailProfileZ = Literal[
+    "auto",
+    "up",
+    "down",
+]
+RightRailProfileY = Literal[
+    "auto",
+    "outwards",
+    "inwards",
+]
 ElasticityModel = Literal[
     "elastic-layer",
     "half-space",
@@ -71,6 +118,11 @@ ElasticityModel = Literal[
     "rigid",
 ]
 ElasticityCalibration = Literal["half-space"]
+ElasticityUnlikeBodies = Literal[
+    "coupled",
+    "one-way",
+    "neglected",
+]
 ContactLawModel = Literal[
     "incremental",
     "total-displacement",
@@ -161,6 +213,7 @@ FieldPath = Literal[
     "wheel.profile",
     "wheel.profile_z",
     "wheel.profile_y",
+    "wheel.profile_scale",
     "wheel.profile_smoothing",
     "wheel.flange_back_position",
     "rail.young_modulus",
@@ -171,13 +224,19 @@ FieldPath = Literal[
     "rail.bulk_temperature",
     "rail.radius_x",
     "rail.radius_y",
+    "rail.angular_velocity",
     "rail.profile",
     "rail.profile_z",
     "rail.profile_y",
+    "rail.profile_scale",
     "rail.profile_smoothing",
     "rail.cant",
+    "rail.origin_y",
+    "rail.origin_z",
     "normal.model",
     "normal.load",
+    "normal.approach",
+    "normal.length",
     "normal.semi_axis_x",
     "normal.semi_axis_y",
     "normal.peak_pressure",
@@ -188,8 +247,10 @@ FieldPath = Literal[
     "normal.join_distance",
     "normal.join_angle",
     "normal.row_motion",
+    "normal.method",
     "track.gauge",
     "track.gauge_depth",
+    "track.curve_radius",
     "track.flange_back_distance",
     "wheelset.side",
     "wheelset.lateral_position",
@@ -201,8 +262,73 @@ FieldPath = Literal[
     "wheelset.yaw_rate",
     "wheelset.roll_rate",
     "wheelset.force_axis",
+    "left_wheel.profile",
+    "left_wheel.profile_z",
+    "left_wheel.profile_y",
+    "left_wheel.profile_scale",
+    "left_wheel.profile_smoothing",
+    "left_wheel.radius_x",
+    "left_wheel.flange_back_position",
+    "left_wheel.longitudinal_displacement",
+    "left_wheel.lateral_displacement",
+    "left_wheel.vertical_displacement",
+    "left_wheel.roll_angle",
+    "left_wheel.yaw_angle",
+    "left_wheel.longitudinal_velocity",
+    "left_wheel.lateral_velocity",
+    "left_wheel.vertical_velocity",
+    "left_wheel.roll_rate",
+    "left_wheel.pitch_rate",
+    "left_wheel.yaw_rate",
+    "right_wheel.profile",
+    "right_wheel.profile_z",
+    "right_wheel.profile_y",
+    "right_wheel.profile_scale",
+    "right_wheel.profile_smoothing",
+    "right_wheel.radius_x",
+    "right_wheel.flange_back_position",
+    "right_wheel.longitudinal_displacement",
+    "right_wheel.lateral_displacement",
+    "right_wheel.vertical_displacement",
+    "right_wheel.roll_angle",
+    "right_wheel.yaw_angle",
+    "right_wheel.longitudinal_velocity",
+    "right_wheel.lateral_velocity",
+    "right_wheel.vertical_velocity",
+    "right_wheel.roll_rate",
+    "right_wheel.pitch_rate",
+    "right_wheel.yaw_rate",
+    "left_rail.profile",
+    "left_rail.profile_z",
+    "left_rail.profile_y",
+    "left_rail.profile_scale",
+    "left_rail.profile_smoothing",
+    "left_rail.cant",
+    "left_rail.origin_y",
+    "left_rail.origin_z",
+    "left_rail.lateral_displacement",
+    "left_rail.vertical_displacement",
+    "left_rail.roll_angle",
+    "left_rail.lateral_velocity",
+    "left_rail.vertical_velocity",
+    "left_rail.roll_rate",
+    "right_rail.profile",
+    "right_rail.profile_z",
+    "right_rail.profile_y",
+    "right_rail.profile_scale",
+    "right_rail.profile_smoothing",
+    "right_rail.cant",
+    "right_rail.origin_y",
+    "right_rail.origin_z",
+    "right_rail.lateral_displacement",
+    "right_rail.vertical_displacement",
+    "right_rail.roll_angle",
+    "right_rail.lateral_velocity",
+    "right_rail.vertical_velocity",
+    "right_rail.roll_rate",
     "elasticity.model",
     "elasticity.calibration",
+    "elasticity.unlike_bodies",
     "elasticity.bedding_x",
     "elasticity.bedding_y",
     "elasticity.coupling_x",
@@ -258,6 +384,7 @@ FieldPath = Literal[
     "friction.memory_distance",
     "friction.memory_speed",
     "friction.variation_y",
+    "friction.variation_inclination",
     "friction.variation_factor",
     "friction.variation_file",
     "heat.model",
@@ -318,7 +445,7 @@ class KinematicsFields(TypedDict, total=False):
     """Fields of the section `kinematics`."""
 
     speed: Number | None
-    """v0, speed of the vehicle (m/s); default: 108 km/h."""
+    """v0, speed of the vehicle, or of the circumference of a roller (m/s); default: 108 km/h."""
     creepage_x: Plain | None
     """ξ, longitudinal creepage: positive when braking; default: 0.0."""
     angular_velocity: Number | None
@@ -355,8 +482,8 @@ class Kinematics(Section, path="kinematics"):
     """How the wheel moves over the rail. Braking has a positive creepage and a negative force."""
 
     __slots__ = ()
-    speed: Entry[float, Number | None] = Entry()
-    """v0, speed of the vehicle (m/s); default: 108 km/h."""
+    speed: Entry[float | None, Number | None] = Entry()
+    """v0, speed of the vehicle, or of the circumference of a roller (m/s); default: 108 km/h."""
     creepage_x: Entry[float | None, Plain | None] = Entry()
     """ξ, longitudinal creepage: positive when braking; default: 0.0."""
     angular_velocity: Entry[float | None, Number | None] = Entry()
@@ -419,6 +546,8 @@ class WheelFields(TypedDict, total=False):
     """direction of y in the file; default: auto ("auto": found from the flange of a wheel and the
     deeper side of a rail, else that of the format; "outwards": away from the middle of the track;
     "inwards": towards the middle of the track)."""
+    profile_scale: Plain | None
+    """factor of y and z in the file; default: 1.0."""
     profile_smoothing: Number | None
     """L: what is shorter along the profile is levelled out; 5 mm for a measured one (m); default:
     0 mm."""
@@ -458,6 +587,8 @@ class Wheel(Section, path="wheel"):
     """direction of y in the file; default: auto ("auto": found from the flange of a wheel and the
     deeper side of a rail, else that of the format; "outwards": away from the middle of the track;
     "inwards": towards the middle of the track)."""
+    profile_scale: Entry[float, Plain | None] = Entry()
+    """factor of y and z in the file; default: 1.0."""
     profile_smoothing: Entry[float, Number | None] = Entry()
     """L: what is shorter along the profile is levelled out; 5 mm for a measured one (m); default:
     0 mm."""
@@ -486,6 +617,8 @@ class RailFields(TypedDict, total=False):
     default: inf."""
     radius_y: Number | None
     """radius of curvature across rolling (m); default: 300 mm."""
+    angular_velocity: Number | None
+    """of a roller of radius radius_x, in place of kinematics.speed (rad/s)."""
     profile: File | None
     """profile: a file or the name of one that is built in, such as "60E1"; as for the wheel."""
     profile_z: RailProfileZ | None
@@ -495,12 +628,18 @@ class RailFields(TypedDict, total=False):
     """direction of y in the file; default: auto ("auto": found from the flange of a wheel and the
     deeper side of a rail, else that of the format; "outwards": away from the middle of the track;
     "inwards": towards the middle of the track)."""
+    profile_scale: Plain | None
+    """factor of y and z in the file; default: 1.0."""
     profile_smoothing: Number | None
     """L: what is shorter along the profile is levelled out; 5 mm for a measured one (m); default:
     0 mm."""
     cant: Plain | None
     """inclination of the rail towards the middle, such as 0.025 for 1:40; 0 for a profile that is
     canted already; default: 0.0."""
+    origin_y: Number | None
+    """y of the origin of the profile in the track, outwards, in place of track.gauge (m)."""
+    origin_z: Number | None
+    """z of that origin in the track (m); default: 0 mm."""
 
 
 class Rail(Section, path="rail"):
@@ -524,6 +663,8 @@ class Rail(Section, path="rail"):
     default: inf."""
     radius_y: Entry[float, Number | None] = Entry()
     """radius of curvature across rolling (m); default: 300 mm."""
+    angular_velocity: Entry[float | None, Number | None] = Entry()
+    """of a roller of radius radius_x, in place of kinematics.speed (rad/s)."""
     profile: Entry[str | None, File | None] = Entry()
     """profile: a file or the name of one that is built in, such as "60E1"; as for the wheel."""
     profile_z: Entry[RailProfileZ, RailProfileZ | None] = Entry()
@@ -533,12 +674,18 @@ class Rail(Section, path="rail"):
     """direction of y in the file; default: auto ("auto": found from the flange of a wheel and the
     deeper side of a rail, else that of the format; "outwards": away from the middle of the track;
     "inwards": towards the middle of the track)."""
+    profile_scale: Entry[float, Plain | None] = Entry()
+    """factor of y and z in the file; default: 1.0."""
     profile_smoothing: Entry[float, Number | None] = Entry()
     """L: what is shorter along the profile is levelled out; 5 mm for a measured one (m); default:
     0 mm."""
     cant: Entry[float, Plain | None] = Entry()
     """inclination of the rail towards the middle, such as 0.025 for 1:40; 0 for a profile that is
     canted already; default: 0.0."""
+    origin_y: Entry[float | None, Number | None] = Entry()
+    """y of the origin of the profile in the track, outwards, in place of track.gauge (m)."""
+    origin_z: Entry[float, Number | None] = Entry()
+    """z of that origin in the track (m); default: 0 mm."""
 
 
 class NormalFields(TypedDict, total=False):
@@ -546,12 +693,18 @@ class NormalFields(TypedDict, total=False):
 
     model: NormalModel | None
     """source of the pressure; default: hertz ("hertz": from the radii and the moduli of both
-    bodies, and load; "ellipse": from semi_axis_x, semi_axis_y, and load or peak_pressure;
-    "tabulated": from file, scaled to load if that is given; "profile": from file, the undeformed
-    distance of the bodies, and load; "wheel-rail": from wheel.profile, rail.profile, track,
-    wheelset, and load, the vertical force: all contacts of a wheel)."""
+    bodies, and load or approach; "line": from the radii along rolling and the moduli of two
+    cylinders, length, and load or approach; "ellipse": from semi_axis_x, semi_axis_y, and load or
+    peak_pressure; "tabulated": from file, scaled to load if that is given; "profile": from file,
+    the undeformed distance of the bodies, and load or approach; "wheel-rail": from wheel.profile,
+    rail.profile, track, wheelset, and load, the vertical force: all contacts of a wheel)."""
     load: Number | None
     """N, normal load; with "wheel-rail" the vertical force on the wheel (N); default: 80 kN."""
+    approach: Number | None
+    """δ, approach of the bodies since they touch, in place of load, which is found (m)."""
+    length: Number | None
+    """L, length of a line contact across rolling, on which the whole load acts; with "profile" for
+    a file of x alone (m)."""
     semi_axis_x: Number | None
     """a, semi-axis along rolling (m)."""
     semi_axis_y: Number | None
@@ -560,8 +713,8 @@ class NormalFields(TypedDict, total=False):
     """p0, largest pressure, in place of load (Pa)."""
     file: File | None
     """CSV with the header `x [mm],y [mm],pressure [MPa]`, or with "profile" `x [mm],y
-    [mm],distance [um]` or `y [mm],distance [mm]` (across at x = 0); or .npy in Pa or m, each row
-    along x."""
+    [mm],distance [um]`, `y [mm],distance [mm]` (across at x = 0) or `x [mm],distance [mm]` (along,
+    for a line contact); or .npy in Pa or m, each row along x."""
     spacing_x: Number | None
     """spacing of the columns of an .npy file (m)."""
     spacing_y: Number | None
@@ -578,6 +731,12 @@ class NormalFields(TypedDict, total=False):
     where the surface turns by up to 0.2 rad over a contact, surface from 0.3 rad on; "surface":
     every row slips and spins as the surface there; "plane": all rows move with the plane of the
     contact)."""
+    method: NormalMethod | None
+    """how the contacts of two profiles are found; default: half-spaces ("half-spaces": the
+    pressure of two elastic half-spaces; "kik-piotrowski": patch and pressure from the overlap at
+    0.55 of the approach (virtual penetration); "ellipse-corrected": the same with shares of the
+    approach from Hertz's theory, exact for ellipses; "equivalent-ellipse": Hertz's ellipse with
+    the curvatures of the distance)."""
 
 
 class Normal(Section, path="normal"):
@@ -586,12 +745,18 @@ class Normal(Section, path="normal"):
     __slots__ = ()
     model: Entry[NormalModel, NormalModel | None] = Entry()
     """source of the pressure; default: hertz ("hertz": from the radii and the moduli of both
-    bodies, and load; "ellipse": from semi_axis_x, semi_axis_y, and load or peak_pressure;
-    "tabulated": from file, scaled to load if that is given; "profile": from file, the undeformed
-    distance of the bodies, and load; "wheel-rail": from wheel.profile, rail.profile, track,
-    wheelset, and load, the vertical force: all contacts of a wheel)."""
+    bodies, and load or approach; "line": from the radii along rolling and the moduli of two
+    cylinders, length, and load or approach; "ellipse": from semi_axis_x, semi_axis_y, and load or
+    peak_pressure; "tabulated": from file, scaled to load if that is given; "profile": from file,
+    the undeformed distance of the bodies, and load or approach; "wheel-rail": from wheel.profile,
+    rail.profile, track, wheelset, and load, the vertical force: all contacts of a wheel)."""
     load: Entry[float | None, Number | None] = Entry()
     """N, normal load; with "wheel-rail" the vertical force on the wheel (N); default: 80 kN."""
+    approach: Entry[float | None, Number | None] = Entry()
+    """δ, approach of the bodies since they touch, in place of load, which is found (m)."""
+    length: Entry[float | None, Number | None] = Entry()
+    """L, length of a line contact across rolling, on which the whole load acts; with "profile" for
+    a file of x alone (m)."""
     semi_axis_x: Entry[float | None, Number | None] = Entry()
     """a, semi-axis along rolling (m)."""
     semi_axis_y: Entry[float | None, Number | None] = Entry()
@@ -600,8 +765,8 @@ class Normal(Section, path="normal"):
     """p0, largest pressure, in place of load (Pa)."""
     file: Entry[str | None, File | None] = Entry()
     """CSV with the header `x [mm],y [mm],pressure [MPa]`, or with "profile" `x [mm],y
-    [mm],distance [um]` or `y [mm],distance [mm]` (across at x = 0); or .npy in Pa or m, each row
-    along x."""
+    [mm],distance [um]`, `y [mm],distance [mm]` (across at x = 0) or `x [mm],distance [mm]` (along,
+    for a line contact); or .npy in Pa or m, each row along x."""
     spacing_x: Entry[float | None, Number | None] = Entry()
     """spacing of the columns of an .npy file (m)."""
     spacing_y: Entry[float | None, Number | None] = Entry()
@@ -618,6 +783,12 @@ class Normal(Section, path="normal"):
     where the surface turns by up to 0.2 rad over a contact, surface from 0.3 rad on; "surface":
     every row slips and spins as the surface there; "plane": all rows move with the plane of the
     contact)."""
+    method: Entry[NormalMethod, NormalMethod | None] = Entry()
+    """how the contacts of two profiles are found; default: half-spaces ("half-spaces": the
+    pressure of two elastic half-spaces; "kik-piotrowski": patch and pressure from the overlap at
+    0.55 of the approach (virtual penetration); "ellipse-corrected": the same with shares of the
+    approach from Hertz's theory, exact for ellipses; "equivalent-ellipse": Hertz's ellipse with
+    the curvatures of the distance)."""
 
 
 class TrackFields(TypedDict, total=False):
@@ -627,6 +798,9 @@ class TrackFields(TypedDict, total=False):
     """distance of the gauge faces of both rails (m); default: 1435 mm."""
     gauge_depth: Number | None
     """depth below the top of the rail down to which the gauge is measured (m); default: 14 mm."""
+    curve_radius: Number | None
+    """radius of the curve: positive where the track turns to the left, negative to the right (m);
+    default: inf."""
     flange_back_distance: Number | None
     """distance of the flange backs of the wheelset (m); default: 1360 mm."""
 
@@ -635,10 +809,13 @@ class Track(Section, path="track"):
     """Where the profiles are, if the normal contact is that of two profiles."""
 
     __slots__ = ()
-    gauge: Entry[float, Number | None] = Entry()
+    gauge: Entry[float | None, Number | None] = Entry()
     """distance of the gauge faces of both rails (m); default: 1435 mm."""
-    gauge_depth: Entry[float, Number | None] = Entry()
+    gauge_depth: Entry[float | None, Number | None] = Entry()
     """depth below the top of the rail down to which the gauge is measured (m); default: 14 mm."""
+    curve_radius: Entry[float, Number | None] = Entry()
+    """radius of the curve: positive where the track turns to the left, negative to the right (m);
+    default: inf."""
     flange_back_distance: Entry[float, Number | None] = Entry()
     """distance of the flange backs of the wheelset (m); default: 1360 mm."""
 
@@ -701,6 +878,366 @@ class Wheelset(Section, path="wheelset"):
     track ("track": along the track; "wheelset": across the axle: it turns with the wheelset)."""
 
 
+class LeftWheelFields(TypedDict, total=False):
+    """Fields of the section `left_wheel`."""
+
+    profile: File | None
+    """its profile; default: wheel.profile."""
+    profile_z: LeftWheelProfileZ | None
+    """direction of z in the file; default: wheel.profile_z ("auto": found from the shape (what
+    runs is level, sides and flange hang down), else that of the format; "up": upwards; "down":
+    downwards)."""
+    profile_y: LeftWheelProfileY | None
+    """direction of y in the file; default: wheel.profile_y ("auto": found from the flange of a
+    wheel and the deeper side of a rail, else that of the format; "outwards": away from the middle
+    of the track; "inwards": towards the middle of the track)."""
+    profile_scale: Plain | None
+    """factor of y and z in the file; default: wheel.profile_scale."""
+    profile_smoothing: Number | None
+    """length over which it is smoothed (m); default: wheel.profile_smoothing."""
+    radius_x: Number | None
+    """its nominal rolling radius; the height of the axle and creepage_x are those of
+    wheel.radius_x (m); default: wheel.radius_x."""
+    flange_back_position: Number | None
+    """y of the flange back in its profile, with y outwards (m); default:
+    wheel.flange_back_position."""
+    longitudinal_displacement: Number | None
+    """displacement of the profile's origin forwards from its place in the wheelset, along the axes
+    of that (m); default: 0 mm."""
+    lateral_displacement: Number | None
+    """displacement of that origin to the left (m); default: 0 mm."""
+    vertical_displacement: Number | None
+    """displacement of that origin upwards (m); default: 0 mm."""
+    roll_angle: Number | None
+    """turn of the wheel about x through that origin, relative to the wheelset (rad); default: 0
+    mrad."""
+    yaw_angle: Number | None
+    """turn of the wheel about z, after that about x (rad); default: 0 mrad."""
+    longitudinal_velocity: Number | None
+    """velocity of that origin forwards, relative to the wheelset and along its axes (m/s);
+    default: 0 m/s."""
+    lateral_velocity: Number | None
+    """velocity of that origin to the left (m/s); default: 0 m/s."""
+    vertical_velocity: Number | None
+    """velocity of that origin upwards (m/s); default: 0 m/s."""
+    roll_rate: Number | None
+    """angular velocity about x, relative to the wheelset and about its axes (rad/s); default: 0
+    rad/s."""
+    pitch_rate: Number | None
+    """angular velocity about y beyond that of the wheelset (rad/s); default: 0 rad/s."""
+    yaw_rate: Number | None
+    """angular velocity about z (rad/s); default: 0 rad/s."""
+
+
+class LeftWheel(Section, path="left_wheel"):
+    """What the left wheel has of its own, and how it deviates from its place."""
+
+    __slots__ = ()
+    profile: Entry[str | None, File | None] = Entry()
+    """its profile; default: wheel.profile."""
+    profile_z: Entry[LeftWheelProfileZ | None, LeftWheelProfileZ | None] = Entry()
+    """direction of z in the file; default: wheel.profile_z ("auto": found from the shape (what
+    runs is level, sides and flange hang down), else that of the format; "up": upwards; "down":
+    downwards)."""
+    profile_y: Entry[LeftWheelProfileY | None, LeftWheelProfileY | None] = Entry()
+    """direction of y in the file; default: wheel.profile_y ("auto": found from the flange of a
+    wheel and the deeper side of a rail, else that of the format; "outwards": away from the middle
+    of the track; "inwards": towards the middle of the track)."""
+    profile_scale: Entry[float | None, Plain | None] = Entry()
+    """factor of y and z in the file; default: wheel.profile_scale."""
+    profile_smoothing: Entry[float | None, Number | None] = Entry()
+    """length over which it is smoothed (m); default: wheel.profile_smoothing."""
+    radius_x: Entry[float | None, Number | None] = Entry()
+    """its nominal rolling radius; the height of the axle and creepage_x are those of
+    wheel.radius_x (m); default: wheel.radius_x."""
+    flange_back_position: Entry[float | None, Number | None] = Entry()
+    """y of the flange back in its profile, with y outwards (m); default:
+    wheel.flange_back_position."""
+    longitudinal_displacement: Entry[float | None, Number | None] = Entry()
+    """displacement of the profile's origin forwards from its place in the wheelset, along the axes
+    of that (m); default: 0 mm."""
+    lateral_displacement: Entry[float | None, Number | None] = Entry()
+    """displacement of that origin to the left (m); default: 0 mm."""
+    vertical_displacement: Entry[float | None, Number | None] = Entry()
+    """displacement of that origin upwards (m); default: 0 mm."""
+    roll_angle: Entry[float | None, Number | None] = Entry()
+    """turn of the wheel about x through that origin, relative to the wheelset (rad); default: 0
+    mrad."""
+    yaw_angle: Entry[float | None, Number | None] = Entry()
+    """turn of the wheel about z, after that about x (rad); default: 0 mrad."""
+    longitudinal_velocity: Entry[float | None, Number | None] = Entry()
+    """velocity of that origin forwards, relative to the wheelset and along its axes (m/s);
+    default: 0 m/s."""
+    lateral_velocity: Entry[float | None, Number | None] = Entry()
+    """velocity of that origin to the left (m/s); default: 0 m/s."""
+    vertical_velocity: Entry[float | None, Number | None] = Entry()
+    """velocity of that origin upwards (m/s); default: 0 m/s."""
+    roll_rate: Entry[float | None, Number | None] = Entry()
+    """angular velocity about x, relative to the wheelset and about its axes (rad/s); default: 0
+    rad/s."""
+    pitch_rate: Entry[float | None, Number | None] = Entry()
+    """angular velocity about y beyond that of the wheelset (rad/s); default: 0 rad/s."""
+    yaw_rate: Entry[float | None, Number | None] = Entry()
+    """angular velocity about z (rad/s); default: 0 rad/s."""
+
+
+class RightWheelFields(TypedDict, total=False):
+    """Fields of the section `right_wheel`."""
+
+    profile: File | None
+    """its profile; default: wheel.profile."""
+    profile_z: RightWheelProfileZ | None
+    """direction of z in the file; default: wheel.profile_z ("auto": found from the shape (what
+    runs is level, sides and flange hang down), else that of the format; "up": upwards; "down":
+    downwards)."""
+    profile_y: RightWheelProfileY | None
+    """direction of y in the file; default: wheel.profile_y ("auto": found from the flange of a
+    wheel and the deeper side of a rail, else that of the format; "outwards": away from the middle
+    of the track; "inwards": towards the middle of the track)."""
+    profile_scale: Plain | None
+    """factor of y and z in the file; default: wheel.profile_scale."""
+    profile_smoothing: Number | None
+    """length over which it is smoothed (m); default: wheel.profile_smoothing."""
+    radius_x: Number | None
+    """its nominal rolling radius; the height of the axle and creepage_x are those of
+    wheel.radius_x (m); default: wheel.radius_x."""
+    flange_back_position: Number | None
+    """y of the flange back in its profile, with y outwards (m); default:
+    wheel.flange_back_position."""
+    longitudinal_displacement: Number | None
+    """displacement of the profile's origin forwards from its place in the wheelset, along the axes
+    of that (m); default: 0 mm."""
+    lateral_displacement: Number | None
+    """displacement of that origin to the left (m); default: 0 mm."""
+    vertical_displacement: Number | None
+    """displacement of that origin upwards (m); default: 0 mm."""
+    roll_angle: Number | None
+    """turn of the wheel about x through that origin, relative to the wheelset (rad); default: 0
+    mrad."""
+    yaw_angle: Number | None
+    """turn of the wheel about z, after that about x (rad); default: 0 mrad."""
+    longitudinal_velocity: Number | None
+    """velocity of that origin forwards, relative to the wheelset and along its axes (m/s);
+    default: 0 m/s."""
+    lateral_velocity: Number | None
+    """velocity of that origin to the left (m/s); default: 0 m/s."""
+    vertical_velocity: Number | None
+    """velocity of that origin upwards (m/s); default: 0 m/s."""
+    roll_rate: Number | None
+    """angular velocity about x, relative to the wheelset and about its axes (rad/s); default: 0
+    rad/s."""
+    pitch_rate: Number | None
+    """angular velocity about y beyond that of the wheelset (rad/s); default: 0 rad/s."""
+    yaw_rate: Number | None
+    """angular velocity about z (rad/s); default: 0 rad/s."""
+
+
+class RightWheel(Section, path="right_wheel"):
+    """What the right wheel has of its own, and how it deviates from its place."""
+
+    __slots__ = ()
+    profile: Entry[str | None, File | None] = Entry()
+    """its profile; default: wheel.profile."""
+    profile_z: Entry[RightWheelProfileZ | None, RightWheelProfileZ | None] = Entry()
+    """direction of z in the file; default: wheel.profile_z ("auto": found from the shape (what
+    runs is level, sides and flange hang down), else that of the format; "up": upwards; "down":
+    downwards)."""
+    profile_y: Entry[RightWheelProfileY | None, RightWheelProfileY | None] = Entry()
+    """direction of y in the file; default: wheel.profile_y ("auto": found from the flange of a
+    wheel and the deeper side of a rail, else that of the format; "outwards": away from the middle
+    of the track; "inwards": towards the middle of the track)."""
+    profile_scale: Entry[float | None, Plain | None] = Entry()
+    """factor of y and z in the file; default: wheel.profile_scale."""
+    profile_smoothing: Entry[float | None, Number | None] = Entry()
+    """length over which it is smoothed (m); default: wheel.profile_smoothing."""
+    radius_x: Entry[float | None, Number | None] = Entry()
+    """its nominal rolling radius; the height of the axle and creepage_x are those of
+    wheel.radius_x (m); default: wheel.radius_x."""
+    flange_back_position: Entry[float | None, Number | None] = Entry()
+    """y of the flange back in its profile, with y outwards (m); default:
+    wheel.flange_back_position."""
+    longitudinal_displacement: Entry[float | None, Number | None] = Entry()
+    """displacement of the profile's origin forwards from its place in the wheelset, along the axes
+    of that (m); default: 0 mm."""
+    lateral_displacement: Entry[float | None, Number | None] = Entry()
+    """displacement of that origin to the left (m); default: 0 mm."""
+    vertical_displacement: Entry[float | None, Number | None] = Entry()
+    """displacement of that origin upwards (m); default: 0 mm."""
+    roll_angle: Entry[float | None, Number | None] = Entry()
+    """turn of the wheel about x through that origin, relative to the wheelset (rad); default: 0
+    mrad."""
+    yaw_angle: Entry[float | None, Number | None] = Entry()
+    """turn of the wheel about z, after that about x (rad); default: 0 mrad."""
+    longitudinal_velocity: Entry[float | None, Number | None] = Entry()
+    """velocity of that origin forwards, relative to the wheelset and along its axes (m/s);
+    default: 0 m/s."""
+    lateral_velocity: Entry[float | None, Number | None] = Entry()
+    """velocity of that origin to the left (m/s); default: 0 m/s."""
+    vertical_velocity: Entry[float | None, Number | None] = Entry()
+    """velocity of that origin upwards (m/s); default: 0 m/s."""
+    roll_rate: Entry[float | None, Number | None] = Entry()
+    """angular velocity about x, relative to the wheelset and about its axes (rad/s); default: 0
+    rad/s."""
+    pitch_rate: Entry[float | None, Number | None] = Entry()
+    """angular velocity about y beyond that of the wheelset (rad/s); default: 0 rad/s."""
+    yaw_rate: Entry[float | None, Number | None] = Entry()
+    """angular velocity about z (rad/s); default: 0 rad/s."""
+
+
+class LeftRailFields(TypedDict, total=False):
+    """Fields of the section `left_rail`."""
+
+    profile: File | None
+    """its profile; default: rail.profile."""
+    profile_z: LeftRailProfileZ | None
+    """direction of z in the file; default: rail.profile_z ("auto": found from the shape (what runs
+    is level, sides and flange hang down), else that of the format; "up": upwards; "down":
+    downwards)."""
+    profile_y: LeftRailProfileY | None
+    """direction of y in the file; default: rail.profile_y ("auto": found from the flange of a
+    wheel and the deeper side of a rail, else that of the format; "outwards": away from the middle
+    of the track; "inwards": towards the middle of the track)."""
+    profile_scale: Plain | None
+    """factor of y and z in the file; default: rail.profile_scale."""
+    profile_smoothing: Number | None
+    """length over which it is smoothed (m); default: rail.profile_smoothing."""
+    cant: Plain | None
+    """its inclination towards the middle; default: rail.cant."""
+    origin_y: Number | None
+    """y of the origin of its profile in the track, outwards, in place of track.gauge (m); default:
+    rail.origin_y."""
+    origin_z: Number | None
+    """z of that origin in the track (m); default: rail.origin_z."""
+    lateral_displacement: Number | None
+    """irregularity: displacement to the left from its place in the track (m); default: 0 mm."""
+    vertical_displacement: Number | None
+    """irregularity: displacement upwards (m); default: 0 mm."""
+    roll_angle: Number | None
+    """irregularity: turn about x through the origin of its profile (rad); default: 0 mrad."""
+    lateral_velocity: Number | None
+    """velocity of that origin to the left (m/s); default: 0 m/s."""
+    vertical_velocity: Number | None
+    """velocity of that origin upwards (m/s); default: 0 m/s."""
+    roll_rate: Number | None
+    """angular velocity about x (rad/s); default: 0 rad/s."""
+
+
+class LeftRail(Section, path="left_rail"):
+    """What the left rail has of its own, and how it deviates from its place."""
+
+    __slots__ = ()
+    profile: Entry[str | None, File | None] = Entry()
+    """its profile; default: rail.profile."""
+    profile_z: Entry[LeftRailProfileZ | None, LeftRailProfileZ | None] = Entry()
+    """direction of z in the file; default: rail.profile_z ("auto": found from the shape (what runs
+    is level, sides and flange hang down), else that of the format; "up": upwards; "down":
+    downwards)."""
+    profile_y: Entry[LeftRailProfileY | None, LeftRailProfileY | None] = Entry()
+    """direction of y in the file; default: rail.profile_y ("auto": found from the flange of a
+    wheel and the deeper side of a rail, else that of the format; "outwards": away from the middle
+    of the track; "inwards": towards the middle of the track)."""
+    profile_scale: Entry[float | None, Plain | None] = Entry()
+    """factor of y and z in the file; default: rail.profile_scale."""
+    profile_smoothing: Entry[float | None, Number | None] = Entry()
+    """length over which it is smoothed (m); default: rail.profile_smoothing."""
+    cant: Entry[float | None, Plain | None] = Entry()
+    """its inclination towards the middle; default: rail.cant."""
+    origin_y: Entry[float | None, Number | None] = Entry()
+    """y of the origin of its profile in the track, outwards, in place of track.gauge (m); default:
+    rail.origin_y."""
+    origin_z: Entry[float | None, Number | None] = Entry()
+    """z of that origin in the track (m); default: rail.origin_z."""
+    lateral_displacement: Entry[float | None, Number | None] = Entry()
+    """irregularity: displacement to the left from its place in the track (m); default: 0 mm."""
+    vertical_displacement: Entry[float | None, Number | None] = Entry()
+    """irregularity: displacement upwards (m); default: 0 mm."""
+    roll_angle: Entry[float | None, Number | None] = Entry()
+    """irregularity: turn about x through the origin of its profile (rad); default: 0 mrad."""
+    lateral_velocity: Entry[float | None, Number | None] = Entry()
+    """velocity of that origin to the left (m/s); default: 0 m/s."""
+    vertical_velocity: Entry[float | None, Number | None] = Entry()
+    """velocity of that origin upwards (m/s); default: 0 m/s."""
+    roll_rate: Entry[float | None, Number | None] = Entry()
+    """angular velocity about x (rad/s); default: 0 rad/s."""
+
+
+class RightRailFields(TypedDict, total=False):
+    """Fields of the section `right_rail`."""
+
+    profile: File | None
+    """its profile; default: rail.profile."""
+    profile_z: RightRailProfileZ | None
+    """direction of z in the file; default: rail.profile_z ("auto": found from the shape (what runs
+    is level, sides and flange hang down), else that of the format; "up": upwards; "down":
+    downwards)."""
+    profile_y: RightRailProfileY | None
+    """direction of y in the file; default: rail.profile_y ("auto": found from the flange of a
+    wheel and the deeper side of a rail, else that of the format; "outwards": away from the middle
+    of the track; "inwards": towards the middle of the track)."""
+    profile_scale: Plain | None
+    """factor of y and z in the file; default: rail.profile_scale."""
+    profile_smoothing: Number | None
+    """length over which it is smoothed (m); default: rail.profile_smoothing."""
+    cant: Plain | None
+    """its inclination towards the middle; default: rail.cant."""
+    origin_y: Number | None
+    """y of the origin of its profile in the track, outwards, in place of track.gauge (m); default:
+    rail.origin_y."""
+    origin_z: Number | None
+    """z of that origin in the track (m); default: rail.origin_z."""
+    lateral_displacement: Number | None
+    """irregularity: displacement to the left from its place in the track (m); default: 0 mm."""
+    vertical_displacement: Number | None
+    """irregularity: displacement upwards (m); default: 0 mm."""
+    roll_angle: Number | None
+    """irregularity: turn about x through the origin of its profile (rad); default: 0 mrad."""
+    lateral_velocity: Number | None
+    """velocity of that origin to the left (m/s); default: 0 m/s."""
+    vertical_velocity: Number | None
+    """velocity of that origin upwards (m/s); default: 0 m/s."""
+    roll_rate: Number | None
+    """angular velocity about x (rad/s); default: 0 rad/s."""
+
+
+class RightRail(Section, path="right_rail"):
+    """What the right rail has of its own, and how it deviates from its place."""
+
+    __slots__ = ()
+    profile: Entry[str | None, File | None] = Entry()
+    """its profile; default: rail.profile."""
+    profile_z: Entry[RightRailProfileZ | None, RightRailProfileZ | None] = Entry()
+    """direction of z in the file; default: rail.profile_z ("auto": found from the shape (what runs
+    is level, sides and flange hang down), else that of the format; "up": upwards; "down":
+    downwards)."""
+    profile_y: Entry[RightRailProfileY | None, RightRailProfileY | None] = Entry()
+    """direction of y in the file; default: rail.profile_y ("auto": found from the flange of a
+    wheel and the deeper side of a rail, else that of the format; "outwards": away from the middle
+    of the track; "inwards": towards the middle of the track)."""
+    profile_scale: Entry[float | None, Plain | None] = Entry()
+    """factor of y and z in the file; default: rail.profile_scale."""
+    profile_smoothing: Entry[float | None, Number | None] = Entry()
+    """length over which it is smoothed (m); default: rail.profile_smoothing."""
+    cant: Entry[float | None, Plain | None] = Entry()
+    """its inclination towards the middle; default: rail.cant."""
+    origin_y: Entry[float | None, Number | None] = Entry()
+    """y of the origin of its profile in the track, outwards, in place of track.gauge (m); default:
+    rail.origin_y."""
+    origin_z: Entry[float | None, Number | None] = Entry()
+    """z of that origin in the track (m); default: rail.origin_z."""
+    lateral_displacement: Entry[float | None, Number | None] = Entry()
+    """irregularity: displacement to the left from its place in the track (m); default: 0 mm."""
+    vertical_displacement: Entry[float | None, Number | None] = Entry()
+    """irregularity: displacement upwards (m); default: 0 mm."""
+    roll_angle: Entry[float | None, Number | None] = Entry()
+    """irregularity: turn about x through the origin of its profile (rad); default: 0 mrad."""
+    lateral_velocity: Entry[float | None, Number | None] = Entry()
+    """velocity of that origin to the left (m/s); default: 0 m/s."""
+    vertical_velocity: Entry[float | None, Number | None] = Entry()
+    """velocity of that origin upwards (m/s); default: 0 m/s."""
+    roll_rate: Entry[float | None, Number | None] = Entry()
+    """angular velocity about x (rad/s); default: 0 rad/s."""
+
+
 class ElasticityFields(TypedDict, total=False):
     """Fields of the section `elasticity`."""
 
@@ -714,6 +1251,11 @@ class ElasticityFields(TypedDict, total=False):
     """where the stiffnesses come from; default: "half-space", where no stiffness is given ("half-
     space": stiffnesses with which the springs answer like the half-space on the same patch in
     steady rolling; without coupling those of Kalker 1982)."""
+    unlike_bodies: ElasticityUnlikeBodies | None
+    """coupling of pressure and tractions where wheel and rail differ in their elastic constants;
+    default: coupled ("coupled": pressure displaces the surfaces tangentially, and tractions change
+    the pressure of "hertz" and "profile"; "one-way": pressure displaces the surfaces tangentially,
+    but does not change; "neglected": neither)."""
     bedding_x: Number | None
     """c, bedding stiffness for displacements along x (N/m^3)."""
     bedding_y: Number | None
@@ -755,6 +1297,11 @@ class Elasticity(Section, path="elasticity"):
     """where the stiffnesses come from; default: "half-space", where no stiffness is given ("half-
     space": stiffnesses with which the springs answer like the half-space on the same patch in
     steady rolling; without coupling those of Kalker 1982)."""
+    unlike_bodies: Entry[ElasticityUnlikeBodies, ElasticityUnlikeBodies | None] = Entry()
+    """coupling of pressure and tractions where wheel and rail differ in their elastic constants;
+    default: coupled ("coupled": pressure displaces the surfaces tangentially, and tractions change
+    the pressure of "hertz" and "profile"; "one-way": pressure displaces the surfaces tangentially,
+    but does not change; "neglected": neither)."""
     bedding_x: Entry[float | None, Number | None] = Entry()
     """c, bedding stiffness for displacements along x (N/m^3)."""
     bedding_y: Entry[float | None, Number | None] = Entry()
@@ -786,7 +1333,7 @@ class LayerFields(TypedDict, total=False):
     """Fields of the section `layer`."""
 
     thickness: Number | None
-    """h, thickness of the layer (m)."""
+    """h, thickness of the layer; 0: rigid until it yields (m)."""
     shear_modulus: Number | None
     """G, shear modulus of the layer, which is sheared by t h/G (Pa)."""
     yield_stress: Number | None
@@ -801,7 +1348,7 @@ class Layer(Section, path="layer"):
 
     __slots__ = ()
     thickness: Entry[float | None, Number | None] = Entry()
-    """h, thickness of the layer (m)."""
+    """h, thickness of the layer; 0: rigid until it yields (m)."""
     shear_modulus: Entry[float | None, Number | None] = Entry()
     """G, shear modulus of the layer, which is sheared by t h/G (Pa)."""
     yield_stress: Entry[float | None, Number | None] = Entry()
@@ -993,8 +1540,11 @@ class FrictionFields(TypedDict, total=False):
     """s0, smallest slip speed that counts for the memory; default: 0 (m/s)."""
     variation_y: Series | None
     """positions across the patch, ascending, at which variation_factor is given (m)."""
+    variation_inclination: Series | None
+    """inclinations of the surface of the rail's profile, ascending, in place of positions:
+    negative on the gauge face, positive where the surface falls outwards (rad)."""
     variation_factor: Series | None
-    """factors on μ, 1 at y = 0; linear in between, constant outside."""
+    """factors on μ, 1 at y = 0 or inclination 0; linear in between, constant outside."""
     variation_file: File | None
     """CSV with the header `y [mm],factor`, in place of the arrays."""
 
@@ -1047,8 +1597,11 @@ class Friction(Section, path="friction"):
     """s0, smallest slip speed that counts for the memory; default: 0 (m/s)."""
     variation_y: Entry[list[float] | None, Series | None] = Entry()
     """positions across the patch, ascending, at which variation_factor is given (m)."""
+    variation_inclination: Entry[list[float] | None, Series | None] = Entry()
+    """inclinations of the surface of the rail's profile, ascending, in place of positions:
+    negative on the gauge face, positive where the surface falls outwards (rad)."""
     variation_factor: Entry[list[float] | None, Series | None] = Entry()
-    """factors on μ, 1 at y = 0; linear in between, constant outside."""
+    """factors on μ, 1 at y = 0 or inclination 0; linear in between, constant outside."""
     variation_file: Entry[str | None, File | None] = Entry()
     """CSV with the header `y [mm],factor`, in place of the arrays."""
 
@@ -1406,6 +1959,14 @@ class SectionFields(TypedDict, total=False):
     wheelset: WheelsetFields | Wheelset | Preset[WheelsetFields] | None
     """Position and motion of the wheelset in the track (x forwards, y to the left, z up), if the
     normal contact is that of two profiles; the wheel turns at kinematics.angular_velocity."""
+    left_wheel: LeftWheelFields | LeftWheel | Preset[LeftWheelFields] | None
+    """What the left wheel has of its own, and how it deviates from its place."""
+    right_wheel: RightWheelFields | RightWheel | Preset[RightWheelFields] | None
+    """What the right wheel has of its own, and how it deviates from its place."""
+    left_rail: LeftRailFields | LeftRail | Preset[LeftRailFields] | None
+    """What the left rail has of its own, and how it deviates from its place."""
+    right_rail: RightRailFields | RightRail | Preset[RightRailFields] | None
+    """What the right rail has of its own, and how it deviates from its place."""
     elasticity: ElasticityFields | Elasticity | Preset[ElasticityFields] | None
     """How the bodies deform under tangential traction."""
     layer: LayerFields | Layer | Preset[LayerFields] | None
@@ -1459,6 +2020,20 @@ class Sections:
     """Where the normal pressure comes from."""
     track: Entry[Track, TrackFields | Track | Preset[TrackFields] | None] = Entry()
     """Where the profiles are, if the normal contact is that of two profiles."""
+    left_wheel: Entry[
+        LeftWheel, LeftWheelFields | LeftWheel | Preset[LeftWheelFields] | None
+    ] = Entry()
+    """What the left wheel has of its own, and how it deviates from its place."""
+    right_wheel: Entry[
+        RightWheel, RightWheelFields | RightWheel | Preset[RightWheelFields] | None
+    ] = Entry()
+    """What the right wheel has of its own, and how it deviates from its place."""
+    left_rail: Entry[LeftRail, LeftRailFields | LeftRail | Preset[LeftRailFields] | None] = Entry()
+    """What the left rail has of its own, and how it deviates from its place."""
+    right_rail: Entry[
+        RightRail, RightRailFields | RightRail | Preset[RightRailFields] | None
+    ] = Entry()
+    """What the right rail has of its own, and how it deviates from its place."""
     elasticity: Entry[
         Elasticity, ElasticityFields | Elasticity | Preset[ElasticityFields] | None
     ] = Entry()
@@ -1499,11 +2074,11 @@ class Conditions(TypedDict, Generic[V], total=False):
     spin: V
     """φ, spin creepage."""
     speed: V
-    """v0, speed of the vehicle."""
+    """v0, speed of the vehicle, or of the circumference of a roller."""
     load: V
     """N, normal load; with "wheel-rail" the vertical force on the wheel."""
     kinematics__speed: V
-    """v0, speed of the vehicle."""
+    """v0, speed of the vehicle, or of the circumference of a roller."""
     kinematics__creepage_x: V
     """ξ, longitudinal creepage: positive when braking."""
     kinematics__angular_velocity: V
@@ -1545,6 +2120,8 @@ class Conditions(TypedDict, Generic[V], total=False):
     """radius of curvature along rolling: "inf" where straight, negative where concave."""
     wheel__radius_y: V
     """radius of curvature across rolling."""
+    wheel__profile_scale: V
+    """factor of y and z in the file."""
     wheel__profile_smoothing: V
     """L: what is shorter along the profile is levelled out; 5 mm for a measured one."""
     wheel__flange_back_position: V
@@ -1565,13 +2142,26 @@ class Conditions(TypedDict, Generic[V], total=False):
     """radius of curvature along rolling: "inf" where straight, negative where concave."""
     rail__radius_y: V
     """radius of curvature across rolling."""
+    rail__angular_velocity: V
+    """of a roller of radius radius_x, in place of kinematics.speed."""
+    rail__profile_scale: V
+    """factor of y and z in the file."""
     rail__profile_smoothing: V
     """L: what is shorter along the profile is levelled out; 5 mm for a measured one."""
     rail__cant: V
     """inclination of the rail towards the middle, such as 0.025 for 1:40; 0 for a profile that is
     canted already."""
+    rail__origin_y: V
+    """y of the origin of the profile in the track, outwards, in place of track.gauge."""
+    rail__origin_z: V
+    """z of that origin in the track."""
     normal__load: V
     """N, normal load; with "wheel-rail" the vertical force on the wheel."""
+    normal__approach: V
+    """δ, approach of the bodies since they touch, in place of load, which is found."""
+    normal__length: V
+    """L, length of a line contact across rolling, on which the whole load acts; with "profile" for
+    a file of x alone."""
     normal__semi_axis_x: V
     """a, semi-axis along rolling."""
     normal__semi_axis_y: V
@@ -1593,6 +2183,8 @@ class Conditions(TypedDict, Generic[V], total=False):
     """distance of the gauge faces of both rails."""
     track__gauge_depth: V
     """depth below the top of the rail down to which the gauge is measured."""
+    track__curve_radius: V
+    """radius of the curve: positive where the track turns to the left, negative to the right."""
     track__flange_back_distance: V
     """distance of the flange backs of the wheelset."""
     wheelset__lateral_position: V
@@ -1612,6 +2204,114 @@ class Conditions(TypedDict, Generic[V], total=False):
     """angular velocity about the vertical axis."""
     wheelset__roll_rate: V
     """angular velocity about the longitudinal axis."""
+    left_wheel__profile_scale: V
+    """factor of y and z in the file."""
+    left_wheel__profile_smoothing: V
+    """length over which it is smoothed."""
+    left_wheel__radius_x: V
+    """its nominal rolling radius; the height of the axle and creepage_x are those of
+    wheel.radius_x."""
+    left_wheel__flange_back_position: V
+    """y of the flange back in its profile, with y outwards."""
+    left_wheel__longitudinal_displacement: V
+    """displacement of the profile's origin forwards from its place in the wheelset, along the axes
+    of that."""
+    left_wheel__lateral_displacement: V
+    """displacement of that origin to the left."""
+    left_wheel__vertical_displacement: V
+    """displacement of that origin upwards."""
+    left_wheel__roll_angle: V
+    """turn of the wheel about x through that origin, relative to the wheelset."""
+    left_wheel__yaw_angle: V
+    """turn of the wheel about z, after that about x."""
+    left_wheel__longitudinal_velocity: V
+    """velocity of that origin forwards, relative to the wheelset and along its axes."""
+    left_wheel__lateral_velocity: V
+    """velocity of that origin to the left."""
+    left_wheel__vertical_velocity: V
+    """velocity of that origin upwards."""
+    left_wheel__roll_rate: V
+    """angular velocity about x, relative to the wheelset and about its axes."""
+    left_wheel__pitch_rate: V
+    """angular velocity about y beyond that of the wheelset."""
+    left_wheel__yaw_rate: V
+    """angular velocity about z."""
+    right_wheel__profile_scale: V
+    """factor of y and z in the file."""
+    right_wheel__profile_smoothing: V
+    """length over which it is smoothed."""
+    right_wheel__radius_x: V
+    """its nominal rolling radius; the height of the axle and creepage_x are those of
+    wheel.radius_x."""
+    right_wheel__flange_back_position: V
+    """y of the flange back in its profile, with y outwards."""
+    right_wheel__longitudinal_displacement: V
+    """displacement of the profile's origin forwards from its place in the wheelset, along the axes
+    of that."""
+    right_wheel__lateral_displacement: V
+    """displacement of that origin to the left."""
+    right_wheel__vertical_displacement: V
+    """displacement of that origin upwards."""
+    right_wheel__roll_angle: V
+    """turn of the wheel about x through that origin, relative to the wheelset."""
+    right_wheel__yaw_angle: V
+    """turn of the wheel about z, after that about x."""
+    right_wheel__longitudinal_velocity: V
+    """velocity of that origin forwards, relative to the wheelset and along its axes."""
+    right_wheel__lateral_velocity: V
+    """velocity of that origin to the left."""
+    right_wheel__vertical_velocity: V
+    """velocity of that origin upwards."""
+    right_wheel__roll_rate: V
+    """angular velocity about x, relative to the wheelset and about its axes."""
+    right_wheel__pitch_rate: V
+    """angular velocity about y beyond that of the wheelset."""
+    right_wheel__yaw_rate: V
+    """angular velocity about z."""
+    left_rail__profile_scale: V
+    """factor of y and z in the file."""
+    left_rail__profile_smoothing: V
+    """length over which it is smoothed."""
+    left_rail__cant: V
+    """its inclination towards the middle."""
+    left_rail__origin_y: V
+    """y of the origin of its profile in the track, outwards, in place of track.gauge."""
+    left_rail__origin_z: V
+    """z of that origin in the track."""
+    left_rail__lateral_displacement: V
+    """irregularity: displacement to the left from its place in the track."""
+    left_rail__vertical_displacement: V
+    """irregularity: displacement upwards."""
+    left_rail__roll_angle: V
+    """irregularity: turn about x through the origin of its profile."""
+    left_rail__lateral_velocity: V
+    """velocity of that origin to the left."""
+    left_rail__vertical_velocity: V
+    """velocity of that origin upwards."""
+    left_rail__roll_rate: V
+    """angular velocity about x."""
+    right_rail__profile_scale: V
+    """factor of y and z in the file."""
+    right_rail__profile_smoothing: V
+    """length over which it is smoothed."""
+    right_rail__cant: V
+    """its inclination towards the middle."""
+    right_rail__origin_y: V
+    """y of the origin of its profile in the track, outwards, in place of track.gauge."""
+    right_rail__origin_z: V
+    """z of that origin in the track."""
+    right_rail__lateral_displacement: V
+    """irregularity: displacement to the left from its place in the track."""
+    right_rail__vertical_displacement: V
+    """irregularity: displacement upwards."""
+    right_rail__roll_angle: V
+    """irregularity: turn about x through the origin of its profile."""
+    right_rail__lateral_velocity: V
+    """velocity of that origin to the left."""
+    right_rail__vertical_velocity: V
+    """velocity of that origin upwards."""
+    right_rail__roll_rate: V
+    """angular velocity about x."""
     elasticity__bedding_x: V
     """c, bedding stiffness for displacements along x."""
     elasticity__bedding_y: V
@@ -1635,7 +2335,7 @@ class Conditions(TypedDict, Generic[V], total=False):
     elasticity__margin: V
     """width of the surroundings of the patch on each side."""
     layer__thickness: V
-    """h, thickness of the layer."""
+    """h, thickness of the layer; 0: rigid until it yields."""
     layer__shear_modulus: V
     """G, shear modulus of the layer, which is sheared by t h/G."""
     layer__yield_stress: V

@@ -26,7 +26,7 @@ const ROWS: &[(&[&str], &str, &[&str])] = &[
     (
         &["--set", "normal.load=-1 kN"],
         "",
-        &["--set normal.load=-1 kN: normal.load must be between 1e-3 and 1e12 N"],
+        &["--set normal.load=-1 kN: normal.load must be between 1e-9 and 1e12 N"],
     ),
     (&["--set", "normal.load"], "", &["section.field=value"]),
     (&[], "[rail]\nradius_y = \"inf\"\n", &["case.toml:2:12", "rail.radius_y"]),

@@ -256,7 +256,7 @@ fn wrong_wheelsets_are_refused() {
     }
     let run = bench.run(&["solve", "case.toml", "--set", "rail.profile=none.csv"]);
     assert_eq!(run.code, Some(1), "{}", run.stderr);
-    assert!(run.stderr.contains("none.csv") && run.stderr.contains("built in are \"60E1\""));
+    assert!(run.stderr.contains("none.csv") && run.stderr.contains("built in are \"46E1\""));
 }
 
 /// Where a wheel has two contacts, what is about the first of them says so.
