@@ -2020,9 +2020,9 @@ class Sections:
     """Where the normal pressure comes from."""
     track: Entry[Track, TrackFields | Track | Preset[TrackFields] | None] = Entry()
     """Where the profiles are, if the normal contact is that of two profiles."""
-    left_wheel: Entry[
-        LeftWheel, LeftWheelFields | LeftWheel | Preset[LeftWheelFields] | None
-    ] = Entry()
+    left_wheel: Entry[LeftWheel, LeftWheelFields | LeftWheel | Preset[LeftWheelFields] | None] = (
+        Entry()
+    )
     """What the left wheel has of its own, and how it deviates from its place."""
     right_wheel: Entry[
         RightWheel, RightWheelFields | RightWheel | Preset[RightWheelFields] | None
@@ -2030,9 +2030,9 @@ class Sections:
     """What the right wheel has of its own, and how it deviates from its place."""
     left_rail: Entry[LeftRail, LeftRailFields | LeftRail | Preset[LeftRailFields] | None] = Entry()
     """What the left rail has of its own, and how it deviates from its place."""
-    right_rail: Entry[
-        RightRail, RightRailFields | RightRail | Preset[RightRailFields] | None
-    ] = Entry()
+    right_rail: Entry[RightRail, RightRailFields | RightRail | Preset[RightRailFields] | None] = (
+        Entry()
+    )
     """What the right rail has of its own, and how it deviates from its place."""
     elasticity: Entry[
         Elasticity, ElasticityFields | Elasticity | Preset[ElasticityFields] | None

@@ -155,8 +155,10 @@ def owner(head: str, about: str, section: SectionTable) -> list[str]:
             # It is a method of a case, and the section an item alone.
             continue
         line = f"    {name}: Entry[{value}, {given}] = Entry()"
-        if len(line) > 100:
+        if len(line) > 106:
             line = f"    {name}: Entry[\n        {value}, {given}\n    ] = Entry()"
+        elif len(line) > 100:
+            line = line.replace("= Entry()", "= (\n        Entry()\n    )")
         lines += [line, *doc]
     return lines
 

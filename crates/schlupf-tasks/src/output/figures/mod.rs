@@ -135,8 +135,8 @@ pub fn names() -> Vec<String> {
 /// Name of the figure that only solutions with a history have.
 pub const HISTORY: &str = "history";
 
-/// All drawings for which the solution has something to show: `surface_…` over the patch, flat
-/// `map_…`, `cut_y0` along y = 0 (through the largest pressure if that line has no contact), and
+/// All drawings for which the solution has something to show: `surface_…` over the patch and flat
+/// `map_…`, unless it is a single row of cells, `cut_y0` along y = 0 (through the largest pressure if that line has no contact), and
 /// `history` over the distance rolled, or over time where the speed varies.
 pub fn drawings(title: &str, solution: &Solution) -> Result<Vec<Drawing>, FigureError> {
     /// Threshold below which a quantity is omitted, relative to the largest possible value of the
@@ -144,13 +144,16 @@ pub fn drawings(title: &str, solution: &Solution) -> Result<Vec<Drawing>, Figure
     const INVISIBLE: f64 = 1e-3;
     let patch = Patch::new(title, solution).ok_or(FigureError::NoPatch)?;
     let mut drawings = Vec::new();
+    let mut rows = solution.fields.cell.iter().map(|[_, row]| row);
+    let first = rows.next();
+    let has_rows = rows.any(|row| Some(row) != first);
     for quantity in quantity::of_the_paper(&patch) {
-        if quantity.is_visible(if quantity.normalised { INVISIBLE } else { 0.0 }) {
+        if has_rows && quantity.is_visible(if quantity.normalised { INVISIBLE } else { 0.0 }) {
             drawings.push((format!("surface_{}", quantity.name), surface::draw(&patch, &quantity)));
         }
     }
     for quantity in quantity::physical(&patch) {
-        if quantity.is_visible(0.0) {
+        if has_rows && quantity.is_visible(0.0) {
             let arrows = arrows(&patch, quantity.name);
             let svg = map::draw(&patch, &quantity, arrows.as_ref());
             drawings.push((format!("map_{}", quantity.name), svg));
