@@ -411,7 +411,7 @@ messages! {
             _ => "half-space",
         };
         format!(
-            "{name} must not rest on Kalker's coefficients of an ellipse with a line contact; choose {}",
+            "{name} must not be one that assumes an elliptic patch, as the contact is a line; choose {}",
             words.choice(*assumed_by, other)
         )
     };
