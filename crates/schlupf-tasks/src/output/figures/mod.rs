@@ -136,8 +136,9 @@ pub fn names() -> Vec<String> {
 pub const HISTORY: &str = "history";
 
 /// All drawings for which the solution has something to show: `surface_…` over the patch and flat
-/// `map_…`, unless it is a single row of cells, `cut_y0` along y = 0 (through the largest pressure if that line has no contact), and
-/// `history` over the distance rolled, or over time where the speed varies.
+/// `map_…`, unless it is a single row of cells, `cut_y0` along y = 0 (through the largest pressure
+/// if that line has no contact), and `history` over the distance rolled, or over time where the
+/// speed varies.
 pub fn drawings(title: &str, solution: &Solution) -> Result<Vec<Drawing>, FigureError> {
     /// Threshold below which a quantity is omitted, relative to the largest possible value of the
     /// paper's normalised quantities.
