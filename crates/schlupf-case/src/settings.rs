@@ -1,6 +1,7 @@
 //! All settings of a case: what was given, what is the default, and where it comes from.
 
 use std::collections::HashMap;
+use std::path::Path;
 use std::sync::Arc;
 
 use schlupf::Quantity;
@@ -90,6 +91,14 @@ impl Settings {
             error.help("paths are relative to the case file".to_owned())
         })?;
         Ok((name, bytes))
+    }
+
+    /// Path and bytes of a file that is named relative to the one that a field names.
+    pub fn read_beside(&self, path: FieldPath, name: &str) -> (String, std::io::Result<Vec<u8>>) {
+        let beside = self.text(path).unwrap_or_default();
+        let folder = Path::new(&beside).parent().unwrap_or(Path::new(""));
+        let file = InputFile::new(folder.join(name).to_string_lossy(), Arc::clone(&self.files));
+        (file.path().display().to_string(), file.read())
     }
 
     /// What a field is called in messages.

@@ -13,12 +13,14 @@ mod plain;
 mod points;
 mod reading;
 mod simpack;
+mod slices;
 
 use std::ffi::OsStr;
 use std::path::Path;
+use std::sync::Arc;
 
 use schlupf::Quantity;
-use schlupf::wheel_rail::{ProfileCurve, Side};
+use schlupf::wheel_rail::{ProfileCurve, Sections, Side, Surface};
 
 use crate::FieldPath;
 use crate::error::CaseError;
@@ -81,13 +83,36 @@ impl ProfileFields {
 #[derive(Debug, Clone)]
 pub struct Profile {
     /// y outwards and z up.
-    pub curve: ProfileCurve,
+    pub shape: Shape,
     /// y of the flange back of a wheel, in m.
     pub flange_back: f64,
     /// What was read.
     pub reading: ProfileReading,
     /// What users should know of it.
     pub notices: Vec<Notice>,
+}
+
+/// What a profile is along the way.
+#[derive(Debug, Clone)]
+pub enum Shape {
+    /// The same everywhere.
+    Uniform(ProfileCurve),
+    /// Slices along the track.
+    Along(Arc<Sections>),
+    /// Slices around the wheel.
+    Around(Arc<Sections>),
+}
+
+impl Shape {
+    /// As a surface of which a place is at the wheelset: of a rail along the track in m, of a wheel
+    /// below the axle in rad.
+    pub fn surface(&self, at: f64) -> Surface {
+        match self {
+            Self::Uniform(curve) => curve.clone().into(),
+            Self::Along(sections) => Surface::along(Arc::clone(sections), at),
+            Self::Around(sections) => Surface::around(Arc::clone(sections), at),
+        }
+    }
 }
 
 /// Position of the flange back in profiles whose origin is at the running circle, in m.
@@ -116,7 +141,13 @@ pub fn read(settings: &Settings, fields: &ProfileFields) -> Result<Profile, Case
             let rows = points.into_iter().map(|place| Row { place, line: 0 }).collect();
             Content::of("built in", rows)
         }
-        None => file_content(settings, fields)?,
+        None => {
+            let (name, bytes) = file_bytes(settings, fields)?;
+            if slices::is_one(&name) {
+                return slices::read(settings, fields, (name, &bytes));
+            }
+            file_content(name, &bytes, fields)?
+        }
     };
     let mut reader = Reader { settings, fields, notices: Vec::new() };
     let content = reader.in_metres(content)?;
@@ -128,14 +159,25 @@ pub fn read(settings: &Settings, fields: &ProfileFields) -> Result<Profile, Case
     reader.profile(name, &content, outline)
 }
 
-/// What a file says.
-fn file_content(settings: &Settings, fields: &ProfileFields) -> Result<Content, CaseError> {
-    let (name, bytes) = settings.read_file(fields.profile).map_err(|error| {
+/// Name and bytes of the file of a profile.
+fn file_bytes(
+    settings: &Settings,
+    fields: &ProfileFields,
+) -> Result<(String, Vec<u8>), CaseError> {
+    settings.read_file(fields.profile).map_err(|error| {
         let names = built_in::names(fields.is_wheel());
         error.help(format!("paths are relative to the case file; built in are {names}"))
-    })?;
+    })
+}
+
+/// What a file says.
+fn file_content(
+    name: String,
+    bytes: &[u8],
+    fields: &ProfileFields,
+) -> Result<Content, CaseError> {
     let ending = Path::new(&name).extension().map(OsStr::to_ascii_lowercase);
-    let file = File::new(name, &bytes, fields.profile)?;
+    let file = File::new(name, bytes, fields.profile)?;
     let is_wheel = fields.is_wheel();
     let ending = ending.as_ref().and_then(|ending| ending.to_str()).unwrap_or_default();
     let content = match ending {
@@ -189,9 +231,17 @@ struct Reader<'a> {
 }
 
 /// A direction that was taken, and how it is known.
+#[derive(Clone)]
 struct Taken {
     is: bool,
     from: &'static str,
+}
+
+/// Points with y outwards and z up, and how their directions are known.
+struct Oriented {
+    points: Vec<Row>,
+    y: Taken,
+    z: Taken,
 }
 
 impl Reader<'_> {
@@ -332,24 +382,59 @@ impl Reader<'_> {
             let (field, setting) = (fields.profile, setting.clone());
             self.notices.push(Notice::ProfileSetting { field, setting });
         }
-        let mut points = outline.points;
+        let Oriented { points, y, z } = self.oriented(content, &outline, None)?;
+        let running = outline::running_part(&points, outline.is_closed, fields.is_wheel());
+        let curve = self.curve(&running)?;
+        let flange_back = self.flange_back(content, &places(&running))?;
+        let reading =
+            self.reading((name, content), [&y, &z], (&outline, &running), flange_back);
+        Ok(Profile { shape: Shape::Uniform(curve), flange_back, reading, notices: self.notices })
+    }
+
+    fn curve(&self, points: &[Row]) -> Result<ProfileCurve, CaseError> {
+        let (settings, fields) = (self.settings, self.fields);
+        let smoothing = settings.number(fields.smoothing)?;
+        ProfileCurve::new(&places(points), smoothing, fields.quantity)
+            .map_err(|error| settings.error(fields.profile, error.text(&settings.names())))
+    }
+
+    /// The points with y outwards and z up, as the shape shows where it is not known already.
+    fn oriented(
+        &mut self,
+        content: &Content,
+        outline: &Outline,
+        known: Option<[&Taken; 2]>,
+    ) -> Result<Oriented, CaseError> {
+        let mut points = outline.points.clone();
         let closed = |points: &[Row]| {
             let again = points.first().filter(|_| outline.is_closed);
             points.iter().chain(again).map(|row| row.place).collect::<Vec<_>>()
         };
-        let z = self.vertical(content, &closed(&points))?;
+        let z = match known {
+            Some([_, z]) => z.clone(),
+            None => self.vertical(content, &closed(&points))?,
+        };
         for row in points.iter_mut().filter(|_| z.is) {
             row.place[1] = -row.place[1];
         }
-        let y = self.lateral(content, &closed(&points))?;
+        let y = match known {
+            Some([y, _]) => y.clone(),
+            None => self.lateral(content, &closed(&points))?,
+        };
         for row in points.iter_mut().filter(|_| y.is) {
             row.place[0] = -row.place[0];
         }
-        let running = outline::running_part(&points, outline.is_closed, fields.is_wheel());
-        let smoothing = settings.number(fields.smoothing)?;
-        let curve = ProfileCurve::new(&places(&running), smoothing, fields.quantity)
-            .map_err(|error| settings.error(fields.profile, error.text(&settings.names())))?;
-        let flange_back = self.flange_back(content, &places(&running))?;
+        Ok(Oriented { points, y, z })
+    }
+
+    fn reading(
+        &self,
+        (name, content): (String, &Content),
+        [y, z]: [&Taken; 2],
+        (outline, running): (&Outline, &[Row]),
+        flange_back: f64,
+    ) -> ProfileReading {
+        let fields = self.fields;
         let direction = |taken: &Taken, names: [&str; 2]| {
             format!("{} ({})", names[usize::from(taken.is)], taken.from)
         };
@@ -359,15 +444,14 @@ impl Reader<'_> {
             format: content.format.clone(),
             points: [content.rows.len(), running.len()],
             size: size(&content.rows),
-            y: direction(&y, ["outwards", "inwards"]),
-            z: direction(&z, ["up", "down"]),
+            y: direction(y, ["outwards", "inwards"]),
+            z: direction(z, ["up", "down"]),
             flange_back: fields.is_wheel().then_some(flange_back),
             spacing: [0.0; 2],
             holes: Vec::new(),
             order: outline.changes.iter().map(Change::text).collect(),
         };
-        let reading = reading.spaced(&running);
-        Ok(Profile { curve, flange_back, reading, notices: self.notices })
+        reading.spaced(running)
     }
 
     fn vertical(&mut self, content: &Content, points: &[[f64; 2]]) -> Result<Taken, CaseError> {

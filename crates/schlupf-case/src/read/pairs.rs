@@ -3,14 +3,17 @@
 
 use std::sync::Arc;
 
+use schlupf::reporting::readable;
 use schlupf::wheel_rail::{Deviation, Pair, RailPlace, RailShape, Side, Sides, Track, WheelShape};
 
 use crate::FieldPath;
 use crate::error::CaseError;
 use crate::notice::Notice;
-use crate::profiles::{self, Profile, ProfileFields, ProfileReading};
+use crate::profiles::{self, Profile, ProfileFields, ProfileReading, Shape};
 use crate::settings::Settings;
 use crate::side::sided;
+
+const TRACK_POSITION: FieldPath = field!("wheelset.track_position");
 
 /// Difference of two depths that counts as none, in m.
 const SAME_DEPTH: f64 = 1e-6;
@@ -94,8 +97,9 @@ fn too_short(pair: &Pair, rail: &Profile, track: &Track) -> Option<Notice> {
 fn wheel(settings: &Settings, side: Side, profile: &Profile) -> Result<WheelShape, CaseError> {
     let nominal_radius = settings.number(field!("wheel.radius_x"))?;
     let own_radius = sided!("wheel", "radius_x").number(settings, side)?;
+    let pitch = settings.number(field!("wheelset.pitch_angle"))?;
     Ok(WheelShape {
-        profile: profile.curve.placed(0.0, [0.0, nominal_radius - own_radius]),
+        profile: profile.shape.surface(pitch).placed(0.0, [0.0, nominal_radius - own_radius]),
         nominal_radius,
         flange_back_position: profile.flange_back,
         deviation: deviation(settings, side, &DEVIATION_OF_WHEEL)?,
@@ -108,8 +112,21 @@ fn rail(settings: &Settings, side: Side, profile: &Profile) -> Result<RailShape,
         Some(y) => RailPlace::Origin([y, sided!("rail", "origin_z").number(settings, side)?]),
         None => RailPlace::Gauge,
     };
+    let along = settings.number(TRACK_POSITION)?;
+    if let Shape::Along(sections) = &profile.shape {
+        let [from, to] = sections.span();
+        if !(from..=to).contains(&along) {
+            let [from, to] = [from, to].map(readable);
+            let message = format!(
+                "{TRACK_POSITION} must be within the slices of {}, from {from} m to {to} m, but is {} m",
+                profile.reading.name,
+                readable(along)
+            );
+            return Err(settings.error(TRACK_POSITION, message));
+        }
+    }
     Ok(RailShape {
-        profile: profile.curve.clone(),
+        profile: profile.shape.surface(along),
         cant: sided!("rail", "cant").number(settings, side)?,
         place,
         radius: settings.number(field!("rail.radius_x"))?,

@@ -1,7 +1,7 @@
 //! The profiles of a wheel and a rail in their places, before anything is solved.
 
 use schlupf::Status;
-use schlupf::wheel_rail::{ProfileCurve, WheelOnRail};
+use schlupf::wheel_rail::{ProfileCurve, Surface, WheelOnRail};
 
 use crate::output::figures::color::{BLUE, VERMILION};
 use crate::output::figures::frame::Frame;
@@ -32,7 +32,7 @@ pub fn figure(title: &str, wheel: &WheelOnRail, height: f64) -> Result<Vec<Figur
 }
 
 /// A curve and what places its points in the drawing's plane, in mm.
-type Placed<'a> = (&'a ProfileCurve, &'a dyn Fn([f64; 2]) -> [f64; 2], &'static str);
+type Placed<'a> = (&'a Surface, &'a dyn Fn([f64; 2]) -> [f64; 2], &'static str);
 
 fn drawing(title: &str, wheel: &WheelOnRail, height: f64) -> String {
     let pair = wheel.pair();
@@ -58,7 +58,7 @@ fn drawing(title: &str, wheel: &WheelOnRail, height: f64) -> String {
         let line: Vec<[f64; 2]> = places(curve).map(|place| frame.at(placed(place))).collect();
         let stroke = format!(r#"stroke="{color}" stroke-width="1.4" stroke-linejoin="round""#);
         drawing.polyline(&line, &stroke);
-        for point in curve.points() {
+        for point in curve.uniform().map_or(&[][..], ProfileCurve::points) {
             let [x, y] = frame.at(placed(*point));
             let dot = format!(r#"<circle cx="{x:.2}" cy="{y:.2}" r="{DOT}" fill="{color}"/>"#);
             drawing.shape(&dot);
@@ -70,18 +70,19 @@ fn drawing(title: &str, wheel: &WheelOnRail, height: f64) -> String {
     drawing.finish()
 }
 
-/// Places along a curve, in m.
-pub(crate) fn places(curve: &ProfileCurve) -> impl Iterator<Item = [f64; 2]> {
-    let step = curve.length() / (POINTS - 1) as f64;
-    (0..POINTS).map(move |k| curve.at(k as f64 * step).place)
+/// Places along the profile of a surface at the wheelset, in m.
+pub(crate) fn places(surface: &Surface) -> impl Iterator<Item = [f64; 2]> {
+    let step = surface.length() / (POINTS - 1) as f64;
+    (0..POINTS).filter_map(move |k| Some(surface.point(0.0, k as f64 * step)?.place))
 }
 
 /// The axes around both curves, with equal scales.
 fn frame(curves: &[Placed; 2]) -> Frame {
     let mut range = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
     for (curve, placed, _) in curves {
-        for point in curve.points() {
-            for (axis, value) in placed(*point).into_iter().enumerate() {
+        let points = curve.uniform().map(|curve| curve.points().to_vec());
+        for point in points.unwrap_or_else(|| places(curve).collect()) {
+            for (axis, value) in placed(point).into_iter().enumerate() {
                 range[axis] = [range[axis][0].min(value), range[axis][1].max(value)];
             }
         }

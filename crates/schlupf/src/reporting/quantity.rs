@@ -304,6 +304,7 @@ quantities! {
     PositionY "position_y" "y" "m" "position in the track, to the left of its middle"
     PositionZ "position_z" "z" "m" "position in the track, above the tops of the rails"
     ContactAngle "contact_angle" "δ" "rad" "angle of the contact plane, positive where the rail's outward normal leans to the left"
+    RiseAngle "rise_angle" "θ" "rad" "angle by which the contact plane rises forwards, with the rail"
     ContactCount "contact_count" "" "" "number of contacts of a wheel"
     ContactNumber "contact_number" "" "" "number of a contact of a wheel, by its normal force"
     RailPosition "rail_position" "y_r" "m" "position of the contact on the rail's profile, outwards"

@@ -32,6 +32,7 @@ impl Record for Contact {
         PositionY "position.y" => |contact, _| contact.position[1],
         PositionZ "position.z" => |contact, _| contact.position[2],
         ContactAngle "angle" => |contact, _| contact.angle,
+        RiseAngle "rise_angle" => |contact, _| contact.rise,
         RailPosition => |contact, _| contact.rail_position,
         WheelPosition => |contact, _| contact.wheel_position,
         RollingRadius => |contact, _| contact.rolling_radius,

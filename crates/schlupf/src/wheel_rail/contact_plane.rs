@@ -5,7 +5,7 @@
 //! least gap would be off by millimetres where both bodies conform. Neighbouring regions that are
 //! close and similarly inclined share a plane.
 
-use super::gap::Region;
+use super::overlap::Region;
 use super::pair::Pair;
 
 /// When neighbouring regions share one plane.
@@ -24,20 +24,22 @@ impl Default for Joining {
     }
 }
 
-/// A plane that touches the rail. Its directions: along the track; s, outwards along the surface;
-/// n, out of the rail.
+/// A plane that touches the rail. Its directions: along the track, rising with the rail; s,
+/// outwards along the surface; n, out of the rail.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ContactPlane {
     /// In the track, in m.
     pub origin: [f64; 3],
     /// Of s, positive where it rises outwards; in rad.
     pub inclination: f64,
+    /// Angle by which it rises forwards, in rad.
+    pub rise: f64,
     /// Arc lengths of both profiles near the origin, of the rail and of the wheel, in m.
     pub arcs: [f64; 2],
     /// First guess of the overlap, relative to the origin along x and s, in m.
     pub guess: [[f64; 2]; 2],
-    /// Bounds along s, beyond which a neighbouring contact has its own plane; in m.
-    pub limits: [f64; 2],
+    /// Bounds along x and s, beyond which a neighbouring contact has its own plane; in m.
+    pub limits: [[f64; 2]; 2],
 }
 
 impl ContactPlane {
@@ -47,14 +49,28 @@ impl ContactPlane {
         [0.0, cos, sin]
     }
 
+    /// The direction along the track, rising with the rail, dimensionless.
+    pub fn along(&self) -> [f64; 3] {
+        let (sin, cos) = self.rise.sin_cos();
+        let [_, y, z] = self.upright();
+        [cos, sin * y, sin * z]
+    }
+
     /// n as a direction in the track, dimensionless.
     pub fn normal(&self) -> [f64; 3] {
+        let (sin, cos) = self.rise.sin_cos();
+        let [_, y, z] = self.upright();
+        [-sin, cos * y, cos * z]
+    }
+
+    /// The normal of the rail's profile, dimensionless.
+    pub fn upright(&self) -> [f64; 3] {
         let (sin, cos) = self.inclination.sin_cos();
         [0.0, -sin, cos]
     }
 
     /// Position along s of a point of the track, y and z in m.
-    fn along(&self, [y, z]: [f64; 2]) -> f64 {
+    fn position(&self, [y, z]: [f64; 2]) -> f64 {
         let [_, s_y, s_z] = self.across();
         s_y * (y - self.origin[1]) + s_z * (z - self.origin[2])
     }
@@ -64,35 +80,45 @@ impl ContactPlane {
 pub(super) fn planes(pair: &Pair, regions: &[Region], joining: &Joining) -> Vec<ContactPlane> {
     let mut joined: Vec<Region> = Vec::new();
     for region in regions {
-        match joined.last_mut() {
-            Some(last) if belongs(last, region, joining) => *last = union(last, region),
-            _ => joined.push(*region),
+        match joined.iter_mut().rev().find(|other| belongs(other, region, joining)) {
+            Some(other) => *other = union(other, region),
+            None => joined.push(*region),
         }
     }
-    let between = |one: &Region, two: &Region| {
-        let [end, start] = [one.ends[1], two.ends[0]];
-        [0.5 * (end[0] + start[0]), 0.5 * (end[1] + start[1])]
-    };
-    (0..joined.len())
-        .map(|k| {
-            let mut plane = plane(pair, &joined[k]);
-            if let Some(before) = k.checked_sub(1).map(|k| &joined[k]) {
-                plane.limits[0] = plane.along(between(before, &joined[k]));
+    let mut planes: Vec<ContactPlane> = joined.iter().map(|region| plane(pair, region)).collect();
+    for k in 0..joined.len() {
+        for j in 0..k {
+            let (one, two) = (&joined[j], &joined[k]);
+            let [end, start] = [one.ends[1], two.ends[0]];
+            if end[0] <= start[0] || ahead(one, two) <= 0.0 {
+                let middle = [0.5 * (end[0] + start[0]), 0.5 * (end[1] + start[1])];
+                let [low, high] = [planes[k].position(middle), planes[j].position(middle)];
+                planes[k].limits[1][0] = planes[k].limits[1][0].max(low);
+                planes[j].limits[1][1] = planes[j].limits[1][1].min(high);
+            } else {
+                let is_behind = one.along[1] <= two.along[0];
+                let [back, front] = if is_behind { [j, k] } else { [k, j] };
+                let middle = 0.5 * (joined[back].along[1] + joined[front].along[0]);
+                let at = |plane: &ContactPlane| middle - plane.origin[0];
+                let [low, high] = [at(&planes[front]), at(&planes[back])];
+                planes[front].limits[0][0] = planes[front].limits[0][0].max(low);
+                planes[back].limits[0][1] = planes[back].limits[0][1].min(high);
             }
-            if let Some(after) = joined.get(k + 1) {
-                plane.limits[1] = plane.along(between(&joined[k], after));
-            }
-            plane
-        })
-        .collect()
+        }
+    }
+    planes
+}
+
+/// How far one region is before or behind another one, in m.
+fn ahead(one: &Region, two: &Region) -> f64 {
+    (two.along[0] - one.along[1]).max(one.along[0] - two.along[1]).max(0.0)
 }
 
 fn belongs(one: &Region, two: &Region, joining: &Joining) -> bool {
     let [end, start] = [one.ends[1], two.ends[0]];
-    let apart = (two.along[0] - one.along[1]).max(one.along[0] - two.along[1]).max(0.0);
-    let distance = (start[0] - end[0]).hypot(start[1] - end[1]).hypot(apart);
-    let turn = (two.inclination - one.inclination).abs();
-    distance <= joining.distance && turn <= joining.angle
+    let beside = if end[0] > start[0] { 0.0 } else { (start[0] - end[0]).hypot(start[1] - end[1]) };
+    let turn = (two.inclination - one.inclination).abs().max((two.rise - one.rise).abs());
+    beside.hypot(ahead(one, two)) <= joining.distance && turn <= joining.angle
 }
 
 fn union(one: &Region, two: &Region) -> Region {
@@ -100,12 +126,14 @@ fn union(one: &Region, two: &Region) -> Region {
     let mean =
         |one_value: f64, two_value: f64| (one.weight * one_value + two.weight * two_value) / weight;
     let heavier = if one.weight >= two.weight { one } else { two };
+    let outmost = if one.ends[1][0] > two.ends[1][0] { one } else { two };
     Region {
         weight,
         x: mean(one.x, two.x),
         y: mean(one.y, two.y),
         inclination: mean(one.inclination, two.inclination),
-        ends: [one.ends[0], two.ends[1]],
+        rise: mean(one.rise, two.rise),
+        ends: [one.ends[0], outmost.ends[1]],
         along: [one.along[0].min(two.along[0]), one.along[1].max(two.along[1])],
         nearest: heavier.nearest,
     }
@@ -115,18 +143,19 @@ fn plane(pair: &Pair, region: &Region) -> ContactPlane {
     let near = region.nearest;
     let mut arc = near.rail[1];
     for _ in 0..STEPS {
-        let point = pair.rail.at(arc);
+        let Some(point) = pair.rail.point(region.x, arc) else { break };
         arc += (region.y - point.place[0]) / point.tangent[0].max(SLOWEST);
     }
-    let [_, z] = pair.rail.at(arc).place;
+    let z = pair.rail.point(region.x, arc).map_or(near.rail[0], |point| point.place[1]);
     let mut plane = ContactPlane {
         origin: [region.x, region.y, pair.rail_height(region.x, z)],
         inclination: region.inclination,
+        rise: region.rise,
         arcs: [arc, near.wheel[1] + arc - near.rail[1]],
         guess: [region.along.map(|x| x - region.x), [0.0; 2]],
-        limits: [f64::NEG_INFINITY, f64::INFINITY],
+        limits: [[f64::NEG_INFINITY, f64::INFINITY]; 2],
     };
-    plane.guess[1] = region.ends.map(|end| plane.along(end));
+    plane.guess[1] = region.ends.map(|end| plane.position(end));
     plane
 }
 

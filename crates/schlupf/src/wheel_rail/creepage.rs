@@ -124,12 +124,16 @@ fn rail(pair: &Pair, point: [f64; 3], motion: &Motion) -> Rigid {
 /// The material point of the wheel there, Q = P − δ n, moves at v = v_o + ω × (Q − o) relative to
 /// that of the rail, P. With p the part of vₓ that is due to rolling, the rolling speed is
 /// V = (|vₓ − p| + |p|)/2, and ξ = vₓ/V, η = v·s/V, φ = ω·n/V (Kalker 1990).
+///
+/// In a plane that rises with the rail at θ the wheel follows it: whatever velocity along the
+/// normal of the profile that takes, it slides at vₓ/cos θ and rolls at V/cos θ.
 pub(super) fn creepages(plane: &ContactPlane, moving: &Moving) -> Kinematics {
     let Moving { turning, at_origin, rolling } = *moving;
-    let speed = 0.5 * ((at_origin[0] - rolling).abs() + rolling.abs());
+    let [level, ..] = plane.along();
+    let speed = 0.5 * ((at_origin[0] - rolling).abs() + rolling.abs()) / level;
     Kinematics {
         speed,
-        creepage_x: at_origin[0] / speed,
+        creepage_x: at_origin[0] / (level * speed),
         creepage_y: dot(at_origin, plane.across()) / speed,
         spin: dot(turning, plane.normal()) / speed,
     }

@@ -8,12 +8,14 @@
 //! Q = Rᵀ(P − o),  Q_y = y₀ + y(s_w),  √(Q_x² + Q_z²) = R0 − z(s_w),
 //!
 //! so neither the slope of the flange nor the yaw angle is approximated. A roller's height follows
-//! from the same equations with R0 + z.
+//! from the same equations with R0 + z. Where a profile changes along the way u, y and z are those
+//! at the u of Q, which is Q_x along a rail and atan(−Q_x/Q_z) around a wheel.
 
 use super::contact_plane::ContactPlane;
 use super::pair::Pair;
 use super::pose::{Pose, minus};
-use super::profile_curve::ProfileCurve;
+use super::sections::SurfacePoint;
+use super::surface::Surface;
 
 /// Accuracy of a height, in m.
 const ACCURACY: f64 = 1e-13;
@@ -31,18 +33,19 @@ pub(super) const CLEAR: f64 = 1e-2;
 pub(super) struct PlaneView<'a> {
     pair: &'a Pair,
     plane: &'a ContactPlane,
-    wheel: Revolved<'a>,
-    roller: Option<Revolved<'a>>,
+    wheel: Swept<'a>,
+    /// A roller, or a rail that changes along the track.
+    rail: Option<Swept<'a>>,
 }
 
-/// A surface of revolution above a plane.
-struct Revolved<'a> {
-    profile: &'a ProfileCurve,
+/// A surface above a plane that its profile sweeps.
+struct Swept<'a> {
+    surface: &'a Surface,
     /// Position of the origin of the profile along the axle, in m.
     offset: f64,
-    /// Nominal radius, in m.
-    radius: f64,
-    /// Whether the radius grows (1) or falls (−1) with the z of the profile.
+    /// Nominal radius, in m; `None` along the track.
+    radius: Option<f64>,
+    /// Whether the radius or the height grows (1) or falls (−1) with the z of the profile.
     sign: f64,
     /// Origin of the plane in the axes of the body, in m.
     origin: [f64; 3],
@@ -74,32 +77,32 @@ type OnSurface = [f64; 2];
 impl<'a> PlaneView<'a> {
     /// Of a wheel with a pose in the track.
     pub fn new(pair: &'a Pair, pose: &Pose, plane: &'a ContactPlane) -> Self {
-        let axes = [[1.0, 0.0, 0.0], plane.across(), plane.normal()];
-        let wheel = Revolved {
-            profile: &pair.wheel,
+        let axes = [plane.along(), plane.across(), plane.normal()];
+        let wheel = Swept {
+            surface: &pair.wheel,
             offset: pair.wheel_offset,
-            radius: pair.nominal_radius,
+            radius: Some(pair.nominal_radius),
             sign: -1.0,
             origin: pose.in_body(minus(plane.origin, pose.centre)),
             axes: axes.map(|axis| pose.in_body(axis)),
         };
-        let roller = pair.roller.map(|radius| Revolved {
-            profile: &pair.rail,
+        let rail = (pair.roller.is_some() || pair.rail.is_varying()).then(|| Swept {
+            surface: &pair.rail,
             offset: 0.0,
-            radius,
+            radius: pair.roller,
             sign: 1.0,
-            origin: minus(plane.origin, [0.0, 0.0, -radius]),
+            origin: minus(plane.origin, [0.0, 0.0, -pair.roller.unwrap_or(0.0)]),
             axes,
         });
-        Self { pair, plane, wheel, roller }
+        Self { pair, plane, wheel, rail }
     }
 
     /// Distances at the positions `x` × `s` (in m, relative to the plane's origin), rows along x.
     pub fn heights(&self, x: &[f64], s: &[f64]) -> Heights {
         let [rail_arc, wheel_arc] = self.plane.arcs;
         let wheel = self.wheel.heights(x, s, wheel_arc);
-        let rail = if let Some(roller) = &self.roller {
-            roller.heights(x, s, rail_arc)
+        let rail = if let Some(rail) = &self.rail {
+            rail.heights(x, s, rail_arc)
         } else {
             let rows = self.rail_heights(s);
             rows.into_iter().flat_map(|height| x.iter().map(move |_| height)).collect()
@@ -119,7 +122,7 @@ impl<'a> PlaneView<'a> {
             let mut rail = Some((0.0, self.plane.arcs[0]));
             for j in rows {
                 rail = self.on_rail(s[j], rail);
-                heights[j] = rail.map(|(_, arc)| self.rail_height(arc));
+                heights[j] = rail.and_then(|(_, arc)| self.rail_height(arc));
             }
         }
         heights
@@ -129,11 +132,11 @@ impl<'a> PlaneView<'a> {
     fn on_rail(&self, s: f64, from: Option<(f64, f64)>) -> Option<(f64, f64)> {
         let (before, arc) = from?;
         let [_, along_y, along_z] = self.plane.across();
-        let [_, y, z] = self.plane.origin;
+        let [x, y, z] = self.plane.origin;
         let end = self.pair.rail.length();
         let mut arc = (arc + s - before).clamp(0.0, end);
         for _ in 0..MOST_STEPS {
-            let point = self.pair.rail.at(arc);
+            let point = self.pair.rail.point(x, arc)?;
             let slope = along_y * point.tangent[0] + along_z * point.tangent[1];
             if slope <= 0.0 {
                 return None;
@@ -149,24 +152,24 @@ impl<'a> PlaneView<'a> {
         None
     }
 
-    /// The rail at s, from a guess of its arc length; both in m.
+    /// The section of the rail at the origin at s, from a guess of its arc length; both in m.
     pub fn rail_point(&self, s: f64, guess: f64) -> Option<RailPoint> {
         let (_, arc) = self.on_rail(s, Some((s, guess)))?;
-        let tangent = self.pair.rail.at(arc).tangent;
-        let ([_, s_y, s_z], [_, n_y, n_z]) = (self.plane.across(), self.plane.normal());
+        let tangent = self.pair.rail.point(self.plane.origin[0], arc)?.tangent;
+        let ([_, s_y, s_z], [_, n_y, n_z]) = (self.plane.across(), self.plane.upright());
         let along = s_y * tangent[0] + s_z * tangent[1];
         let up = n_y * tangent[0] + n_z * tangent[1];
-        Some(RailPoint { arc, n: self.rail_height(arc), slope: up / along })
+        Some(RailPoint { arc, n: self.rail_height(arc)?, slope: up / along })
     }
 
-    fn rail_height(&self, arc: f64) -> f64 {
-        let [_, normal_y, normal_z] = self.plane.normal();
-        let [y, z] = self.pair.rail.at(arc).place;
-        normal_y * (y - self.plane.origin[1]) + normal_z * (z - self.plane.origin[2])
+    fn rail_height(&self, arc: f64) -> Option<f64> {
+        let [_, normal_y, normal_z] = self.plane.upright();
+        let [y, z] = self.pair.rail.point(self.plane.origin[0], arc)?.place;
+        Some(normal_y * (y - self.plane.origin[1]) + normal_z * (z - self.plane.origin[2]))
     }
 }
 
-impl Revolved<'_> {
+impl Swept<'_> {
     /// Heights at the positions `x` × `s` (in m), rows along x, outwards from the origin of the
     /// plane, where the arc length is near `arc`; in m.
     fn heights(&self, x: &[f64], s: &[f64], arc: f64) -> Vec<Option<f64>> {
@@ -200,19 +203,36 @@ impl Revolved<'_> {
     fn at(&self, [x, s]: [f64; 2], guess: OnSurface) -> Option<OnSurface> {
         let [along, across, normal] = self.axes;
         let base = [0, 1, 2].map(|k| self.origin[k] + x * along[k] + s * across[k]);
-        let end = self.profile.length();
+        let end = self.surface.length();
         // No more digits than a large radius leaves.
-        let accuracy = ACCURACY.max(8.0 * f64::EPSILON * self.radius);
+        let size = self.radius.unwrap_or(0.0);
+        let accuracy = ACCURACY.max(8.0 * f64::EPSILON * size);
         let [mut n, mut arc] = [guess[0], guess[1].clamp(0.0, end)];
         for _ in 0..MOST_STEPS {
             let [q_x, q_y, q_z] = [0, 1, 2].map(|k| base[k] + n * normal[k]);
-            let radius = q_x.hypot(q_z);
-            let point = self.profile.at(arc);
-            let off = [
-                q_y - self.offset - point.place[0],
-                radius - self.radius - self.sign * point.place[1],
-            ];
-            let by_height = [normal[1], (q_x * normal[0] + q_z * normal[2]) / radius];
+            let (height, height_by) = if self.radius.is_some() {
+                let radius = q_x.hypot(q_z);
+                (radius, (q_x * normal[0] + q_z * normal[2]) / radius)
+            } else {
+                (q_z, normal[2])
+            };
+            let mut by_height = [normal[1], height_by];
+            let point = if let Some(profile) = self.surface.uniform() {
+                profile.at(arc)
+            } else {
+                let (way, way_by) = if self.radius.is_some() {
+                    let by = (q_x * normal[2] - q_z * normal[0]) / (height * height);
+                    (q_x.atan2(-q_z), by)
+                } else {
+                    (q_x, normal[0])
+                };
+                let SurfacePoint { point, rate } = self.surface.at(way, arc)?;
+                by_height[0] -= rate[0] * way_by;
+                by_height[1] -= self.sign * rate[1] * way_by;
+                point
+            };
+            let off =
+                [q_y - self.offset - point.place[0], height - size - self.sign * point.place[1]];
             let by_arc = [-point.tangent[0], -self.sign * point.tangent[1]];
             let determinant = by_height[0] * by_arc[1] - by_arc[0] * by_height[1];
             let step = [

@@ -1,7 +1,8 @@
 //! Height of a wheel at which its contacts carry the vertical force.
 //!
-//! With the normal force F of each contact, its inclination β and the ratio ρ of its lateral to its
-//! normal force, Σ F (cos β + ρ sin β) is the vertical force. It grows with the depth d below first
+//! With the normal force F of each contact, its inclination β, the angle θ by which it rises
+//! forwards and the ratios τ and ρ of its longitudinal and lateral to its normal force,
+//! Σ F (cos θ cos β + τ sin θ cos β + ρ sin β) is the vertical force. It grows with the depth d below first
 //! touch as some d^1.5, which guides a bracketed search. Contacts in planes of their own raise each
 //! other's surfaces by F (n·n′)/(π E* r) at their distance r (Boussinesq 1885).
 
@@ -36,6 +37,8 @@ pub(super) struct FrictionRatio {
     pub y: f64,
     /// Lateral over normal force, dimensionless.
     pub ratio: f64,
+    /// Longitudinal over normal force, dimensionless.
+    pub along: f64,
 }
 
 /// A wheel above a rail, to be lowered.
@@ -180,7 +183,7 @@ impl Lowered {
     /// A contact whose friction lets it carry nothing.
     fn held(&self, ratios: &[FrictionRatio]) -> Option<Held> {
         let mut held = self.contacts.iter().filter(|contact| weight(contact, ratios) <= 0.0);
-        held.next().map(|contact| (contact.plane.inclination, ratio(contact, ratios)))
+        held.next().map(|contact| (contact.plane.inclination, ratios_of(contact, ratios)[1]))
     }
 }
 
@@ -219,12 +222,14 @@ fn not_carried(force: f64, held: Option<Held>) -> Error {
 /// Vertical over normal force of a contact, dimensionless.
 fn weight(contact: &Pressed, ratios: &[FrictionRatio]) -> f64 {
     let (sin, cos) = contact.plane.inclination.sin_cos();
-    cos + ratio(contact, ratios) * sin
+    let (rising, level) = contact.plane.rise.sin_cos();
+    let [along, across] = ratios_of(contact, ratios);
+    cos * (level + along * rising) + across * sin
 }
 
-/// The ratio of the contact nearest to this one; zero without any.
-fn ratio(contact: &Pressed, ratios: &[FrictionRatio]) -> f64 {
+/// The ratios of the contact nearest to this one, longitudinal and lateral; zero without any.
+fn ratios_of(contact: &Pressed, ratios: &[FrictionRatio]) -> [f64; 2] {
     let y = contact.plane.origin[1];
     let near = ratios.iter().min_by(|p, q| (p.y - y).abs().total_cmp(&(q.y - y).abs()));
-    near.map_or(0.0, |near| near.ratio)
+    near.map_or([0.0; 2], |near| [near.along, near.ratio])
 }

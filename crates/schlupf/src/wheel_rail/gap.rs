@@ -8,8 +8,10 @@
 //! The gap does not depend on the height and is computed once for each lateral position, roll and
 //! yaw.
 
+use super::overlap::{GapPoint, Region};
 use super::pair::{Candidate, Pair};
 use super::pose::{Attitude, Pose};
+use super::relief::Relief;
 use super::seen::Seen;
 use crate::reporting::{Error, WheelRailError};
 
@@ -23,45 +25,14 @@ const STEPS: usize = 5;
 /// integrated along rolling, the square of the depth.
 const WEIGHT: f64 = 2.5;
 
-/// A point of the gap.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct GapPoint {
-    /// Lateral position in the track, in m.
-    pub y: f64,
-    /// The rail's height there, in m, and arc length, in m.
-    pub rail: [f64; 2],
-    /// Inclination of the rail, in rad.
-    pub inclination: f64,
-    /// x of the wheel's candidate in the track, in m, and its arc length, in m.
-    pub wheel: [f64; 2],
-    /// Vertical gap (in m) with the wheelset at its nominal height.
-    pub gap: f64,
-}
-
 /// The gap across a rail for a wheelset at its nominal height; raising the wheelset adds to it.
 #[derive(Debug, Clone)]
-pub(super) struct Gap {
-    /// Runs of neighbouring points at which both bodies are seen.
-    runs: Vec<Vec<GapPoint>>,
-}
-
-/// A region in which wheel and rail would overlap.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Region {
-    /// Sum of the depths to the power of 2.5, in m to that power.
-    pub weight: f64,
-    /// Weighted mean, in m.
-    pub x: f64,
-    /// Weighted mean, in m.
-    pub y: f64,
-    /// Weighted mean of the rail's inclination, in rad.
-    pub inclination: f64,
-    /// Ends on the rail, y and z in m.
-    pub ends: [[f64; 2]; 2],
-    /// Extent along x, in m.
-    pub along: [f64; 2],
-    /// The nearest gap point to the middle.
-    pub nearest: GapPoint,
+pub(super) enum Gap {
+    /// Runs of neighbouring points at which both bodies are seen, of bodies that do not change along
+    /// the way.
+    Lines(Vec<Vec<GapPoint>>),
+    /// Of others.
+    Relief(Relief),
 }
 
 impl Gap {
@@ -69,6 +40,14 @@ impl Gap {
     /// A wheel that is nowhere above the rail.
     pub fn new(pair: &Pair, attitude: &Attitude) -> Result<Self, Error> {
         let pose = pair.wheel_in(&attitude.at_height(pair.nominal_radius, 0.0));
+        let beside = || {
+            let wheel = pair.wheel_span.map(|y| y + pair.wheel_offset + pose.centre[1]);
+            WheelRailError::BesideRail { wheel, rail: pair.across.ends }
+        };
+        if let Some(rail) = &pair.relief {
+            let relief = Relief::new(pair, rail, &pose).ok_or_else(beside)?;
+            return Ok(Self::Relief(relief));
+        }
         let wheel = pair.across.wheel(wheel_line(pair, &pose));
         let mut runs: Vec<Vec<GapPoint>> = Vec::new();
         let mut is_open = false;
@@ -77,12 +56,12 @@ impl Gap {
                 is_open = false;
                 continue;
             };
-            let z = pair.rail_height(wheel.extra, rail.z);
+            let z = pair.rail_height(wheel.extra[0], rail.z);
             let point = GapPoint {
                 y: pair.across.at(k),
                 rail: [z, rail.arc],
-                inclination: rail.extra,
-                wheel: [wheel.extra, wheel.arc],
+                inclination: rail.extra[0],
+                wheel: [wheel.extra[0], wheel.arc],
                 gap: wheel.z - z,
             };
             match runs.last_mut().filter(|_| is_open) {
@@ -92,15 +71,17 @@ impl Gap {
             is_open = true;
         }
         if runs.is_empty() {
-            let wheel = pair.wheel_span.map(|y| y + pair.wheel_offset + pose.centre[1]);
-            return Err(WheelRailError::BesideRail { wheel, rail: pair.across.ends }.into());
+            return Err(beside().into());
         }
-        Ok(Self { runs })
+        Ok(Self::Lines(runs))
     }
 
     /// The point with the least gap.
     pub fn least(&self) -> Option<GapPoint> {
-        let points = self.runs.iter().flatten();
+        let points = match self {
+            Self::Lines(runs) => runs.iter().flatten(),
+            Self::Relief(relief) => return relief.least(),
+        };
         points.min_by(|one, other| one.gap.total_cmp(&other.gap)).copied()
     }
 
@@ -109,9 +90,17 @@ impl Gap {
     pub fn refuse_end(&self, pair: &Pair, point: &GapPoint) -> Result<(), Error> {
         let is = |end: Option<&GapPoint>| end.is_some_and(|end| end.y == point.y);
         let k = pair.across.index(point.y);
-        let beyond = if self.runs.iter().any(|run| is(run.first())) {
+        let runs = match self {
+            Self::Lines(runs) => runs,
+            Self::Relief(relief) if relief.is_end(point) => {
+                let is_rail = point.rail[1] <= 0.0 || point.rail[1] >= pair.rail.length();
+                return Err(pair.at_end(is_rail, [point.rail[1], point.wheel[1]], point.y));
+            }
+            Self::Relief(_) => return Ok(()),
+        };
+        let beyond = if runs.iter().any(|run| is(run.first())) {
             k.checked_sub(1)
-        } else if self.runs.iter().any(|run| is(run.last())) {
+        } else if runs.iter().any(|run| is(run.last())) {
             Some(k + 1)
         } else {
             return Ok(());
@@ -128,37 +117,40 @@ impl Gap {
         let overlaps = |run: &Vec<GapPoint>| -> Vec<Region> {
             let parts = run.chunk_by(|p, q| is_overlap(p) == is_overlap(q));
             let parts = parts.filter(|part| is_overlap(&part[0]));
-            parts.map(|part| Region::of(part, height, radius)).collect()
+            parts.map(|part| region(part, height, radius)).collect()
         };
-        self.runs.iter().flat_map(overlaps).collect()
+        match self {
+            Self::Lines(runs) => runs.iter().flat_map(overlaps).collect(),
+            Self::Relief(relief) => relief.regions(height),
+        }
     }
 }
 
-impl Region {
-    fn of(points: &[GapPoint], height: f64, radius: f64) -> Self {
-        let depth = |point: &GapPoint| -point.gap - height;
-        let weigh = |point: &GapPoint| depth(point).powf(WEIGHT);
-        let weight: f64 = points.iter().map(weigh).sum();
-        let mean = |value: fn(&GapPoint) -> f64| {
-            points.iter().map(|point| weigh(point) * value(point)).sum::<f64>() / weight
-        };
-        let half = |point: &GapPoint| (2.0 * radius * depth(point)).sqrt();
-        let end = |point: &GapPoint| [point.y, point.rail[0]];
-        let y = mean(|point| point.y);
-        let (first, last) = (&points[0], &points[points.len() - 1]);
-        let after = points.partition_point(|point| point.y < y).min(points.len() - 1);
-        Self {
-            weight,
-            x: mean(|point| point.wheel[0]),
-            y,
-            inclination: mean(|point| point.inclination),
-            ends: [end(first), end(last)],
-            along: [
-                points.iter().map(|p| p.wheel[0] - half(p)).fold(f64::INFINITY, f64::min),
-                points.iter().map(|p| p.wheel[0] + half(p)).fold(f64::NEG_INFINITY, f64::max),
-            ],
-            nearest: points[after],
-        }
+/// The region of neighbouring points that overlap.
+fn region(points: &[GapPoint], height: f64, radius: f64) -> Region {
+    let depth = |point: &GapPoint| -point.gap - height;
+    let weigh = |point: &GapPoint| depth(point).powf(WEIGHT);
+    let weight: f64 = points.iter().map(weigh).sum();
+    let mean = |value: fn(&GapPoint) -> f64| {
+        points.iter().map(|point| weigh(point) * value(point)).sum::<f64>() / weight
+    };
+    let half = |point: &GapPoint| (2.0 * radius * depth(point)).sqrt();
+    let end = |point: &GapPoint| [point.y, point.rail[0]];
+    let y = mean(|point| point.y);
+    let (first, last) = (&points[0], &points[points.len() - 1]);
+    let after = points.partition_point(|point| point.y < y).min(points.len() - 1);
+    Region {
+        weight,
+        x: mean(|point| point.wheel[0]),
+        y,
+        inclination: mean(|point| point.inclination),
+        rise: 0.0,
+        ends: [end(first), end(last)],
+        along: [
+            points.iter().map(|p| p.wheel[0] - half(p)).fold(f64::INFINITY, f64::min),
+            points.iter().map(|p| p.wheel[0] + half(p)).fold(f64::NEG_INFINITY, f64::max),
+        ],
+        nearest: points[after],
     }
 }
 
@@ -172,7 +164,7 @@ fn wheel_line(pair: &Pair, pose: &Pose) -> impl Iterator<Item = Option<Seen>> {
         }
         let Candidate { arc, y, radius, .. } = candidate;
         let [x, y, z] = pose.in_track([radius * sin, pair.wheel_offset + y, -radius * cos]);
-        (sin.abs() <= FARTHEST).then_some(Seen { y, z, arc, extra: x })
+        (sin.abs() <= FARTHEST).then_some(Seen { y, z, arc, extra: [x, 0.0] })
     })
 }
 

@@ -3,7 +3,7 @@
 
 use super::pair::Pair;
 use super::pressed::Pressed;
-use super::profile_curve::ProfileCurve;
+use super::surface::Surface;
 use crate::reporting::{Quantity, Warning};
 
 /// Part of the width of a contact above which a step between two points is too long,
@@ -22,7 +22,8 @@ pub(super) fn under(pair: &Pair, pressed: &Pressed) -> Vec<Warning> {
     let (Some(first), Some(last)) = (across.first(), across.last()) else { return Vec::new() };
     let profiles =
         [(Quantity::RailProfile, &pair.rail_profile), (Quantity::WheelProfile, &pair.wheel)];
-    let warning = |((profile, curve), arc): ((Quantity, &ProfileCurve), f64)| {
+    let warning = |((profile, surface), arc): ((Quantity, &Surface), f64)| {
+        let curve = surface.uniform()?;
         let [step, share, from, to] = curve.widest_step([arc + first, arc + last])?;
         if share <= LARGEST_SHARE {
             return None;

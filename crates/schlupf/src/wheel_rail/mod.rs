@@ -3,7 +3,7 @@
 //!
 //! The track frame has its origin between the rails in the plane of their tops: x along the track,
 //! y to the left, z up. A wheel is a surface of revolution, a rail a prism or, on a test rig, a
-//! roller. The steps, each in a file: the profiles as smooth curves and in their places, with the
+//! roller; or either is a surface through sections. The steps, each in a file: the profiles as smooth curves and in their places, with the
 //! deviations of the bodies; the vertical gap and its regions of overlap under the wheel's exact
 //! locus of contact; the planes of the contacts; the undeformed distance above each; the normal
 //! contact ([`crate::normal::rough_contact`]) in each, all of them
@@ -12,18 +12,22 @@
 //! A right wheel is solved as the mirror image of a left one.
 //!
 //! Limits: the pressure of each contact is that in a plane (a warning says how far a conformal one
-//! turns), while its rows slip as the curved surface; rails do not vary along the track; the planes
-//! on a roller are parallel to x; the friction that helps to carry the wheel is that of steady
+//! turns), while its rows slip as the curved surface; the planes on a roller are parallel to x; the friction that helps to carry the wheel is that of steady
 //! rolling.
 
 mod side;
 mod spline;
 mod profile_curve;
+mod sections;
+mod surface;
 mod seen;
 mod pose;
 mod deviation;
 mod shapes;
+mod rail_relief;
+mod overlap;
 mod pair;
+mod relief;
 mod gap;
 mod contact_plane;
 mod distance;
@@ -54,8 +58,10 @@ pub use pair::Pair;
 pub use profile_curve::{CurvePoint, LEAST_SPACING, ProfileCurve};
 pub use resting::resting_roll;
 pub use rows::RowsMove;
+pub use sections::{Interpolation, Section, Sections};
 pub use shapes::{RailPlace, RailShape, Track, WheelShape};
 pub use side::{Side, Sides};
 pub use sliding::Tangential;
+pub use surface::{Surface, Varying};
 pub use virtual_penetration::NormalMethod;
 pub use wheel::{Contact, Position, Support, WheelOnRail, WheelSolution};

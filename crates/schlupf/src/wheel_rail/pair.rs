@@ -6,8 +6,10 @@
 use super::deviation::Deviation;
 use super::pose::{Pose, plus};
 use super::profile_curve::{CurvePoint, ProfileCurve};
+use super::rail_relief::RailRelief;
 use super::seen::{Across, FLATTEST, Seen};
 use super::shapes::{RailPlace, RailShape, Track, WheelShape};
+use super::surface::Surface;
 use crate::reporting::{Error, Quantity, Requirement, WheelRailError, require};
 
 /// Bounds of lengths of the track and of the wheelset, in m.
@@ -45,7 +47,7 @@ pub(super) struct Candidate {
 /// The left wheel and the left rail.
 #[derive(Debug, Clone)]
 pub struct Pair {
-    pub(super) wheel: ProfileCurve,
+    pub(super) wheel: Surface,
     /// Along its profile at small steps; nothing where it is too steep to be seen from below.
     pub(super) candidates: Vec<Option<Candidate>>,
     /// Lowest and highest y of the wheel's profile, in m.
@@ -61,12 +63,14 @@ pub struct Pair {
     /// Nominal radius of a roller, in m.
     pub(super) roller: Option<f64>,
     /// The rail's profile in its own coordinates.
-    pub(super) rail_profile: ProfileCurve,
+    pub(super) rail_profile: Surface,
     /// In the track frame.
-    pub(super) rail: ProfileCurve,
+    pub(super) rail: Surface,
     pub(super) across: Across,
     /// What is seen of it at those positions.
     pub(super) rail_from_above: Vec<Option<Seen>>,
+    /// The rail at steps along the track, if it or the wheel changes along the way.
+    pub(super) relief: Option<RailRelief>,
     /// Origin of the rail's profile in the track frame, y and z in m.
     pub(super) rail_origin: [f64; 2],
     /// In m.
@@ -136,9 +140,9 @@ impl Pair {
         let Deviation { displacement: [_, dy, dz], roll, .. } = rail.deviation;
         let rail_origin = [origin[0] + dy, origin[1] + dz];
         let in_track = rail.profile.placed(cant + roll, rail_origin);
-        let on_wheel = Samples::new(&wheel.profile);
+        let on_wheel = Samples::new(&wheel.profile.first());
         require_surface(&on_wheel, Quantity::WheelProfile)?;
-        let on_rail = Samples::new(&in_track);
+        let on_rail = Samples::new(&in_track.first());
         require_surface(&on_rail, Quantity::RailProfile)?;
         let across = Across::between(on_rail.span());
         let wheel_offset = 0.5 * track.flange_back_distance - wheel.flange_back_position;
@@ -154,6 +158,8 @@ impl Pair {
             roller,
             rail_from_above: across.rail(&on_rail.arc, &on_rail.points),
             across,
+            relief: (wheel.profile.is_varying() || in_track.is_varying())
+                .then(|| RailRelief::new(&in_track, wheel.nominal_radius)),
             rail_profile: rail.profile.clone(),
             rail: in_track,
             rail_origin,
@@ -191,7 +197,8 @@ impl Pair {
         } else {
             (Quantity::WheelProfile, &self.wheel, arcs[1])
         };
-        let [end, _] = curve.at(arc.clamp(0.0, curve.length())).place;
+        let end = curve.point(0.0, arc.clamp(0.0, curve.length()));
+        let end = end.map_or(f64::NAN, |point| point.place[0]);
         WheelRailError::AtProfileEnd { profile, end, position }.into()
     }
 
@@ -211,13 +218,13 @@ impl Pair {
         self.wheel_offset
     }
 
-    /// The rail's profile in the track, y outwards.
-    pub fn rail(&self) -> &ProfileCurve {
+    /// The rail in the track, y outwards.
+    pub fn rail(&self) -> &Surface {
         &self.rail
     }
 
-    /// The wheel's profile in its own coordinates.
-    pub fn wheel(&self) -> &ProfileCurve {
+    /// The wheel in its own coordinates.
+    pub fn wheel(&self) -> &Surface {
         &self.wheel
     }
 }
@@ -231,7 +238,7 @@ fn rail_origin(rail: &RailShape, track: &Track) -> Result<([f64; 2], Option<f64>
         }
         return Ok((place, None));
     }
-    let samples = Samples::new(&rail.profile.placed(rail.cant.atan(), [0.0; 2]));
+    let samples = Samples::new(&rail.profile.first().placed(rail.cant.atan(), [0.0; 2]));
     require_surface(&samples, Quantity::RailProfile)?;
     let GaugePoint { inmost, top, depth } = gauge_point(&samples, track.gauge_depth);
     let z = if rail.radius.is_finite() { 0.0 } else { -top };

@@ -105,7 +105,7 @@ impl Pressing<'_> {
     ) -> Result<Option<(Pressed, Vec<bool>)>, Error> {
         let [x, s] = [positions(rectangle[0], columns), positions(rectangle[1], rows)];
         let Heights { mut distance, is_beyond } = view.heights(&x, &s);
-        set_apart(plane, &s, &mut distance);
+        set_apart(plane, [&x, &s], &mut distance);
         for distance in &mut distance {
             *distance += raised;
         }
@@ -171,11 +171,14 @@ fn require_convergence(
 }
 
 /// Where another plane begins, this one has no contact.
-fn set_apart(plane: &ContactPlane, s: &[f64], distance: &mut [f64]) {
-    let columns = distance.len() / s.len();
-    for (s, row) in s.iter().zip(distance.chunks_mut(columns)) {
-        if *s < plane.limits[0] || *s > plane.limits[1] {
-            row.fill(CLEAR);
+fn set_apart(plane: &ContactPlane, [x, s]: [&[f64]; 2], distance: &mut [f64]) {
+    let is_beyond = |place: f64, [low, high]: [f64; 2]| place < low || place > high;
+    for (s, row) in s.iter().zip(distance.chunks_mut(x.len())) {
+        let is_row = is_beyond(*s, plane.limits[1]);
+        for (x, distance) in x.iter().zip(row) {
+            if is_row || is_beyond(*x, plane.limits[0]) {
+                *distance = CLEAR;
+            }
         }
     }
 }
@@ -193,7 +196,7 @@ fn overlap(
     for _ in 0..MOST_ROUNDS {
         let [x, s] = rectangle.map(|side| positions(side, COARSE));
         let mut distance = view.heights(&x, &s).distance;
-        set_apart(plane, &s, &mut distance);
+        set_apart(plane, [&x, &s], &mut distance);
         let is_hit = |k: usize| distance[k] + raised < 0.0;
         let columns = hit(|i| (0..COARSE).any(|j| is_hit(j * COARSE + i)));
         let rows = hit(|j| (0..COARSE).any(|i| is_hit(j * COARSE + i)));

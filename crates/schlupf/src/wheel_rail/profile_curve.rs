@@ -188,6 +188,17 @@ impl ProfileCurve {
         }
     }
 
+    /// A curve over the same arc lengths between two of them (in m), with what `at` says of an arc
+    /// length as its value and slope.
+    pub(super) fn mapped(&self, ends: [f64; 2], at: impl Fn(f64) -> [[f64; 2]; 2]) -> Self {
+        let inside = self.length.iter().copied().filter(|s| ends[0] < *s && *s < ends[1]);
+        let length: Vec<f64> = std::iter::once(ends[0]).chain(inside).chain([ends[1]]).collect();
+        let (points, slopes): (Vec<_>, Vec<_>) =
+            length.iter().map(|s| at(*s)).map(|[value, slope]| (value, slope)).unzip();
+        let slopes = slopes.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+        Self { length, points, slopes, smoothing: self.smoothing }
+    }
+
     /// Arc lengths at the points, in m, by Gauss's rule with four points in each interval.
     fn arc_lengths(&self) -> Vec<f64> {
         let mut total = 0.0;

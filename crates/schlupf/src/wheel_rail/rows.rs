@@ -6,7 +6,9 @@
 //! the interface. (CONTACT takes the undeformed wheel; the difference is of the order of half the
 //! overlap over the radius.) In the plane of the contact the interface is n(s) = (n_r + n_w)/2 of
 //! the rail's profile and of the wheel's outline, which is what is seen of the wheel along the
-//! track: the points of its surface whose normal has no component along the track.
+//! track: the points of its surface whose normal has no component along the track. Bodies that
+//! change along the way count as the prism and the body of revolution that their sections at the
+//! origin make.
 //!
 //! The creepages of the plane are those of the material point Q of the wheel at its origin
 //! ([`super::creepage`]). A row at s slips as the point Q + s s₀ + (n(s) − n(0)) n₀, in the tangent
@@ -114,7 +116,7 @@ impl Passing<'_> {
     }
 
     fn row(&self, (s, height): (f64, &Height), moving: &Moving, motion: &Kinematics) -> RowSlip {
-        let (across, normal) = (self.plane.across(), self.plane.normal());
+        let (across, normal) = (self.plane.across(), self.plane.upright());
         let away = [0, 1, 2].map(|k| s * across[k] + height.n * normal[k]);
         let velocity = moving.velocity(away);
         let cos = height.slope.hypot(1.0).recip();
@@ -123,7 +125,8 @@ impl Passing<'_> {
         let upright = [0, 1, 2].map(|k| cos * normal[k] - sin * across[k]);
         let over = motion.speed.recip();
         RowSlip {
-            creepage_x: velocity[0] * over - (motion.creepage_x - motion.spin * s),
+            creepage_x: velocity[0] * over / self.plane.along()[0]
+                - (motion.creepage_x - motion.spin * s),
             creepage_y: dot(velocity, along) * over - motion.creepage_y,
             spin: dot(moving.turning, upright) * over - motion.spin,
         }
@@ -173,7 +176,8 @@ impl Passing<'_> {
 
     /// The point of the outline at an arc length of the wheel's profile, in m.
     fn outline(&self, arc: f64) -> Option<OutlinePoint> {
-        let point = self.pair.wheel.at(arc);
+        let at = self.pose.in_body(minus(self.plane.origin, self.pose.centre));
+        let point = self.pair.wheel.point(at[0].atan2(-at[2]), arc)?;
         let ([y, z], [ty, tz], [by, bz]) = (point.place, point.tangent, point.bend);
         let radius = self.pair.nominal_radius - z;
         let silhouette = self.pose.silhouette(tz / ty)?;
@@ -183,7 +187,7 @@ impl Passing<'_> {
         let tangent = [-tz * sin + radius * cos * turn, ty, tz * cos + radius * sin * turn];
         let place = minus(self.pose.in_track(place), self.plane.origin);
         let tangent = self.pose.turned(tangent);
-        let (across, normal) = (self.plane.across(), self.plane.normal());
+        let (across, normal) = (self.plane.across(), self.plane.upright());
         Some(OutlinePoint {
             place: [dot(place, across), dot(place, normal)],
             tangent: [dot(tangent, across), dot(tangent, normal)],

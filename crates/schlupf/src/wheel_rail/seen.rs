@@ -2,8 +2,9 @@
 
 use super::profile_curve::CurvePoint;
 
-/// Step across the rail, in m.
+/// Step across a rail, in m, and that with surfaces that change along the way.
 const STEP: f64 = 2e-5;
+const COARSE_STEP: f64 = 1e-4;
 
 /// Smallest part of y in the direction of a profile that is seen from above or below,
 /// dimensionless: steeper parts hide beneath others.
@@ -16,6 +17,8 @@ pub(super) struct Across {
     pub ends: [f64; 2],
     /// Number of positions, from the first end on.
     pub count: usize,
+    /// In m.
+    step: f64,
 }
 
 /// A point of a line that is seen from above or below.
@@ -27,32 +30,46 @@ pub(super) struct Seen {
     pub z: f64,
     /// Arc length along the profile, in m.
     pub arc: f64,
-    /// What goes with it: the inclination of a rail in rad, x of a wheel in m.
-    pub extra: f64,
+    /// What goes with it: the inclination of a rail and the angle by which it rises forwards in
+    /// rad, x of a wheel in m.
+    pub extra: [f64; 2],
 }
 
 impl Across {
     /// Between two ends (in m).
     pub fn between(ends: [f64; 2]) -> Self {
-        Self { ends, count: ((ends[1] - ends[0]) / STEP).floor() as usize + 1 }
+        Self::every(STEP, ends)
+    }
+
+    /// The same with larger steps.
+    pub fn coarsely(ends: [f64; 2]) -> Self {
+        Self::every(COARSE_STEP, ends)
+    }
+
+    fn every(step: f64, ends: [f64; 2]) -> Self {
+        Self { ends, count: ((ends[1] - ends[0]) / step).floor() as usize + 1, step }
     }
 
     /// A position, in m.
     pub fn at(&self, k: usize) -> f64 {
-        self.ends[0] + k as f64 * STEP
+        self.ends[0] + k as f64 * self.step
     }
 
     /// The index of a position (in m).
     pub fn index(&self, y: f64) -> usize {
-        ((y - self.ends[0]) / STEP).round() as usize
+        ((y - self.ends[0]) / self.step).round() as usize
     }
 
     /// The rail as it is seen from above, with its inclination (in rad).
     pub fn rail(&self, arc: &[f64], points: &[CurvePoint]) -> Vec<Option<Seen>> {
-        let line = arc.iter().zip(points).map(|(arc, point)| {
+        self.from_above(arc.iter().zip(points).map(|(arc, point)| {
             let [y, z] = point.place;
-            Some(Seen { y, z, arc: *arc, extra: point.inclination() })
-        });
+            Some(Seen { y, z, arc: *arc, extra: [point.inclination(), 0.0] })
+        }))
+    }
+
+    /// A rail as it is seen from above.
+    pub fn from_above(&self, line: impl Iterator<Item = Option<Seen>>) -> Vec<Option<Seen>> {
         self.seen(line, |one, other| one > other)
     }
 
@@ -78,7 +95,7 @@ impl Across {
             if two.y <= one.y || two.y < start {
                 continue;
             }
-            let first = ((one.y - start) / STEP).max(0.0).ceil() as usize;
+            let first = ((one.y - start) / self.step).max(0.0).ceil() as usize;
             for (k, place) in found.iter_mut().enumerate().skip(first) {
                 let y = self.at(k);
                 if y > two.y {
@@ -88,7 +105,8 @@ impl Across {
                 let mixed = |from: f64, to: f64| from + share * (to - from);
                 let z = mixed(one.z, two.z);
                 if place.is_none_or(|known| is_nearer(z, known.z)) {
-                    let (arc, extra) = (mixed(one.arc, two.arc), mixed(one.extra, two.extra));
+                    let arc = mixed(one.arc, two.arc);
+                    let extra = [0, 1].map(|c| mixed(one.extra[c], two.extra[c]));
                     *place = Some(Seen { y, z, arc, extra });
                 }
             }

@@ -8,6 +8,7 @@
 //! bracket that closes on a jump ends with the state that is nearer to the load.
 
 use super::equilibrium::{DEEPEST, FrictionRatio, Guess, Lowered, Lowering};
+use super::pressed::Pressed;
 use super::pressing::Accuracy;
 use super::sliding::Tangential;
 use super::turning::Turning;
@@ -211,5 +212,6 @@ impl Settling<'_> {
 
 /// Whether friction hardly counts in the vertical force.
 fn is_flat(lowered: &Lowered) -> bool {
-    lowered.contacts.iter().all(|contact| contact.plane.inclination.abs() < FLAT)
+    let lean = |contact: &Pressed| contact.plane.inclination.abs().max(contact.plane.rise.abs());
+    lowered.contacts.iter().all(|contact| lean(contact) < FLAT)
 }

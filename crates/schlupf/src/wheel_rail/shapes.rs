@@ -1,13 +1,13 @@
 //! What determines wheels and rails and where they are.
 
 use super::deviation::Deviation;
-use super::profile_curve::ProfileCurve;
+use super::surface::Surface;
 
 /// A wheel of a wheelset.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WheelShape {
     /// Profile: z up, zero where the radius is the nominal one.
-    pub profile: ProfileCurve,
+    pub profile: Surface,
     /// Nominal rolling radius, in m.
     pub nominal_radius: f64,
     /// Position y of the flange back in the coordinates of the profile, in m; negative.
@@ -19,8 +19,9 @@ pub struct WheelShape {
 /// A rail, or a roller of a test rig.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RailShape {
-    /// Profile, with z up; of a roller zero where the radius is the nominal one.
-    pub profile: ProfileCurve,
+    /// Profile, with z up; of a roller zero where the radius is the nominal one, and the same
+    /// everywhere.
+    pub profile: Surface,
     /// Inclination towards the middle of the track as a slope, such as 1/40; dimensionless.
     pub cant: f64,
     /// Where it is.
@@ -36,7 +37,8 @@ pub struct RailShape {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RailPlace {
     /// Its gauge point, the inmost point down to the gauge depth, is half the gauge from the middle
-    /// of the track; its top is at z = 0, or if it is that of a roller, its origin.
+    /// of the track; its top is at z = 0, or if it is that of a roller, its origin. Of sections
+    /// the first one counts.
     Gauge,
     /// Its origin is at y (outwards) and z in the track, in m.
     Origin([f64; 2]),
@@ -62,8 +64,9 @@ impl Default for Track {
 
 impl RailShape {
     /// A straight rail that is placed by its gauge, with a cant as a slope, dimensionless.
-    pub fn new(profile: ProfileCurve, cant: f64) -> Self {
-        let (place, deviation) = (RailPlace::Gauge, Deviation::default());
+    pub fn new(profile: impl Into<Surface>, cant: f64) -> Self {
+        let (profile, place) = (profile.into(), RailPlace::Gauge);
+        let deviation = Deviation::default();
         Self { profile, cant, place, radius: f64::INFINITY, deviation }
     }
 }

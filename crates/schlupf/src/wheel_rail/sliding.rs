@@ -190,7 +190,8 @@ impl Sliding<'_> {
             let s = sign * (y + middle);
             let near = plane.arcs[0] + s;
             let arc = view.rail_point(s, near).map_or(near, |point| point.arc);
-            -pair.rail_profile.at(arc).inclination()
+            let point = pair.rail_profile.point(plane.origin[0], arc);
+            point.map_or(0.0, |point| -point.inclination())
         };
         let mut y: Vec<f64> = pressed.s.iter().map(|s| sign * s - middle).collect();
         y.sort_by(f64::total_cmp);
@@ -215,7 +216,10 @@ impl Sliding<'_> {
 pub(super) fn turn(pair: &Pair, pressed: &Pressed) -> f64 {
     let touched = touched(pressed);
     let (Some(first), Some(last)) = (touched.first(), touched.last()) else { return 0.0 };
-    let inclination = |s: &f64| pair.rail.at(pressed.plane.arcs[0] + s).inclination();
+    let inclination = |s: &f64| {
+        let point = pair.rail.point(pressed.plane.origin[0], pressed.plane.arcs[0] + s);
+        point.map_or(pressed.plane.inclination, |point| point.inclination())
+    };
     (inclination(last) - inclination(first)).abs()
 }
 

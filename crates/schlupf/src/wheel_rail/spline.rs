@@ -34,6 +34,43 @@ pub(super) fn slopes(positions: &[f64], values: &[f64]) -> Vec<f64> {
     system.solve()
 }
 
+/// Weights of all values, in the value and in the slope at a knot k, of the cubic B-spline that has
+/// the values at ascending `positions` as control points; at the ends it goes on straight. There
+/// must be at least two positions; slopes are per unit of them.
+pub(super) fn control(positions: &[f64], k: usize) -> (Vec<f64>, Vec<f64>) {
+    let last = positions.len() - 1;
+    // Beyond the ends, steps are as long as the last one.
+    let width = |j: isize| {
+        let j = j.clamp(0, last as isize - 1) as usize;
+        positions[j + 1] - positions[j]
+    };
+    let k_signed = k as isize;
+    let [h0, h1, h2, h3] = [-2, -1, 0, 1].map(|by| width(k_signed + by));
+    let (before, after) = ((h1 + h2) * (h0 + h1 + h2), (h1 + h2) * (h1 + h2 + h3));
+    let [low, high] = [h2 * h2 / before, h1 * h1 / after];
+    let [low_slope, high_slope] = [-3.0 * h2 / before, 3.0 * h1 / after];
+    let spread = |[low, own, high]: [f64; 3]| {
+        let mut weights = vec![0.0; last + 1];
+        weights[k] += own;
+        for (weight, is_there, beside) in
+            [(low, k > 0, k_signed - 1), (high, k < last, k_signed + 1)]
+        {
+            let mirrored = (2 * k_signed - beside) as usize;
+            if is_there {
+                weights[beside as usize] += weight;
+            } else {
+                weights[k] += 2.0 * weight;
+                weights[mirrored] -= weight;
+            }
+        }
+        weights
+    };
+    (
+        spread([low, 1.0 - low - high, high]),
+        spread([low_slope, -low_slope - high_slope, high_slope]),
+    )
+}
+
 /// A tridiagonal system, eliminated as it is written.
 struct Tridiagonal {
     /// Each row after elimination: the factor of the next unknown, and the right side.

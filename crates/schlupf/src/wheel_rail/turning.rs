@@ -210,16 +210,19 @@ impl Sliding<'_> {
         let (mut force, mut torque) = ([0.0; 3], 0.0);
         for ((pressed, ..), (found, load)) in contacts.iter().zip(forces) {
             let plane = &pressed.plane;
-            let (normal, across) = (plane.normal(), plane.across());
+            let [ahead, across, normal] = [plane.along(), plane.across(), plane.normal()];
             let (x, y, moment) = (found.x, sign * found.y, sign * found.moment_z.unwrap_or(0.0));
-            let tangential = [0, 1, 2].map(|k| if k == 0 { x } else { y * across[k] });
+            let tangential = [0, 1, 2].map(|k| x * ahead[k] + y * across[k]);
             for k in 0..3 {
                 force[k] += tangential[k] + load * normal[k];
             }
             let arm = minus(plane.origin, pose.centre);
             let axle = pose.turned([0.0, 1.0, 0.0]);
-            // Pressure on a surface of revolution has no moment about its axis.
             torque += dot(cross(arm, tangential), axle) + moment * dot(normal, axle);
+            // Pressure on a surface of revolution has no moment about its axis.
+            if self.lowering.pair.wheel.is_varying() {
+                torque += load * dot(cross(arm, normal), axle);
+            }
         }
         Together { force, torque }
     }

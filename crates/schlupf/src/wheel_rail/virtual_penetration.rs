@@ -101,7 +101,7 @@ impl Rows {
     fn new(view: &PlaneView, plane: &ContactPlane) -> Option<Self> {
         let [[from, to], across] = plane.guess;
         let (x, d) = (0.5 * (from + to), 0.25 * (to - from));
-        let [low, high] = [across[0].max(plane.limits[0]), across[1].min(plane.limits[1])];
+        let [low, high] = [across[0].max(plane.limits[1][0]), across[1].min(plane.limits[1][1])];
         let at = |k: usize| low + (high - low) * k as f64 / (ROWS - 1) as f64;
         let s: Vec<f64> = (0..ROWS).map(at).collect();
         let heights = view.heights(&[x - d, x, x + d], &s).distance;

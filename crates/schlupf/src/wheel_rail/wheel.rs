@@ -74,7 +74,7 @@ pub struct WheelOnRail {
     pub cells: usize,
 }
 
-/// A contact of a wheel on a rail. Its frame: x along the track, y to the left along the surface,
+/// A contact of a wheel on a rail. Its frame: x along the rail, y to the left along the surface,
 /// and z along the outward normal of the rail, with the origin at the contact's position.
 #[derive(Debug, Clone)]
 pub struct Contact {
@@ -82,6 +82,8 @@ pub struct Contact {
     pub position: [f64; 3],
     /// Angle of the plane in rad, positive where the rail's outward normal leans to the left.
     pub angle: f64,
+    /// Angle by which the plane rises forwards, with the rail, in rad.
+    pub rise: f64,
     /// Distance outwards from the origin of the rail's profile, in m.
     pub rail_position: f64,
     /// Distance outwards from the origin of the wheel's profile, in m.
@@ -189,6 +191,7 @@ impl WheelSolution {
         let ratio = |contact: &Contact| FrictionRatio {
             y: sign * contact.position[1],
             ratio: sign * contact.solution.force.y / contact.solution.normal.load,
+            along: contact.solution.force.x / contact.solution.normal.load,
         };
         self.contacts.iter().map(ratio).collect()
     }
@@ -381,6 +384,7 @@ impl WheelOnRail {
         let ratio = |(pressed, _, solution): &Slid| FrictionRatio {
             y: pressed.plane.origin[1],
             ratio: self.side.outwards() * solution.force.y / pressed.force,
+            along: solution.force.x / pressed.force,
         };
         solved.iter().map(ratio).collect()
     }
@@ -403,10 +407,12 @@ impl WheelOnRail {
         let mut force = [0.0; 3];
         for contact in &contacts {
             let (sin, cos) = contact.angle.sin_cos();
+            let (rising, level) = contact.rise.sin_cos();
             let (normal, along) = (contact.solution.normal.load, contact.solution.force);
-            force[0] += along.x;
-            force[1] += normal * sin + along.y * cos;
-            force[2] += normal * cos - along.y * sin;
+            let upright = normal * level + along.x * rising;
+            force[0] += along.x * level - normal * rising;
+            force[1] += upright * sin + along.y * cos;
+            force[2] += upright * cos - along.y * sin;
         }
         let wheel = WheelSolution {
             side: self.side,
@@ -420,7 +426,7 @@ impl WheelOnRail {
             guess: lowered.at,
             rows: self.rows,
             rounds,
-            is_smoothed: self.pair().wheel.smoothing() + self.pair().rail.smoothing() > 0.0,
+            is_smoothed: self.pair().wheel.is_smoothed() || self.pair().rail.is_smoothed(),
             holes,
         };
         (wheel, solvers)
@@ -441,6 +447,7 @@ impl WheelOnRail {
         Contact {
             position: [x, sign * y, z],
             angle: -sign * plane.inclination,
+            rise: plane.rise,
             rail_position: y - pair.rail_origin[0],
             wheel_position: on_wheel[1] - pair.wheel_offset,
             rolling_radius: on_wheel[0].hypot(on_wheel[2]),

@@ -42,6 +42,12 @@ section! {
 
     "side" [WheelSide] Kind::Choice(WheelSide::CHOICES), Finite, Text("right"),
         "which wheel is solved", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
+    "track_position" [] quantity(&Measure::LENGTH), Magnitude(1e7),
+        Text("0 m"), "place along the track, of a rail whose profile changes", shaping(),
+        with(NORMAL_MODEL, WHEEL_RAIL);
+    "pitch_angle" [] quantity(&Measure::ANGLE), Magnitude(1e6), Text("0 rad"),
+        "angle around the wheel that is below the axle, of one whose profile changes: it grows in \
+         rolling forwards", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
     "lateral_position" [LateralPosition] quantity(&Measure::LENGTH), Magnitude(1.0),
         Text("0 mm"), "lateral position of the middle of the axle", shaping(),
         with(NORMAL_MODEL, WHEEL_RAIL),

@@ -39,6 +39,7 @@ struct Vector {
 struct ContactDocument<'a> {
     position: Vector,
     angle: f64,
+    rise_angle: f64,
     rail_position: f64,
     wheel_position: f64,
     rolling_radius: f64,
@@ -88,6 +89,7 @@ impl<'a> ContactDocument<'a> {
         Self {
             position: Vector::new(contact.position),
             angle: contact.angle,
+            rise_angle: contact.rise,
             rail_position: contact.rail_position,
             wheel_position: contact.wheel_position,
             rolling_radius: contact.rolling_radius,

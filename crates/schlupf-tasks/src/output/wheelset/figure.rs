@@ -1,7 +1,7 @@
 //! Figures of a wheelset: which points of both profiles touch each other over the lateral position,
 //! and what follows for rolling radii, angles and conicity.
 
-use schlupf::wheel_rail::{Contact, ProfileCurve, RollingRadiusDifference, Side};
+use schlupf::wheel_rail::{Contact, RollingRadiusDifference, Side, Surface};
 
 use super::{WheelsetAt, WheelsetReport};
 use crate::output::figures::color::{BLUE, ColorScale, GREEN, INK, Palette, VERMILION};
@@ -73,7 +73,7 @@ fn view(
 ) {
     let sign = side.outwards();
     let pair = report.pairs.of(side);
-    let line = |curve: &ProfileCurve, place: &dyn Fn([f64; 2]) -> [f64; 2]| -> Vec<[f64; 2]> {
+    let line = |curve: &Surface, place: &dyn Fn([f64; 2]) -> [f64; 2]| -> Vec<[f64; 2]> {
         places(curve).map(|at| frame.at(place(at))).collect()
     };
     let rail = |[y, z]: [f64; 2]| [-1e3 * sign * y, 1e3 * z];
@@ -116,7 +116,7 @@ fn patch(drawing: &mut Drawing, frame: &Frame, contact: &Contact, color: &str) {
 }
 
 /// The lowest point of a wheel's profile at y (in m).
-fn on_profile(curve: &ProfileCurve, y: f64) -> Option<[f64; 2]> {
+fn on_profile(curve: &Surface, y: f64) -> Option<[f64; 2]> {
     let points: Vec<[f64; 2]> = places(curve).collect();
     let crossing = |pair: &[[f64; 2]]| {
         let share = (y - pair[0][0]) / (pair[1][0] - pair[0][0]);

@@ -19,6 +19,29 @@ messages! {
         "{name} needs at least {fewest} points that are 0.03 mm apart, got {count}"
     );
 
+    /// A surface through too few sections.
+    "few-sections" FewSections {
+        /// That of the wheel or of the rail.
+        profile: Quantity,
+        /// Sections that it has.
+        count: usize,
+        /// Sections that it needs.
+        fewest: usize,
+    } *profile, |name, words| format!(
+        "{name} needs at least {fewest} sections to change along the way, got {count}"
+    );
+
+    /// A section that does not fit the others.
+    "section" Section {
+        /// That of the wheel or of the rail.
+        profile: Quantity,
+        /// Which one, counted from 1.
+        index: usize,
+    } *profile, |name, words| format!(
+        "section {index} of {name} must be behind the one before it and have as many breaks, at \
+         least two of them in a row and ascending, but does not"
+    );
+
     /// A profile that nowhere shows the side on which the bodies touch.
     "no-running-surface" NoRunningSurface {
         /// That of the wheel or of the rail.

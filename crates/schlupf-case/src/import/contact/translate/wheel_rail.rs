@@ -215,16 +215,14 @@ const WHEEL: ProfilePaths = ProfilePaths {
     smoothing: field!("wheel.profile_smoothing"),
 };
 
-/// Endings of files of several profiles.
-const SLICES: [&str; 2] = [".slcs", ".slcw"];
+/// Whether a file has profiles that change along the way.
+fn has_slices(profile: Option<&Profile>) -> bool {
+    let name = profile.map(|profile| profile.file.text.trim().to_ascii_lowercase());
+    name.is_some_and(|name| name.ends_with(".slcs") || name.ends_with(".slcw"))
+}
 
 fn write_profile(case: &mut Translation, profile: &Profile, paths: &ProfilePaths, folder: &str) {
     let name = profile.file.text.trim().replace('\\', "/");
-    let lower = name.to_ascii_lowercase();
-    if SLICES.iter().any(|ending| lower.ends_with(ending)) {
-        let given = Given { name: profile.file.name, value: 0.0, at: profile.file.at };
-        case.refuse_text(given, &name, "profiles that vary along the track are not available");
-    }
     let is_absolute = name.starts_with('/') || name.get(1..2) == Some(":");
     let path = if is_absolute { name } else { format!("{folder}{name}") };
     case.document.text(paths.profile, &path);
@@ -290,7 +288,15 @@ fn wheelset(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
         case.refuse(velocity[5], what, "E = 2 to 5 gives them anew");
     }
     // y to the right and z downwards there: a turn by π about x.
-    let [along, y, support, roll, yaw, _] = position;
+    let [along, y, support, roll, yaw, pitch] = position;
+    if has_slices(wheel_rail.rail.as_ref()) {
+        case.quantity(field!("wheelset.track_position"), along, (1e-3, "m"));
+    }
+    if has_slices(wheel_rail.wheel.as_ref()) {
+        let bent = wheel_rail.wheel_deviation.map_or(0.0, |[deviation, _]| deviation[5].value);
+        let pitch = Given { value: pitch.value + bent, ..pitch };
+        case.quantity(field!("wheelset.pitch_angle"), pitch, (-1.0, "rad"));
+    }
     if is_on_roller(control) {
         let what = "a wheel before or behind the top of its roller is not available";
         case.refuse_unless_zero(along, what, "X_WS = 0 is above its axle");
@@ -360,7 +366,7 @@ const OF_RAIL: [Deviation; 6] = [
     own!("rail", "vertical_velocity", -1.0, "mm/s"),
     own!("rail", "roll_rate", 1.0, "rad/s"),
 ];
-/// DXWHL to DPITCHW: a round wheel looks the same at any pitch. Then VXWHL to VPITCHW.
+/// DXWHL to DPITCHW, of which the last one is part of the pitch. Then VXWHL to VPITCHW.
 const OF_WHEEL: [Deviation; 12] = [
     own!("wheel", "longitudinal_displacement", 1.0, "mm"),
     own!("wheel", "lateral_displacement", -1.0, "mm"),
