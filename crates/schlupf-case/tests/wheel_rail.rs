@@ -44,7 +44,7 @@ fn wheel_curve(name: &str, text: &str) -> Result<ProfileCurve, String> {
         format!("{HEAD}[wheel]\nprofile = {name:?}\n[rail]\nprofile = \"60E1\"\ncant = 0.025\n");
     let file = read(&case, &[(name, text)])?;
     let pair = file.wheel().map_err(|error| error.to_string())?.pair();
-    Ok(pair.wheel().clone())
+    Ok(pair.wheel().uniform().unwrap().clone())
 }
 
 /// Points of a flanged wheel, y outwards and z up, in mm.

@@ -146,7 +146,7 @@ fn pair(wheel: &[[f64; 2]], rail: &[[f64; 2]]) -> Sides<Arc<Pair>> {
         ProfileCurve::new(&points, 0.0, quantity).unwrap()
     };
     let wheel = WheelShape {
-        profile: curve(wheel, Quantity::WheelProfile),
+        profile: curve(wheel, Quantity::WheelProfile).into(),
         nominal_radius: 0.46,
         flange_back_position: -70e-3,
         deviation: Deviation::default(),

@@ -35,7 +35,7 @@ fn benchmark() -> Arc<Pair> {
         table(name).iter().map(|row| [1e-3 * number(&row[0]), -1e-3 * number(&row[1])]).collect()
     };
     let wheel = WheelShape {
-        profile: curve(&points("profile_s1002.csv"), Quantity::WheelProfile),
+        profile: curve(&points("profile_s1002.csv"), Quantity::WheelProfile).into(),
         nominal_radius: 0.46,
         flange_back_position: -70e-3,
         deviation: Deviation::default(),
@@ -53,7 +53,7 @@ fn circle() -> Arc<Pair> {
     let arc: Vec<[f64; 2]> =
         (-120..=120).map(|k| [0.3 * angle(k).sin(), 0.3 * (angle(k).cos() - 1.0)]).collect();
     let wheel = WheelShape {
-        profile: curve(&line, Quantity::WheelProfile),
+        profile: curve(&line, Quantity::WheelProfile).into(),
         nominal_radius: 0.3,
         flange_back_position: -70e-3,
         deviation: Deviation::default(),

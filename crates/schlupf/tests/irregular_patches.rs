@@ -39,7 +39,7 @@ fn wheel_and_rail() -> Arc<Pair> {
     };
     let curve = |name, quantity| ProfileCurve::new(&points(name), 0.0, quantity).unwrap();
     let wheel = WheelShape {
-        profile: curve("profile_s1002.csv", Quantity::WheelProfile),
+        profile: curve("profile_s1002.csv", Quantity::WheelProfile).into(),
         nominal_radius: 0.46,
         flange_back_position: -70e-3,
         deviation: Deviation::default(),

@@ -42,7 +42,7 @@ fn curve(shape: &Shape, quantity: Quantity) -> ProfileCurve {
 /// A wheel whose profile has its origin 750 mm from the middle.
 fn wheel_shape(shape: &Shape, nominal_radius: f64) -> WheelShape {
     WheelShape {
-        profile: curve(shape, Quantity::WheelProfile),
+        profile: curve(shape, Quantity::WheelProfile).into(),
         nominal_radius,
         flange_back_position: -70e-3,
         deviation: Deviation::default(),

@@ -199,7 +199,7 @@ fn motion() -> Motion {
 /// A wheel on an arc of a radius (in m) whose top is 750 mm from the middle of the track.
 fn on_arc(profile: ProfileCurve, radius: f64, side: Side, position: Position) -> WheelOnRail {
     let wheel = WheelShape {
-        profile,
+        profile: profile.into(),
         nominal_radius: NOMINAL,
         flange_back_position: -70e-3,
         deviation: Deviation::default(),
@@ -297,7 +297,7 @@ fn arc_at(curve: &ProfileCurve, y: f64) -> f64 {
 fn benchmark() -> Arc<Pair> {
     let profile = |name, quantity| ProfileCurve::new(&points(name), 0.0, quantity).unwrap();
     let wheel = WheelShape {
-        profile: profile("profile_s1002.csv", Quantity::WheelProfile),
+        profile: profile("profile_s1002.csv", Quantity::WheelProfile).into(),
         nominal_radius: NOMINAL,
         flange_back_position: -70e-3,
         deviation: Deviation::default(),
@@ -332,11 +332,12 @@ fn rows_of_s1002_in_the_flange_root() {
     for (lateral, turn) in [(0.0, 0.08), (5.5e-3, 0.3), (6e-3, 0.25)] {
         let wheel = at(&pair, lateral, RowsMove::WithSurface);
         let first = solve(&wheel).unwrap().contacts[0].clone();
-        let on_wheel = arc_at(pair.wheel(), first.wheel_position);
-        let on_rail = arc_at(pair.rail(), -first.position[1]);
+        let [wheel, rail] = [pair.wheel(), pair.rail()].map(|of| of.uniform().unwrap());
+        let on_wheel = arc_at(wheel, first.wheel_position);
+        let on_rail = arc_at(rail, -first.position[1]);
         let shapes = Shapes {
-            radius: &|y| NOMINAL - height(pair.wheel(), on_wheel, y),
-            rail: &|y| height(pair.rail(), on_rail, y),
+            radius: &|y| NOMINAL - height(wheel, on_wheel, y),
+            rail: &|y| height(rail, on_rail, y),
         };
         let contact = compare(&format!("S1002 at {lateral} m"), &wheel, shapes, [0.0; 2]);
         assert!(contact.turn > turn, "{lateral} {}", contact.turn);

@@ -36,7 +36,7 @@ fn points(name: &str) -> Vec<[f64; 2]> {
 fn benchmark(gauge: f64) -> Arc<Pair> {
     let curve = |name, quantity| ProfileCurve::new(&points(name), 0.0, quantity).unwrap();
     let wheel = WheelShape {
-        profile: curve("profile_s1002.csv", Quantity::WheelProfile),
+        profile: curve("profile_s1002.csv", Quantity::WheelProfile).into(),
         nominal_radius: 0.46,
         flange_back_position: -70e-3,
         deviation: Deviation::default(),
@@ -205,7 +205,7 @@ fn cone_on_arc() -> Arc<Pair> {
     };
     let arc: Vec<[f64; 2]> = (-120..=120).map(arc).collect();
     let wheel = WheelShape {
-        profile: ProfileCurve::new(&cone, 0.0, Quantity::WheelProfile).unwrap(),
+        profile: ProfileCurve::new(&cone, 0.0, Quantity::WheelProfile).unwrap().into(),
         nominal_radius: 0.46,
         flange_back_position: -70e-3,
         deviation: Deviation::default(),
@@ -643,7 +643,7 @@ fn positions_without_contact_are_told() {
     let short: Vec<[f64; 2]> = short.collect();
     let profile = ProfileCurve::new(&short, 0.0, Quantity::WheelProfile).unwrap();
     let shape = WheelShape {
-        profile,
+        profile: profile.into(),
         nominal_radius: 0.46,
         flange_back_position: -70e-3,
         deviation: Deviation::default(),
@@ -712,7 +712,7 @@ fn noise_does_not_make_patches() {
     let wheel_profile =
         ProfileCurve::new(&points("profile_s1002.csv"), 0.0, Quantity::WheelProfile);
     let shape = WheelShape {
-        profile: wheel_profile.unwrap(),
+        profile: wheel_profile.unwrap().into(),
         nominal_radius: 0.46,
         flange_back_position: -70e-3,
         deviation: Deviation::default(),

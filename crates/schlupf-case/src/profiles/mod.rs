@@ -74,6 +74,12 @@ pub fn of_rail(settings: &Settings, side: Side) -> ProfileFields {
 }
 
 impl ProfileFields {
+    /// What is given of it, and of what it depends on beside its file.
+    fn shown(&self, settings: &Settings) -> Vec<String> {
+        let own = [self.z, self.y, self.scale, self.smoothing, field!("track.gauge_depth")];
+        own.into_iter().chain(self.flange_back).map(|path| settings.shown(path)).collect()
+    }
+
     fn is_wheel(&self) -> bool {
         self.flange_back.is_some()
     }
@@ -160,10 +166,7 @@ pub fn read(settings: &Settings, fields: &ProfileFields) -> Result<Profile, Case
 }
 
 /// Name and bytes of the file of a profile.
-fn file_bytes(
-    settings: &Settings,
-    fields: &ProfileFields,
-) -> Result<(String, Vec<u8>), CaseError> {
+fn file_bytes(settings: &Settings, fields: &ProfileFields) -> Result<(String, Vec<u8>), CaseError> {
     settings.read_file(fields.profile).map_err(|error| {
         let names = built_in::names(fields.is_wheel());
         error.help(format!("paths are relative to the case file; built in are {names}"))
@@ -171,11 +174,7 @@ fn file_bytes(
 }
 
 /// What a file says.
-fn file_content(
-    name: String,
-    bytes: &[u8],
-    fields: &ProfileFields,
-) -> Result<Content, CaseError> {
+fn file_content(name: String, bytes: &[u8], fields: &ProfileFields) -> Result<Content, CaseError> {
     let ending = Path::new(&name).extension().map(OsStr::to_ascii_lowercase);
     let file = File::new(name, bytes, fields.profile)?;
     let is_wheel = fields.is_wheel();
@@ -377,7 +376,7 @@ impl Reader<'_> {
         content: &Content,
         outline: Outline,
     ) -> Result<Profile, CaseError> {
-        let (settings, fields) = (self.settings, self.fields);
+        let fields = self.fields;
         for setting in &content.left_out {
             let (field, setting) = (fields.profile, setting.clone());
             self.notices.push(Notice::ProfileSetting { field, setting });
@@ -386,8 +385,7 @@ impl Reader<'_> {
         let running = outline::running_part(&points, outline.is_closed, fields.is_wheel());
         let curve = self.curve(&running)?;
         let flange_back = self.flange_back(content, &places(&running))?;
-        let reading =
-            self.reading((name, content), [&y, &z], (&outline, &running), flange_back);
+        let reading = self.reading((name, content), [&y, &z], (&outline, &running), flange_back);
         Ok(Profile { shape: Shape::Uniform(curve), flange_back, reading, notices: self.notices })
     }
 

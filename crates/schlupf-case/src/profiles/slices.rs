@@ -1,7 +1,7 @@
 //! Slices along a rail (`.slcs`) or around a wheel (`.slcw`), as CONTACT has them: a list of
 //! profiles and their places, with breaks between parts that belong together.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 use schlupf::reporting::{quoted, quoted_path};
 use schlupf::wheel_rail::{Interpolation, ProfileCurve, Section, Sections};
@@ -56,12 +56,8 @@ pub fn read(
     let is_wheel = fields.is_wheel();
     let is_of_wheel = name.to_ascii_lowercase().ends_with('w');
     file.check_body([is_of_wheel, is_wheel], 1, "name says so")?;
-    let List { slices, interpolation } = Groups::new(&file).list(is_wheel)?;
-    let mut sections = Vec::with_capacity(slices.len());
-    let mut first: Option<(ProfileReading, f64, [Taken; 2])> = None;
-    let mut notices = Vec::new();
-    for slice in &slices {
-        let mut reader = Reader { settings, fields, notices: Vec::new() };
+    let list = Groups::new(&file).list(is_wheel)?;
+    let files = list.slices.iter().map(|slice| {
         let (path, bytes) = settings.read_beside(fields.profile, &slice.name);
         let bytes = bytes.map_err(|error| {
             let message =
@@ -69,7 +65,66 @@ pub fn read(
             let help = "paths are relative to the file of the slices".to_owned();
             file.error(slice.line, message).of(Cause::FileSystem).help(help)
         })?;
-        let content = reader.in_metres(file_content(path, &bytes, fields)?)?;
+        Ok((path, bytes))
+    });
+    let files = files.collect::<Result<Vec<_>, CaseError>>()?;
+    let key = Key {
+        name,
+        fields: *fields,
+        settings: fields.shown(settings),
+        files: std::iter::once(bytes.to_vec())
+            .chain(files.iter().map(|(_, bytes)| bytes.clone()))
+            .collect(),
+    };
+    if let Some(profile) = known(&key) {
+        return Ok(profile);
+    }
+    let profile = surface(settings, fields, (&file, &list), &files)?;
+    keep(key, &profile);
+    Ok(profile)
+}
+
+/// From what a profile was read.
+#[derive(PartialEq)]
+struct Key {
+    name: String,
+    fields: ProfileFields,
+    settings: Vec<String>,
+    files: Vec<Vec<u8>>,
+}
+
+/// The last profiles that were read: all states of a series along a crossing have the same one.
+static LAST: Mutex<Vec<(Key, Profile)>> = Mutex::new(Vec::new());
+
+/// How many of them are kept.
+const KEPT: usize = 4;
+
+fn known(key: &Key) -> Option<Profile> {
+    let last = LAST.lock().ok()?;
+    last.iter().find(|(other, _)| other == key).map(|(_, profile)| profile.clone())
+}
+
+fn keep(key: Key, profile: &Profile) {
+    if let Ok(mut last) = LAST.lock() {
+        last.insert(0, (key, profile.clone()));
+        last.truncate(KEPT);
+    }
+}
+
+/// The surface through slices of which a list and the files have been read.
+fn surface(
+    settings: &Settings,
+    fields: &ProfileFields,
+    (file, List { slices, interpolation }): (&File, &List),
+    files: &[(String, Vec<u8>)],
+) -> Result<Profile, CaseError> {
+    let is_wheel = fields.is_wheel();
+    let mut sections = Vec::with_capacity(slices.len());
+    let mut first: Option<(ProfileReading, f64, [Taken; 2])> = None;
+    let mut notices = Vec::new();
+    for (slice, (path, bytes)) in slices.iter().zip(files) {
+        let mut reader = Reader { settings, fields, notices: Vec::new() };
+        let content = reader.in_metres(file_content(path.clone(), bytes, fields)?)?;
         let outline = reader.outline(&content)?;
         let known = first.as_ref().map(|(.., [y, z])| [y, z]);
         let Oriented { points, y, z } = reader.oriented(&content, &outline, known)?;
@@ -85,7 +140,7 @@ pub fn read(
             let flange_back = reader.flange_back(&content, &places(&points))?;
             let text = format!("{} slices, the first: {}", slices.len(), content.format);
             let reading = reader.reading(
-                (name.clone(), &content),
+                (file.source.name.clone(), &content),
                 [&y, &z],
                 (&outline, &points),
                 flange_back,
@@ -100,7 +155,7 @@ pub fn read(
             }
         }
     }
-    let sections = Sections::new(&sections, interpolation, fields.quantity)
+    let sections = Sections::new(&sections, *interpolation, fields.quantity)
         .map_err(|error| file.error_of_all(error.text(&settings.names())))?;
     let sections = Arc::new(sections);
     let shape = if is_wheel { Shape::Around(sections) } else { Shape::Along(sections) };

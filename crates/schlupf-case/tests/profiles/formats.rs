@@ -84,7 +84,7 @@ fn files_of_miniprof_are_read() {
         let pair = file.wheel().unwrap().pair();
         assert!((pair.wheel_offset() - 0.68).abs() < 1e-9, "{name}: {}", pair.wheel_offset());
         let moved: Points = tread.iter().map(|[y, z]| [y + 70.0, *z]).collect();
-        assert!(off(pair.wheel(), &moved) < 1e-3, "{name}");
+        assert!(off(pair.wheel().uniform().unwrap(), &moved) < 1e-3, "{name}");
     }
     let twice = format!("ColumnDef=X,Y\n\n{rows}\nColumnDef=X,Y\n\n{rows}");
     let error = wheel("a.whl", twice).map(|_| ()).unwrap_err();

@@ -39,7 +39,7 @@ fn rail(name: &str, bytes: impl AsRef<[u8]>) -> Result<CaseFile, String> {
 
 fn curves(file: &CaseFile) -> [ProfileCurve; 2] {
     let pair = file.wheel().unwrap().pair();
-    [pair.wheel().clone(), pair.rail().clone()]
+    [pair.wheel(), pair.rail()].map(|of| of.uniform().unwrap().clone())
 }
 
 /// S1002 and 60E1 as they are built in, in mm, y outwards and z up.

@@ -91,7 +91,7 @@ fn curve(name: &str, quantity: Quantity) -> ProfileCurve {
 /// project.
 fn manchester() -> Vec<WheelOnRail> {
     let wheel = WheelShape {
-        profile: curve("profile_s1002.csv", Quantity::WheelProfile),
+        profile: curve("profile_s1002.csv", Quantity::WheelProfile).into(),
         nominal_radius: 0.46,
         flange_back_position: -70e-3,
         deviation: Deviation::default(),

@@ -71,8 +71,17 @@ pub(super) struct RailPoint {
     pub slope: f64,
 }
 
-/// A solution on a surface of revolution: height in m, arc length in m.
+/// A solution on a surface: height in m, arc length in m.
 type OnSurface = [f64; 2];
+
+/// Why there is none.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Off {
+    /// The profile ends, or turns away from the plane.
+    End,
+    /// The part of the profile is missing here along the way.
+    Missing,
+}
 
 impl<'a> PlaneView<'a> {
     /// Of a wheel with a pose in the track.
@@ -105,13 +114,20 @@ impl<'a> PlaneView<'a> {
             rail.heights(x, s, rail_arc)
         } else {
             let rows = self.rail_heights(s);
-            rows.into_iter().flat_map(|height| x.iter().map(move |_| height)).collect()
+            let rows = rows.into_iter().map(|height| height.ok_or(Off::End));
+            rows.flat_map(|height| x.iter().map(move |_| height)).collect()
         };
-        let both = wheel.into_iter().zip(rail);
-        let distance: Vec<Option<f64>> = both.map(|(wheel, rail)| Some(wheel? - rail?)).collect();
+        let both = || wheel.iter().zip(&rail);
+        let is_end = |one: &Result<f64, Off>, other: &Result<f64, Off>| {
+            *one == Err(Off::End) && *other != Err(Off::Missing)
+        };
+        let distance = |(wheel, rail): (&Result<f64, Off>, &Result<f64, Off>)| match (wheel, rail) {
+            (Ok(wheel), Ok(rail)) => wheel - rail,
+            _ => CLEAR,
+        };
         Heights {
-            is_beyond: distance.iter().map(Option::is_none).collect(),
-            distance: distance.into_iter().map(|distance| distance.unwrap_or(CLEAR)).collect(),
+            is_beyond: both().map(|(one, two)| is_end(one, two) || is_end(two, one)).collect(),
+            distance: both().map(distance).collect(),
         }
     }
 
@@ -172,26 +188,22 @@ impl<'a> PlaneView<'a> {
 impl Swept<'_> {
     /// Heights at the positions `x` × `s` (in m), rows along x, outwards from the origin of the
     /// plane, where the arc length is near `arc`; in m.
-    fn heights(&self, x: &[f64], s: &[f64], arc: f64) -> Vec<Option<f64>> {
-        let mut heights = vec![None; x.len() * s.len()];
+    fn heights(&self, x: &[f64], s: &[f64], arc: f64) -> Vec<Result<f64, Off>> {
+        let mut heights = vec![Err(Off::End); x.len() * s.len()];
         let middle = nearest_to_zero(x);
         for rows in outwards(s) {
-            let mut along = Some((0.0, [0.0, arc]));
+            let mut along = Ok((0.0, [0.0, arc]));
             for j in rows {
-                let found = |from: Option<(f64, OnSurface)>, at: f64| {
+                let found = |from: Result<(f64, OnSurface), Off>, at: f64| {
                     let (before, [n, arc]) = from?;
                     self.at([at, s[j]], [n, arc + s[j] - before]).map(|surface| (s[j], surface))
                 };
                 along = found(along, x[middle]);
-                if along.is_none() {
-                    break;
-                }
                 for columns in outwards(x) {
                     let mut beside = along;
                     for i in columns {
                         beside = found(beside, x[i]);
-                        let Some((_, [n, _])) = beside else { break };
-                        heights[j * x.len() + i] = Some(n);
+                        heights[j * x.len() + i] = beside.map(|(_, [n, _])| n);
                     }
                 }
             }
@@ -200,7 +212,7 @@ impl Swept<'_> {
     }
 
     /// Height and arc length at (x, s), from a guess; all in m.
-    fn at(&self, [x, s]: [f64; 2], guess: OnSurface) -> Option<OnSurface> {
+    fn at(&self, [x, s]: [f64; 2], guess: OnSurface) -> Result<OnSurface, Off> {
         let [along, across, normal] = self.axes;
         let base = [0, 1, 2].map(|k| self.origin[k] + x * along[k] + s * across[k]);
         let end = self.surface.length();
@@ -226,7 +238,8 @@ impl Swept<'_> {
                 } else {
                     (q_x, normal[0])
                 };
-                let SurfacePoint { point, rate } = self.surface.at(way, arc)?;
+                let found = self.surface.at(way, arc).ok_or(Off::Missing)?;
+                let SurfacePoint { point, rate } = found;
                 by_height[0] -= rate[0] * way_by;
                 by_height[1] -= self.sign * rate[1] * way_by;
                 point
@@ -243,14 +256,14 @@ impl Swept<'_> {
             n -= up;
             let next = arc - on;
             if up.abs().max(on.abs()) < accuracy {
-                return (0.0..=end).contains(&next).then_some([n, next]);
+                return if (0.0..=end).contains(&next) { Ok([n, next]) } else { Err(Off::End) };
             }
             arc = next.clamp(0.0, end);
             if !n.is_finite() {
-                return None;
+                break;
             }
         }
-        None
+        Err(Off::End)
     }
 }
 

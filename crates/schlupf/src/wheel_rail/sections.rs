@@ -12,7 +12,7 @@
 //! A part may be missing in some sections; it ends at the last one that has it. Before the first
 //! and behind the last section the surface does not change.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::profile_curve::{CurvePoint, ProfileCurve};
 use super::spline;
@@ -63,19 +63,22 @@ pub struct Sections {
 struct Run {
     /// Index of the first of them.
     first: usize,
-    stations: Vec<Station>,
+    curves: Vec<Arc<ProfileCurve>>,
+    /// Arc lengths between which the part is in each of them, in m.
+    spans: Vec<[f64; 2]>,
+    /// v of the part, in m.
+    length: f64,
+    weights: Weights,
+    /// What has been asked for so far: most sections are far away from a wheelset.
+    stations: Vec<OnceLock<Station>>,
 }
 
-/// A part in a section.
+/// A part in a section, over its arc length.
 #[derive(Debug, Clone, PartialEq)]
 struct Station {
-    /// Arc length at which it begins, in m.
-    from: f64,
-    /// Arc length over v, dimensionless.
-    scale: f64,
-    /// y and z over the arc length.
+    /// y and z.
     curve: Arc<ProfileCurve>,
-    /// Their derivatives with respect to u over the arc length.
+    /// Their derivatives with respect to u.
     rate: ProfileCurve,
 }
 
@@ -89,6 +92,7 @@ pub(super) struct SurfacePoint {
 }
 
 /// Weights of other sections in the values and in the slopes of a path at each of the sections.
+#[derive(Debug, Clone, PartialEq)]
 struct Weights {
     values: Option<Vec<Vec<f64>>>,
     slopes: Vec<Vec<f64>>,
@@ -133,10 +137,10 @@ impl Sections {
                 if spans.is_empty() {
                     continue;
                 }
-                let first = own.start;
                 let weights = Weights::new(&places[own.clone()], interpolation);
-                let stations = stations(&curves[own], &spans, length, &weights);
-                runs.push(Run { first, stations });
+                let stations = vec![OnceLock::new(); spans.len()];
+                let (first, curves) = (own.start, curves[own].to_vec());
+                runs.push(Run { first, curves, spans, length, weights, stations });
             }
             ends.push(ends[part] + length);
             parts.push(runs);
@@ -174,10 +178,11 @@ impl Sections {
         let k = after.clamp(1, self.places.len() - 1) - 1;
         let is = |run: &&Run| run.first <= k && k + 1 < run.first + run.stations.len();
         let run = self.parts[part].iter().find(is)?;
-        let [one, two] = [&run.stations[k - run.first], &run.stations[k + 1 - run.first]];
+        let (one, two) = (k - run.first, k + 1 - run.first);
         let width = self.places[k + 1] - self.places[k];
         let t = (inside - self.places[k]) / width;
-        let given = [one.point(along), two.point(along), one.rate(along), two.rate(along)];
+        let ([one, one_rate], [two, two_rate]) = (run.at(one, along), run.at(two, along));
+        let given = [one, two, one_rate, two_rate];
         let sum = |weights: [f64; 4], of: fn(&CurvePoint) -> [f64; 2]| {
             let parts = given.map(|point| of(&point));
             [0, 1].map(|c| {
@@ -197,13 +202,50 @@ impl Sections {
     }
 }
 
-impl Station {
-    fn point(&self, along: f64) -> CurvePoint {
-        over_v(self.curve.at(self.from + self.scale * along), self.scale)
+impl Run {
+    /// Arc length over v in a section, dimensionless.
+    fn scale(&self, k: usize) -> f64 {
+        (self.spans[k][1] - self.spans[k][0]) / self.length
     }
 
-    fn rate(&self, along: f64) -> CurvePoint {
-        over_v(self.rate.at(self.from + self.scale * along), self.scale)
+    /// Point and derivative with respect to u in a section, at v (in m) from the beginning of the
+    /// part.
+    fn at(&self, k: usize, along: f64) -> [CurvePoint; 2] {
+        let Station { curve, rate } = self.stations[k].get_or_init(|| self.station(k));
+        let scale = self.scale(k);
+        let s = self.spans[k][0] + scale * along;
+        [curve.at(s), rate.at(s)].map(|point| over_v(point, scale))
+    }
+
+    fn station(&self, k: usize) -> Station {
+        Station {
+            curve: match &self.weights.values {
+                Some(values) => Arc::new(self.mixed(k, &values[k])),
+                None => Arc::clone(&self.curves[k]),
+            },
+            rate: self.mixed(k, &self.weights.slopes[k]),
+        }
+    }
+
+    /// The sum of the paths in all sections with weights (dimensionless or per unit of u), over the
+    /// arc length of one of them.
+    fn mixed(&self, own: usize, weights: &[f64]) -> ProfileCurve {
+        let largest = weights.iter().fold(0.0_f64, |largest, weight| largest.max(weight.abs()));
+        let counts = |k: &usize| weights[*k].abs() > NEGLIGIBLE * largest;
+        let others: Vec<usize> = (0..self.curves.len()).filter(counts).collect();
+        self.curves[own].mapped(self.spans[own], |s| {
+            let along = (s - self.spans[own][0]) / self.scale(own);
+            let mut sum = [[0.0; 2]; 2];
+            for k in &others {
+                let scale = self.scale(*k);
+                let point = self.curves[*k].at(self.spans[*k][0] + scale * along);
+                for c in 0..2 {
+                    sum[0][c] += weights[*k] * point.place[c];
+                    sum[1][c] += weights[*k] * point.tangent[c] * scale / self.scale(own);
+                }
+            }
+            sum
+        })
     }
 }
 
@@ -263,41 +305,4 @@ impl Weights {
         let (values, slopes) = rows.unzip();
         Self { values: Some(values), slopes }
     }
-}
-
-/// A part of a length (in m) in sections of a run, from and to arc lengths in m.
-fn stations(
-    curves: &[Arc<ProfileCurve>],
-    spans: &[[f64; 2]],
-    length: f64,
-    weights: &Weights,
-) -> Vec<Station> {
-    let scale = |k: usize| (spans[k][1] - spans[k][0]) / length;
-    let mixed = |own: usize, weights: &[f64]| {
-        let largest = weights.iter().fold(0.0_f64, |largest, weight| largest.max(weight.abs()));
-        let counts = |k: &usize| weights[*k].abs() > NEGLIGIBLE * largest;
-        let others: Vec<usize> = (0..curves.len()).filter(counts).collect();
-        curves[own].mapped(spans[own], |s| {
-            let along = (s - spans[own][0]) / scale(own);
-            let mut sum = [[0.0; 2]; 2];
-            for k in &others {
-                let point = curves[*k].at(spans[*k][0] + scale(*k) * along);
-                for c in 0..2 {
-                    sum[0][c] += weights[*k] * point.place[c];
-                    sum[1][c] += weights[*k] * point.tangent[c] * scale(*k) / scale(own);
-                }
-            }
-            sum
-        })
-    };
-    let station = |k: usize| Station {
-        from: spans[k][0],
-        scale: scale(k),
-        curve: match &weights.values {
-            Some(values) => Arc::new(mixed(k, &values[k])),
-            None => Arc::clone(&curves[k]),
-        },
-        rate: mixed(k, &weights.slopes[k]),
-    };
-    (0..curves.len()).map(station).collect()
 }

@@ -54,8 +54,6 @@ impl Given {
 /// Text of an input file.
 #[derive(Debug, Clone)]
 pub struct GivenText {
-    /// What CONTACT's user guide calls it.
-    pub name: &'static str,
     /// The text without its quotes.
     pub text: String,
     /// Its place.

@@ -161,7 +161,7 @@ impl Reader {
                     return Err(self.error(name, word.at(number), message));
                 };
                 let at = word.at(number);
-                group.text = Some(GivenText { name, text: inner.to_owned(), at });
+                group.text = Some(GivenText { text: inner.to_owned(), at });
             }
             let left = &items[group.given.len()..];
             self.refuse_comma([left, optional], words.as_slice(), number)?;

@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use crate::{CaseError, FieldPath, Source};
-use schlupf::reporting::shortened;
 
 use crate::import::Notice;
 use crate::import::contact::given::{At, Given};
@@ -48,13 +47,6 @@ impl Translation {
         let help: String = help.into();
         let help = Some(help).filter(|help| !help.is_empty());
         self.errors.push(CaseError::new(given.name, message, place).help(help));
-    }
-
-    /// The same of text.
-    pub fn refuse_text(&mut self, given: Given, text: &str, what: &str) {
-        let message = format!("{} = '{}': {what}", given.name, shortened(text));
-        let place = given.at.place(&self.source);
-        self.errors.push(CaseError::new(given.name, message, place));
     }
 
     /// Refuses a value unless it is zero.
