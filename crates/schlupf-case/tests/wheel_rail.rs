@@ -376,7 +376,13 @@ fn a_rail_that_ends_above_the_gauge_depth_is_told() {
     assert_eq!(told(&whole), None);
     let pair = whole.wheel().unwrap().pair();
     let [y0, z0] = pair.rail_origin();
-    let points = pair.rail().points().iter().map(|[y, z]| [1e3 * (y - y0), 1e3 * (z - z0)]);
+    let points = pair
+        .rail()
+        .uniform()
+        .unwrap()
+        .points()
+        .iter()
+        .map(|[y, z]| [1e3 * (y - y0), 1e3 * (z - z0)]);
     let top: Vec<[f64; 2]> = points.filter(|[y, _]| y.abs() < 33.0).collect();
     let rows: Vec<String> = top.iter().map(|[y, z]| format!("{y:.7},{z:.7}")).collect();
     let text = rows.join("\n") + "\n";
@@ -412,7 +418,7 @@ fn smoothing_of_dense_points_converges() {
     let peak = |file: &CaseFile| file.normal_contact(&unwatched).unwrap().summary.peak_pressure;
     let exact = peak(&file);
     let pair = file.wheel().unwrap().pair();
-    let ([y0, z0], curve) = (pair.rail_origin(), pair.rail());
+    let ([y0, z0], curve) = (pair.rail_origin(), pair.rail().uniform().unwrap());
     let mut state = 12_345_u64;
     let mut noise = || {
         // Twelve uniform numbers (Knuth's generator) are nearly a normal one.
@@ -454,9 +460,10 @@ fn the_profile_that_ends_is_named() {
     let file = read(&case("S1002", "60E1"), &[]).unwrap();
     let contact = file.pose(&unwatched).unwrap().wheel.unwrap().contacts[0].clone();
     let pair = file.wheel().unwrap().pair();
-    let on_wheel: Vec<[f64; 2]> = pair.wheel().points().to_vec();
+    let on_wheel: Vec<[f64; 2]> = pair.wheel().uniform().unwrap().points().to_vec();
     let [y0, z0] = pair.rail_origin();
-    let on_rail: Vec<_> = pair.rail().points().iter().map(|[y, z]| [y - y0, z - z0]).collect();
+    let on_rail: Vec<_> =
+        pair.rail().uniform().unwrap().points().iter().map(|[y, z]| [y - y0, z - z0]).collect();
     for (field, points, place) in [
         ("wheel.profile", on_wheel, contact.wheel_position),
         ("rail.profile", on_rail, contact.rail_position),

@@ -332,11 +332,11 @@ fn rows_of_s1002_in_the_flange_root() {
     for (lateral, turn) in [(0.0, 0.08), (5.5e-3, 0.3), (6e-3, 0.25)] {
         let wheel = at(&pair, lateral, RowsMove::WithSurface);
         let first = solve(&wheel).unwrap().contacts[0].clone();
-        let [wheel, rail] = [pair.wheel(), pair.rail()].map(|of| of.uniform().unwrap());
-        let on_wheel = arc_at(wheel, first.wheel_position);
+        let [tread, rail] = [pair.wheel(), pair.rail()].map(|of| of.uniform().unwrap());
+        let on_wheel = arc_at(tread, first.wheel_position);
         let on_rail = arc_at(rail, -first.position[1]);
         let shapes = Shapes {
-            radius: &|y| NOMINAL - height(wheel, on_wheel, y),
+            radius: &|y| NOMINAL - height(tread, on_wheel, y),
             rail: &|y| height(rail, on_rail, y),
         };
         let contact = compare(&format!("S1002 at {lateral} m"), &wheel, shapes, [0.0; 2]);

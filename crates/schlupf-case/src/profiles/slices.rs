@@ -55,7 +55,11 @@ pub fn read(
     let file = File::new(name.clone(), bytes, fields.profile)?;
     let is_wheel = fields.is_wheel();
     let is_of_wheel = name.to_ascii_lowercase().ends_with('w');
-    file.check_body([is_of_wheel, is_wheel], 1, "name says so")?;
+    file.check_body(
+        [is_of_wheel, is_wheel],
+        1,
+        if is_of_wheel { "name ends in .slcw" } else { "name ends in .slcs" },
+    )?;
     let list = Groups::new(&file).list(is_wheel)?;
     let files = list.slices.iter().map(|slice| {
         let (path, bytes) = settings.read_beside(fields.profile, &slice.name);

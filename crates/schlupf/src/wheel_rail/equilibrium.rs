@@ -2,9 +2,9 @@
 //!
 //! With the normal force F of each contact, its inclination β, the angle θ by which it rises
 //! forwards and the ratios τ and ρ of its longitudinal and lateral to its normal force,
-//! Σ F (cos θ cos β + τ sin θ cos β + ρ sin β) is the vertical force. It grows with the depth d below first
-//! touch as some d^1.5, which guides a bracketed search. Contacts in planes of their own raise each
-//! other's surfaces by F (n·n′)/(π E* r) at their distance r (Boussinesq 1885).
+//! Σ F (cos θ cos β + τ sin θ cos β + ρ sin β) is the vertical force. It grows with the depth d
+//! below first touch as some d^1.5, which guides a bracketed search. Contacts in planes of their
+//! own raise each other's surfaces by F (n·n′)/(π E* r) at their distance r (Boussinesq 1885).
 
 use std::f64::consts::PI;
 

@@ -28,8 +28,8 @@ const WEIGHT: f64 = 2.5;
 /// The gap across a rail for a wheelset at its nominal height; raising the wheelset adds to it.
 #[derive(Debug, Clone)]
 pub(super) enum Gap {
-    /// Runs of neighbouring points at which both bodies are seen, of bodies that do not change along
-    /// the way.
+    /// Runs of neighbouring points at which both bodies are seen, of bodies that do not change
+    /// along the way.
     Lines(Vec<Vec<GapPoint>>),
     /// Of others.
     Relief(Relief),

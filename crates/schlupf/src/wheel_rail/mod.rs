@@ -3,17 +3,18 @@
 //!
 //! The track frame has its origin between the rails in the plane of their tops: x along the track,
 //! y to the left, z up. A wheel is a surface of revolution, a rail a prism or, on a test rig, a
-//! roller; or either is a surface through sections. The steps, each in a file: the profiles as smooth curves and in their places, with the
-//! deviations of the bodies; the vertical gap and its regions of overlap under the wheel's exact
-//! locus of contact; the planes of the contacts; the undeformed distance above each; the normal
-//! contact ([`crate::normal::rough_contact`]) in each, all of them
-//! sharing the vertical force; the creepages from the rigid motion; the tangential problems.
+//! roller; or either is a surface through sections. The steps, each in a file: the profiles as
+//! smooth curves and in their places, with the deviations of the bodies; the vertical gap and its
+//! regions of overlap under the wheel's exact locus of contact, or on a lattice; the planes of the
+//! contacts; the undeformed distance above each; the normal contact
+//! ([`crate::normal::rough_contact`]) in each, all of them sharing the vertical force; the
+//! creepages from the rigid motion; the tangential problems.
 //!
 //! A right wheel is solved as the mirror image of a left one.
 //!
 //! Limits: the pressure of each contact is that in a plane (a warning says how far a conformal one
-//! turns), while its rows slip as the curved surface; the planes on a roller are parallel to x; the friction that helps to carry the wheel is that of steady
-//! rolling.
+//! turns), while its rows slip as the curved surface; the planes on a roller are parallel to x; the
+//! friction that helps to carry the wheel is that of steady rolling.
 
 mod side;
 mod spline;

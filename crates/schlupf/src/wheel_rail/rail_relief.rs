@@ -17,7 +17,7 @@ const ALONG: f64 = 2e-4;
 #[derive(Debug, Clone)]
 pub(super) struct RailRelief {
     pub across: Across,
-    /// In m.
+    /// The steps, in m.
     pub x: Vec<f64>,
     columns: Vec<Vec<Option<Seen>>>,
 }

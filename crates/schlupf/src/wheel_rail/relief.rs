@@ -2,8 +2,8 @@
 //! lattice over x and y, and the regions of overlap as connected parts of it.
 //!
 //! In every plane x = const both bodies are lines, of which the rail is seen from above and the
-//! wheel from below. Along x the gap is Catmull and Rom's cubic (1974) through the lattice, which is
-//! exact for parabolas. The means of a region weigh the square of the depth, as those of
+//! wheel from below. Along x the gap is Catmull and Rom's cubic (1974) through the lattice, which
+//! is exact for parabolas. The means of a region weigh the square of the depth, as those of
 //! [`super::gap`] do along rolling.
 
 use super::overlap::{GapPoint, Region};
