@@ -32,6 +32,11 @@ messages! {
         three flexibilities towards one and takes cells as a whole: forces differ by 1 to 2 % of the \
         friction limit".to_owned();
 
+    /// Another ellipse correction.
+    "other-shares" OtherShares {} field!("normal.method").as_str(), |subject, words| "KPEC: the share \
+        of the approach that bounds the contact follows from Hertz's theory, not from CONTACT's \
+        formula; pressures of contacts that are no ellipses differ".to_owned();
+
     /// Modified FASTSIM with lateral creepage or spin.
     "other-slope-reduction" OtherSlopeReduction {} field!("fastsim.reduction_decay").as_str(), |subject, words| "with \
         lateral creepage or spin modified FASTSIM differs more: the ratio of slip to adhesion that \

@@ -20,6 +20,10 @@ pub fn speed(settings: &Settings) -> Result<f64, CaseError> {
     if speed > 0.0 && speed.is_finite() {
         return Ok(speed);
     }
+    if radius == "inf" {
+        let message = format!("{TURNING} is that of a roller, which needs its {RADIUS}");
+        return Err(settings.error(TURNING, message));
+    }
     let message = format!(
         "{TURNING} and {RADIUS} must be positive, for a roller to roll forwards, but are {} and {radius}",
         settings.shown(TURNING)

@@ -255,6 +255,7 @@ fn friction_and_methods_of_module_1() {
         &import.cases[0].text,
         &["method = \"ellipse-corrected\"", "method = \"fastsim\""],
     );
+    assert!(import.notices.iter().any(|notice| notice.code == "other-shares"));
 }
 
 /// What goes with the digit F of module 1, and what does not, with its line.

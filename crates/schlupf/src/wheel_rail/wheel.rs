@@ -41,7 +41,7 @@ pub struct Position {
 pub enum Support {
     /// The vertical force on the wheel, in N.
     Force(f64),
-    /// The height of the middle of the axle above the nominal radius over the tops of the rails, in
+    /// The height of the middle of the axle above the nominal radius over z = 0 of the track, in
     /// m.
     Height(f64),
 }
@@ -110,7 +110,7 @@ pub struct WheelSolution {
     pub side: Side,
     /// Where the wheelset is.
     pub position: Position,
-    /// Height of the middle of the axle above the nominal radius over the tops of the rails, in m.
+    /// Height of the middle of the axle above the nominal radius over z = 0 of the track, in m.
     pub height: f64,
     /// Its contacts, the one with the largest normal force first.
     pub contacts: Vec<Contact>,
@@ -263,7 +263,11 @@ impl WheelOnRail {
         require_finite(Quantity::RollRate, self.motion.roll_rate)?;
         require_finite(Quantity::YawRate, self.motion.yaw_rate)?;
         let curve = Requirement::Radius(1.0, f64::INFINITY);
-        require(Quantity::CurveRadius, curve, self.motion.curve_radius)?;
+        let radius = self.motion.curve_radius;
+        require(Quantity::CurveRadius, curve, radius)?;
+        if radius.is_finite() && self.pair().roller.is_some() {
+            return Err(WheelRailError::RollersInCurve { radius }.into());
+        }
         self.drive.check()?;
         let angle = Requirement::Inside(-1.0, 1.0);
         require_finite(Quantity::LateralPosition, self.position.lateral)?;

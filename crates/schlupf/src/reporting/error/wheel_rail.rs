@@ -28,6 +28,16 @@ messages! {
          body to touch"
     );
 
+    /// Rollers under a wheelset in a curve.
+    "rollers-in-curve" RollersInCurve {
+        /// Radius of the curve, in m.
+        radius: f64,
+    } Quantity::CurveRadius, |name, words| format!(
+        "{name}: a wheelset on rollers stays where it is and runs in no curve; leave it infinite, got \
+         {} m",
+        readable(*radius)
+    );
+
     /// A wheel that is not above the rail.
     "wheel-beside-rail" BesideRail {
         /// Lateral positions of the wheel's profile, in m.

@@ -49,6 +49,15 @@ pub fn elastic(case: &mut Translation, elastic: &Elastic, wheel: WheelBody) {
     }
 }
 
+/// MAXOUT = 1: the tractions of unlike bodies do not change their pressure.
+pub fn unlike_bodies(case: &mut Translation, elastic: &Elastic, iterations: Option<Given>) {
+    let [one, other] =
+        [0, 1].map(|k| (1.0 - 2.0 * elastic.poisson[k].value) / elastic.shear_modulus[k].value);
+    let Some(iterations) = iterations.filter(|given| given.is(1) && one != other) else { return };
+    case.document.text(field!("elasticity.unlike_bodies"), "one-way");
+    case.stands(field!("elasticity.unlike_bodies"), iterations);
+}
+
 /// What solves the case: digits M and B.
 pub fn method(case: &mut Translation, control: &Control, elastic: &Elastic) {
     let material = control.material;

@@ -74,14 +74,13 @@ fn digits(case: &mut Translation, control: &Control) {
 }
 
 fn materials(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
-    // Both modules of a wheel on a rail have the wheel as body 2; the same materials follow from
-    // either order of equal ones.
     if let Some(elastic) = &wheel_rail.elastic {
         laws::elastic(case, elastic, BODY);
         laws::method(case, control, elastic);
         laws::notice_fastsim(case, control, elastic, false);
         if control.bound.is(5) {
             case.document.text(field!("normal.method"), "ellipse-corrected");
+            case.notice(Notice::OtherShares {}, control.bound);
         }
     } else {
         case.miss(control.influence, "the materials");
