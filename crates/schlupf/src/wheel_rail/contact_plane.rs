@@ -1,4 +1,4 @@
-//! Planes in which contacts are solved.
+//! Planes in which contacts are solved, or of whose surface they have the direction.
 //!
 //! The origin of a plane is on the rail, at the means of x and y of a region of overlap; its
 //! inclination is the mean of the rail's, all weighted with the overlap to the power of 2.5. The
@@ -25,7 +25,8 @@ impl Default for Joining {
 }
 
 /// A plane that touches the rail. Its directions: along the track; s, outwards along the surface;
-/// n, out of the rail.
+/// n, out of the rail. On a curved surface s is the arc length along the rail's profile, the
+/// distance is normal to the profile at every s, and the plane has the direction of the force.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ContactPlane {
     /// In the track, in m.
@@ -38,6 +39,8 @@ pub(super) struct ContactPlane {
     pub guess: [[f64; 2]; 2],
     /// Bounds along s, beyond which a neighbouring contact has its own plane; in m.
     pub limits: [f64; 2],
+    /// Whether the contact is on the curved surface of the rail.
+    pub is_curved: bool,
 }
 
 impl ContactPlane {
@@ -53,15 +56,35 @@ impl ContactPlane {
         [0.0, -sin, cos]
     }
 
-    /// Position along s of a point of the track, y and z in m.
-    fn along(&self, [y, z]: [f64; 2]) -> f64 {
+    /// Position along s of a point of the rail, y and z in m.
+    fn along(&self, pair: &Pair, [y, z]: [f64; 2]) -> f64 {
         let [_, s_y, s_z] = self.across();
-        s_y * (y - self.origin[1]) + s_z * (z - self.origin[2])
+        let along = s_y * (y - self.origin[1]) + s_z * (z - self.origin[2]);
+        if self.is_curved { arc_at(pair, y, self.arcs[0] + along) - self.arcs[0] } else { along }
+    }
+
+    /// The inclination of the surface at s (in m) relative to the plane, in rad.
+    pub fn turn(&self, pair: &Pair, s: f64) -> f64 {
+        pair.rail.at(self.arcs[0] + s).inclination() - self.inclination
     }
 }
 
-/// The planes of regions that are sorted by y.
-pub(super) fn planes(pair: &Pair, regions: &[Region], joining: &Joining) -> Vec<ContactPlane> {
+/// Arc length of the rail at a y, from a guess; all in m.
+fn arc_at(pair: &Pair, y: f64, guess: f64) -> f64 {
+    let mut arc = guess;
+    for _ in 0..STEPS {
+        let point = pair.rail.at(arc);
+        arc += (y - point.place[0]) / point.tangent[0].max(SLOWEST);
+    }
+    arc
+}
+
+/// The planes of regions that are sorted by y, those of contacts on the curved surface or not.
+pub(super) fn planes(
+    pair: &Pair,
+    regions: &[Region],
+    (joining, is_curved): (&Joining, bool),
+) -> Vec<ContactPlane> {
     let mut joined: Vec<Region> = Vec::new();
     for region in regions {
         match joined.last_mut() {
@@ -75,12 +98,12 @@ pub(super) fn planes(pair: &Pair, regions: &[Region], joining: &Joining) -> Vec<
     };
     (0..joined.len())
         .map(|k| {
-            let mut plane = plane(pair, &joined[k]);
+            let mut plane = plane(pair, &joined[k], is_curved);
             if let Some(before) = k.checked_sub(1).map(|k| &joined[k]) {
-                plane.limits[0] = plane.along(between(before, &joined[k]));
+                plane.limits[0] = plane.along(pair, between(before, &joined[k]));
             }
             if let Some(after) = joined.get(k + 1) {
-                plane.limits[1] = plane.along(between(&joined[k], after));
+                plane.limits[1] = plane.along(pair, between(&joined[k], after));
             }
             plane
         })
@@ -111,13 +134,9 @@ fn union(one: &Region, two: &Region) -> Region {
     }
 }
 
-fn plane(pair: &Pair, region: &Region) -> ContactPlane {
+fn plane(pair: &Pair, region: &Region, is_curved: bool) -> ContactPlane {
     let near = region.nearest;
-    let mut arc = near.rail[1];
-    for _ in 0..STEPS {
-        let point = pair.rail.at(arc);
-        arc += (region.y - point.place[0]) / point.tangent[0].max(SLOWEST);
-    }
+    let arc = arc_at(pair, region.y, near.rail[1]);
     let [_, z] = pair.rail.at(arc).place;
     let mut plane = ContactPlane {
         origin: [region.x, region.y, pair.rail_height(region.x, z)],
@@ -125,8 +144,9 @@ fn plane(pair: &Pair, region: &Region) -> ContactPlane {
         arcs: [arc, near.wheel[1] + arc - near.rail[1]],
         guess: [region.along.map(|x| x - region.x), [0.0; 2]],
         limits: [f64::NEG_INFINITY, f64::INFINITY],
+        is_curved,
     };
-    plane.guess[1] = region.ends.map(|end| plane.along(end));
+    plane.guess[1] = region.ends.map(|end| plane.along(pair, end));
     plane
 }
 

@@ -36,6 +36,9 @@ pub(super) struct FrictionRatio {
     pub y: f64,
     /// Lateral over normal force, dimensionless.
     pub ratio: f64,
+    /// Normal part of the tractions on a curved surface over the force of the pressure,
+    /// dimensionless.
+    pub normal: f64,
 }
 
 /// A wheel above a rail, to be lowered.
@@ -46,6 +49,8 @@ pub(super) struct Lowering<'a> {
     pub joining: Joining,
     /// E*, in Pa.
     pub contact_modulus: f64,
+    /// Combined Poisson's ratio, dimensionless.
+    pub poisson_ratio: f64,
     pub method: NormalMethod,
     pub watch: Watch<'a>,
 }
@@ -91,12 +96,14 @@ impl Lowering<'_> {
             return Err(WheelRailError::DeepOverlap { depth }.into());
         }
         let regions = self.gap.regions(self.touch() - depth, self.pair.radius_along());
-        let planes = planes(self.pair, &regions, &self.joining);
+        let how = (&self.joining, self.method == NormalMethod::Conformal);
+        let planes = planes(self.pair, &regions, how);
         let pose = self.pair.wheel_in(&self.pose(depth));
         let pressing = Pressing {
             pair: self.pair,
             pose: &pose,
             contact_modulus: self.contact_modulus,
+            poisson_ratio: self.poisson_ratio,
             method: self.method,
             watch: self.watch,
         };
@@ -180,7 +187,7 @@ impl Lowered {
     /// A contact whose friction lets it carry nothing.
     fn held(&self, ratios: &[FrictionRatio]) -> Option<Held> {
         let mut held = self.contacts.iter().filter(|contact| weight(contact, ratios) <= 0.0);
-        held.next().map(|contact| (contact.plane.inclination, ratio(contact, ratios)))
+        held.next().map(|contact| (contact.plane.inclination, near(contact, ratios).ratio))
     }
 }
 
@@ -219,12 +226,13 @@ fn not_carried(force: f64, held: Option<Held>) -> Error {
 /// Vertical over normal force of a contact, dimensionless.
 fn weight(contact: &Pressed, ratios: &[FrictionRatio]) -> f64 {
     let (sin, cos) = contact.plane.inclination.sin_cos();
-    cos + ratio(contact, ratios) * sin
+    let near = near(contact, ratios);
+    (1.0 + near.normal) * cos + near.ratio * sin
 }
 
-/// The ratio of the contact nearest to this one; zero without any.
-fn ratio(contact: &Pressed, ratios: &[FrictionRatio]) -> f64 {
+/// That of the contact nearest to this one; none without any.
+fn near(contact: &Pressed, ratios: &[FrictionRatio]) -> FrictionRatio {
     let y = contact.plane.origin[1];
     let near = ratios.iter().min_by(|p, q| (p.y - y).abs().total_cmp(&(q.y - y).abs()));
-    near.map_or(0.0, |near| near.ratio)
+    near.copied().unwrap_or(FrictionRatio { y, ratio: 0.0, normal: 0.0 })
 }

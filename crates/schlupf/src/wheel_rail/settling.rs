@@ -101,7 +101,7 @@ impl WheelOnRail {
             watch,
         };
         let (from, rounds) = if let Some(near) = near {
-            let (ratios, turned) = (near.ratios(), near.nearby());
+            let (ratios, turned) = (near.ratios.clone(), near.nearby());
             (Start { ratios, guess: near.guess, turned }, 0)
         } else {
             let guess = first_guess(lowering, force);

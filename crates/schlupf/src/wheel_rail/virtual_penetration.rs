@@ -38,6 +38,8 @@ pub enum NormalMethod {
     /// As that of two half-spaces.
     #[default]
     HalfSpaces,
+    /// As that of two half-spaces that are bent along the surface of the rail.
+    Conformal,
     /// By virtual penetration, ε = 0.55 (Piotrowski and Kik 2008).
     KikPiotrowski,
     /// By virtual penetration with ε from Hertz's theory.
@@ -370,7 +372,8 @@ pub(super) fn pressed(
     };
     let pressure = lines.iter().flat_map(|line| x.iter().map(|x| cell(line, x))).collect();
     let force = parts.iter().map(|part| part.force).sum();
-    Ok(Some(Pressed { plane: *plane, x, s, pressure, force, approach }))
+    let (plane, load, curvature) = (*plane, force, 0.0);
+    Ok(Some(Pressed { plane, x, s, pressure, force, load, curvature, approach }))
 }
 
 /// The interval around all.

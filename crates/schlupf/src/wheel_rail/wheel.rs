@@ -128,6 +128,10 @@ pub struct WheelSolution {
     pub(super) unevenness: f64,
     pub(super) guess: Guess,
     rows: RowsMove,
+    /// Friction of its contacts as seen from the left.
+    pub(super) ratios: Vec<FrictionRatio>,
+    /// Whether its contacts are on the curved surface of the rail.
+    is_conformal: bool,
     /// Whether one of the profiles was smoothed.
     is_smoothed: bool,
     /// Where the profiles have no points under its contacts.
@@ -183,16 +187,6 @@ impl WheelSolution {
         rises.then_some(self.angular_velocity)
     }
 
-    /// Friction of its contacts as seen from the left.
-    pub(super) fn ratios(&self) -> Vec<FrictionRatio> {
-        let sign = self.side.outwards();
-        let ratio = |contact: &Contact| FrictionRatio {
-            y: sign * contact.position[1],
-            ratio: sign * contact.solution.force.y / contact.solution.normal.load,
-        };
-        self.contacts.iter().map(ratio).collect()
-    }
-
     /// What to know of a result that is about the first contact only.
     pub fn other_contacts(&self) -> Option<Warning> {
         let loads = self.contacts.iter().map(|contact| contact.solution.normal.load);
@@ -215,7 +209,8 @@ impl WheelSolution {
             let (turn, is_found) = (contact.turn, contact.has_rows());
             let is_missed = self.rows.share(turn) > 0.0 && !is_found;
             let has_rows = is_found && contact.solution.method.has_fields();
-            (turn > CONFORMAL || is_missed).then_some(Warning::ConformalContact { turn, has_rows })
+            (turn > CONFORMAL && !self.is_conformal || is_missed)
+                .then_some(Warning::ConformalContact { turn, has_rows })
         };
         let turned = self.contacts.iter().filter_map(warning);
         let parts = self.contacts.iter().map(|contact| contact.solution.normal.parts);
@@ -310,6 +305,10 @@ impl WheelOnRail {
     ) -> Result<Found, Error> {
         self.check()?;
         tangential.check(self.motion.speed)?;
+        let is_conformal = self.normal_method == NormalMethod::Conformal;
+        if is_conformal && tangential.interface.elasticity.curved(0.0).is_none() {
+            return Err(WheelRailError::NoCurvedSurface {}.into());
+        }
         let gap = Gap::new(self.pair(), &self.attitude())?;
         let lowering = self.lowering(&gap, tangential, watch);
         match self.support {
@@ -337,8 +336,8 @@ impl WheelOnRail {
     ) -> Lowering<'a> {
         let (pair, joining, attitude) = (self.pair(), self.joining, self.attitude());
         let contact_modulus = tangential.interface.contact_modulus();
-        let method = self.normal_method;
-        Lowering { pair, gap, attitude, joining, contact_modulus, method, watch }
+        let (method, poisson_ratio) = (self.normal_method, tangential.interface.poisson_ratio());
+        Lowering { pair, gap, attitude, joining, contact_modulus, poisson_ratio, method, watch }
     }
 
     pub(super) fn sliding<'a>(
@@ -382,9 +381,10 @@ impl WheelOnRail {
     }
 
     pub(super) fn ratios(&self, solved: &[Slid]) -> Vec<FrictionRatio> {
-        let ratio = |(pressed, _, solution): &Slid| FrictionRatio {
-            y: pressed.plane.origin[1],
-            ratio: self.side.outwards() * solution.force.y / pressed.force,
+        let ratio = |slid: &Slid| {
+            let (y, force) = (slid.0.plane.origin[1], slid.0.force);
+            let [across, normal] = self.tangential_force(slid);
+            FrictionRatio { y, ratio: across / force, normal: normal / force }
         };
         solved.iter().map(ratio).collect()
     }
@@ -402,21 +402,24 @@ impl WheelOnRail {
         let (solved, solvers): (Vec<Slid>, Vec<_>) = with_solvers.into_iter().unzip();
         let holes =
             solved.iter().flat_map(|(pressed, ..)| holes::under(self.pair(), pressed)).collect();
+        let ratios = self.ratios(&solved);
+        let mut force = [0.0; 3];
+        for (slid, friction) in solved.iter().zip(&ratios) {
+            let (pressed, _, solution) = slid;
+            let (normal, across) = (1.0 + friction.normal, friction.ratio);
+            let (sin, cos) = pressed.plane.inclination.sin_cos();
+            force[0] += solution.force.x;
+            force[1] += self.side.outwards() * pressed.force * (across * cos - normal * sin);
+            force[2] += pressed.force * (normal * cos + across * sin);
+        }
         let contacts: Vec<Contact> =
             solved.into_iter().map(|solved| self.contact(lowering, lowered, solved)).collect();
-        let mut force = [0.0; 3];
-        for contact in &contacts {
-            let (sin, cos) = contact.angle.sin_cos();
-            let (normal, along) = (contact.solution.normal.load, contact.solution.force);
-            force[0] += along.x;
-            force[1] += normal * sin + along.y * cos;
-            force[2] += normal * cos - along.y * sin;
-        }
         let wheel = WheelSolution {
             side: self.side,
             position: self.position,
             height: lowering.touch() - lowered.at.depth,
             contacts,
+            ratios,
             angular_velocity,
             force,
             residual: 0.0,
@@ -424,10 +427,29 @@ impl WheelOnRail {
             guess: lowered.at,
             rows: self.rows,
             rounds,
+            is_conformal: self.normal_method == NormalMethod::Conformal,
             is_smoothed: self.pair().wheel.smoothing() + self.pair().rail.smoothing() > 0.0,
             holes,
         };
         (wheel, solvers)
+    }
+
+    /// Force of the tractions across (outwards) and normal to the plane of a contact, in N; each
+    /// acts along the surface where it is.
+    fn tangential_force(&self, (pressed, _, solution): &Slid) -> [f64; 2] {
+        let sign = self.side.outwards();
+        let fields = &solution.fields;
+        if !pressed.plane.is_curved || fields.is_empty() {
+            return [sign * solution.force.y, 0.0];
+        }
+        let middle = solution.normal.origin.unwrap_or_default()[1];
+        let mut force = [0.0; 2];
+        for (y, traction) in fields.y.iter().zip(&fields.traction_y) {
+            let turn = pressed.plane.turn(self.pair(), sign * (y + middle));
+            let part = sign * traction * fields.grid.cell_area();
+            force = [force[0] + part * turn.cos(), force[1] + part * turn.sin()];
+        }
+        force
     }
 
     fn contact(

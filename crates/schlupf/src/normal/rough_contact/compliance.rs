@@ -9,6 +9,8 @@
 //!
 //! πE* u = p (X asinh(Y/|X|) + Y asinh(X/|Y|))      (Love 1929; Johnson 1985, §3.5).
 //!
+//! On a surface that is curved across, it is that of `elasticity/half_space.rs`.
+//!
 //! It depends only on the distance between two cells: a convolution, by Fourier transform on a grid
 //! padded to twice its size.
 
@@ -18,6 +20,15 @@ use super::Boundary;
 use crate::numerics::fourier::{RealTransform, smooth_from};
 use crate::numerics::love;
 use crate::surface::Lattice;
+
+/// How a surface is curved across.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Curved {
+    /// In 1/m.
+    pub curvature: f64,
+    /// Combined Poisson's ratio, dimensionless.
+    pub poisson_ratio: f64,
+}
 
 /// S and its approximate inverse on one lattice.
 #[derive(Debug)]
@@ -31,6 +42,14 @@ pub(super) struct NormalCompliance {
 
 impl NormalCompliance {
     pub(super) fn new(lattice: &Lattice, contact_modulus: f64, boundary: Boundary) -> Self {
+        Self::curved(lattice, contact_modulus, (boundary, Curved::default()))
+    }
+
+    pub(super) fn curved(
+        lattice: &Lattice,
+        contact_modulus: f64,
+        (boundary, curved): (Boundary, Curved),
+    ) -> Self {
         let filled = [lattice.columns, lattice.rows];
         let spacing = [lattice.spacing_x, lattice.spacing_y];
         let size = match boundary {
@@ -48,7 +67,7 @@ impl NormalCompliance {
             }
             Boundary::Free => {
                 let mut padded = RealTransform::new(size, size);
-                padded.forward(&kernel(size, spacing, contact_modulus));
+                padded.forward(&kernel(size, spacing, (contact_modulus, curved)));
                 // Even in x and in y, so its transform is real.
                 padded.spectrum().iter().map(|value| value.re / points).collect()
             }
@@ -73,16 +92,27 @@ impl NormalCompliance {
 }
 
 /// Influence of the cell at the origin on all cells; distances beyond half the size are negative.
-fn kernel(size: [usize; 2], spacing: [f64; 2], contact_modulus: f64) -> Vec<f64> {
+fn kernel(
+    size: [usize; 2],
+    spacing: [f64; 2],
+    (contact_modulus, curved): (f64, Curved),
+) -> Vec<f64> {
     let over = (PI * contact_modulus).recip();
     let reach = size.map(|count| count / 2 + 1);
-    let quadrant = love::cells(spacing, reach, |at| {
-        let [x, y] = love::corner(at);
-        [x + y]
-    });
+    let quadrant = love::cells(spacing, reach, love::corner);
+    let influence = |i: usize, j: usize| {
+        let [x, y] = quadrant[j * reach[0] + i];
+        over * if curved.curvature == 0.0 {
+            x + y
+        } else {
+            let nu = curved.poisson_ratio;
+            let along = [(1.0 - nu) * x + y, x + (1.0 - nu) * y].map(|part| part / (1.0 - nu));
+            let [less, more] = love::halves(nu, along);
+            more * (curved.curvature * j as f64 * spacing[1]).cos() - less
+        }
+    };
     let distance = |k: usize, count: usize| k.min(count - k);
     let cells = (0..size[1]).flat_map(|j| (0..size[0]).map(move |i| [i, j]));
-    let influence = |i: usize, j: usize| over * quadrant[j * reach[0] + i][0];
     cells.map(|[i, j]| influence(distance(i, size[0]), distance(j, size[1]))).collect()
 }
 

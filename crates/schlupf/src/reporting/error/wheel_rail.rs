@@ -38,6 +38,11 @@ messages! {
         readable(*radius)
     );
 
+    /// An elasticity on a plane, with contacts on a curved surface.
+    "no-curved-surface" NoCurvedSurface {} Quantity::Elasticity, |name, words| format!(
+        "{name}: contacts on the curved surface of the rail need half-spaces"
+    );
+
     /// A wheel that is not above the rail.
     "wheel-beside-rail" BesideRail {
         /// Lateral positions of the wheel's profile, in m.
