@@ -12,6 +12,9 @@ pub(super) struct Pressed {
     pub s: Vec<f64>,
     /// In rows along x, in Pa.
     pub pressure: Vec<f64>,
+    /// How far tractions have moved the surfaces apart, in rows along x, in m; empty where they
+    /// have not.
+    pub opening: Vec<f64>,
     /// Force of the pressure, which is normal to the plane, in N.
     pub force: f64,
     /// Integral of the pressure over the surface, in N: on a curved one more than its force.

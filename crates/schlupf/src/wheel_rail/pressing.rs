@@ -8,6 +8,7 @@
 
 use super::contact_plane::ContactPlane;
 use super::distance::{CLEAR, Heights, PlaneView};
+use super::opening::Opening;
 use super::pair::Pair;
 use super::pose::Pose;
 use super::pressed::{Pressed, positions};
@@ -46,6 +47,15 @@ pub(super) enum Accuracy {
     Cells(usize),
 }
 
+/// How far surfaces have been moved apart.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Raised<'a> {
+    /// By other contacts, in m.
+    pub everywhere: f64,
+    /// By tractions.
+    pub opening: Option<&'a Opening>,
+}
+
 /// Bodies that are pressed together in a plane.
 pub(super) struct Pressing<'a> {
     pub pair: &'a Pair,
@@ -59,12 +69,11 @@ pub(super) struct Pressing<'a> {
 }
 
 impl Pressing<'_> {
-    /// The contact in a plane in which other contacts have moved the surfaces apart by `raised` (in
-    /// m) already; `None` where the bodies do not touch.
+    /// The contact in a plane in which the surfaces have been moved apart already; `None` where the bodies do not touch.
     pub fn solve(
         &self,
         plane: &ContactPlane,
-        raised: f64,
+        raised: Raised,
         accuracy: Accuracy,
     ) -> Result<Option<Pressed>, Error> {
         let view = PlaneView::new(self.pair, self.pose, plane);
@@ -73,11 +82,11 @@ impl Pressing<'_> {
                 Accuracy::Coarse => COARSE,
                 Accuracy::Cells(cells) => cells,
             };
-            let bodies = (raised, self.contact_modulus);
+            let bodies = (raised.everywhere, self.contact_modulus);
             let pressed = virtual_penetration::pressed(&view, plane, bodies, (self.method, cells));
             return pressed.map_err(|s| self.at_end(&view, plane, s));
         }
-        let Some(rectangle) = overlap(&view, plane, raised)? else { return Ok(None) };
+        let Some(rectangle) = overlap(&view, plane, raised.everywhere)? else { return Ok(None) };
         let coarse = self.press(&view, plane, (rectangle, raised), [COARSE; 2])?;
         let Some(coarse) = coarse else { return Ok(None) };
         let Accuracy::Cells(cells) = accuracy else { return Ok(Some(coarse.0)) };
@@ -102,14 +111,19 @@ impl Pressing<'_> {
         &self,
         view: &PlaneView,
         plane: &ContactPlane,
-        (rectangle, raised): (Rectangle, f64),
+        (rectangle, raised): (Rectangle, Raised),
         [columns, rows]: [usize; 2],
     ) -> Result<Option<(Pressed, Vec<bool>)>, Error> {
         let [x, s] = [positions(rectangle[0], columns), positions(rectangle[1], rows)];
         let Heights { mut distance, is_beyond } = view.heights(&x, &s);
         set_apart(plane, &s, &mut distance);
+        let opening = raised.opening.map_or_else(Vec::new, |opening| opening.sample(&x, &s));
         for distance in &mut distance {
-            *distance += raised;
+            *distance += raised.everywhere;
+        }
+        let approach = -distance.iter().fold(0.0, |least: f64, d| least.min(*d));
+        for (distance, opening) in distance.iter_mut().zip(&opening) {
+            *distance += opening;
         }
         if !distance.iter().any(|d| *d < 0.0) {
             return Ok(None);
@@ -130,9 +144,9 @@ impl Pressing<'_> {
         let options = if columns.max(rows) > COARSE { &FINELY } else { &COARSELY };
         let solution = contact.solve_at_level(0.0, options, self.watch)?;
         require_convergence(&solution, options)?;
-        let RoughContactSolution { pressure, load, approach, .. } = solution;
+        let RoughContactSolution { pressure, load, .. } = solution;
         let (plane, force) = self.directed(plane, &s, (&pressure, load));
-        let pressed = Pressed { plane, x, s, pressure, force, load, curvature, approach };
+        let pressed = Pressed { plane, x, s, pressure, opening, force, load, curvature, approach };
         Ok(Some((pressed, is_beyond)))
     }
 

@@ -373,7 +373,8 @@ pub(super) fn pressed(
     let pressure = lines.iter().flat_map(|line| x.iter().map(|x| cell(line, x))).collect();
     let force = parts.iter().map(|part| part.force).sum();
     let (plane, load, curvature) = (*plane, force, 0.0);
-    Ok(Some(Pressed { plane, x, s, pressure, force, load, curvature, approach }))
+    let opening = Vec::new();
+    Ok(Some(Pressed { plane, x, s, pressure, opening, force, load, curvature, approach }))
 }
 
 /// The interval around all.

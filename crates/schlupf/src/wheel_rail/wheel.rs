@@ -3,11 +3,13 @@
 use std::sync::Arc;
 
 use super::contact_plane::Joining;
+use super::coupled::{Coupled, Coupling};
 use super::creepage::Motion;
 use super::drive::Drive;
-use super::equilibrium::{FrictionRatio, Guess, Lowered, Lowering};
+use super::equilibrium::{Guess, Lowered, Lowering, Tractions};
 use super::gap::Gap;
 use super::holes;
+use super::opening::Opening;
 use super::pair::Pair;
 use super::pose::{Attitude, minus};
 use super::pressing::Accuracy;
@@ -129,7 +131,7 @@ pub struct WheelSolution {
     pub(super) guess: Guess,
     rows: RowsMove,
     /// Friction of its contacts as seen from the left.
-    pub(super) ratios: Vec<FrictionRatio>,
+    pub(super) tractions: Vec<Tractions>,
     /// Whether its contacts are on the curved surface of the rail.
     is_conformal: bool,
     /// Whether one of the profiles was smoothed.
@@ -317,12 +319,18 @@ impl WheelOnRail {
                 if depth <= 0.0 {
                     return Err(WheelRailError::Lifted { gap: -depth }.into());
                 }
-                let contacts = lowering.at(depth, Accuracy::Cells(self.cells))?;
-                let lowered = Lowered { at: Guess::smooth(depth), contacts };
-                let options = tangential.searching();
-                let sliding = self.sliding((&lowering, &lowered), (tangential, &options), watch);
-                let turning = sliding.solve(near.map(|near| near.angular_velocity))?;
-                Ok(self.found(&lowering, &lowered, turning, 1))
+                let (accuracy, options) = (Accuracy::Cells(self.cells), tangential.searching());
+                let lowered = lowering.lowered(Guess::smooth(depth), &[], accuracy)?;
+                let turned = near.map(|near| near.angular_velocity);
+                let how = Coupling {
+                    wheel: self,
+                    lowering: &lowering,
+                    how: (tangential, &options),
+                    accuracy,
+                    tolerance: SETTLED,
+                    watch,
+                };
+                Ok(self.found(&lowering, how.solve(lowered, turned)?, 1))
             }
             Support::Force(force) => self.settle(&lowering, (force, near), tangential, watch),
         }
@@ -380,20 +388,22 @@ impl WheelOnRail {
         Ok(lowering.carrying(force, &[], first_guess(&lowering, force), how)?.at.depth)
     }
 
-    pub(super) fn ratios(&self, solved: &[Slid]) -> Vec<FrictionRatio> {
-        let ratio = |slid: &Slid| {
-            let (y, force) = (slid.0.plane.origin[1], slid.0.force);
-            let [across, normal] = self.tangential_force(slid);
-            FrictionRatio { y, ratio: across / force, normal: normal / force }
+    /// What the tractions of contacts do.
+    pub(super) fn tractions(&self, solved: &[Slid]) -> Result<Vec<Tractions>, Error> {
+        let of = |slid: &Slid| {
+            let (pressed, problem, solution) = slid;
+            let (y, force) = (pressed.plane.origin[1], pressed.force);
+            let [across, normal] = self.force_in_plane(slid);
+            let opening = Opening::new((pressed, problem, solution), self.side)?.map(Arc::new);
+            Ok(Tractions { y, ratio: across / force, normal: normal / force - 1.0, opening })
         };
-        solved.iter().map(ratio).collect()
+        solved.iter().map(of).collect()
     }
 
     pub(super) fn found(
         &self,
         lowering: &Lowering,
-        lowered: &Lowered,
-        turning: Turning,
+        Coupled { lowered, turning, tractions }: Coupled,
         rounds: usize,
     ) -> Found {
         let Turning { angular_velocity, contacts, solvers, .. } = turning;
@@ -402,24 +412,22 @@ impl WheelOnRail {
         let (solved, solvers): (Vec<Slid>, Vec<_>) = with_solvers.into_iter().unzip();
         let holes =
             solved.iter().flat_map(|(pressed, ..)| holes::under(self.pair(), pressed)).collect();
-        let ratios = self.ratios(&solved);
         let mut force = [0.0; 3];
-        for (slid, friction) in solved.iter().zip(&ratios) {
-            let (pressed, _, solution) = slid;
-            let (normal, across) = (1.0 + friction.normal, friction.ratio);
-            let (sin, cos) = pressed.plane.inclination.sin_cos();
-            force[0] += solution.force.x;
-            force[1] += self.side.outwards() * pressed.force * (across * cos - normal * sin);
-            force[2] += pressed.force * (normal * cos + across * sin);
+        for slid in &solved {
+            let [across, normal] = self.force_in_plane(slid);
+            let (sin, cos) = slid.0.plane.inclination.sin_cos();
+            force[0] += slid.2.force.x;
+            force[1] += self.side.outwards() * (across * cos - normal * sin);
+            force[2] += normal * cos + across * sin;
         }
         let contacts: Vec<Contact> =
-            solved.into_iter().map(|solved| self.contact(lowering, lowered, solved)).collect();
+            solved.into_iter().map(|solved| self.contact(lowering, &lowered, solved)).collect();
         let wheel = WheelSolution {
             side: self.side,
             position: self.position,
             height: lowering.touch() - lowered.at.depth,
             contacts,
-            ratios,
+            tractions,
             angular_velocity,
             force,
             residual: 0.0,
@@ -434,20 +442,24 @@ impl WheelOnRail {
         (wheel, solvers)
     }
 
-    /// Force of the tractions across (outwards) and normal to the plane of a contact, in N; each
-    /// acts along the surface where it is.
-    fn tangential_force(&self, (pressed, _, solution): &Slid) -> [f64; 2] {
+    /// Force across (outwards) and normal to the plane of a contact, in N: on a curved surface that
+    /// of pressure and tractions where they are.
+    fn force_in_plane(&self, (pressed, _, solution): &Slid) -> [f64; 2] {
         let sign = self.side.outwards();
         let fields = &solution.fields;
         if !pressed.plane.is_curved || fields.is_empty() {
-            return [sign * solution.force.y, 0.0];
+            return [sign * solution.force.y, pressed.force];
         }
         let middle = solution.normal.origin.unwrap_or_default()[1];
+        let area = fields.grid.cell_area();
         let mut force = [0.0; 2];
-        for (y, traction) in fields.y.iter().zip(&fields.traction_y) {
-            let turn = pressed.plane.turn(self.pair(), sign * (y + middle));
-            let part = sign * traction * fields.grid.cell_area();
-            force = [force[0] + part * turn.cos(), force[1] + part * turn.sin()];
+        for ((y, traction), pressure) in
+            fields.y.iter().zip(&fields.traction_y).zip(&fields.pressure)
+        {
+            let (sin, cos) = pressed.plane.turn(self.pair(), sign * (y + middle)).sin_cos();
+            let (traction, pressure) = (sign * traction * area, pressure * area);
+            force[0] += traction * cos - pressure * sin;
+            force[1] += traction * sin + pressure * cos;
         }
         force
     }
