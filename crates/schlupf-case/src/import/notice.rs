@@ -32,6 +32,11 @@ messages! {
         three flexibilities towards one and takes cells as a whole: forces differ by 1 to 2 % of the \
         friction limit".to_owned();
 
+    /// Contacts on curved surfaces.
+    "bent-half-spaces" BentHalfSpaces {} field!("normal.method").as_str(), |subject, words| "D = 4: the \
+        half-spaces are bent along the surface, as with C3 = 4; with C3 = 2 the largest pressure is \
+        up to 5 % higher".to_owned();
+
     /// Another ellipse correction.
     "other-shares" OtherShares {} field!("normal.method").as_str(), |subject, words| "KPEC: the share \
         of the approach that bounds the contact follows from Hertz's theory, not from CONTACT's \

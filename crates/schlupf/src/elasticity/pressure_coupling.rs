@@ -189,10 +189,10 @@ mod tests {
     }
 
     /// Betti 1872: the work of one state on the displacements of the other is the same both ways;
-    /// displacement rail minus wheel is paired with the traction on the rail.
+    /// displacement rail minus wheel is paired with the traction on the rail. On a curved surface, too.
     #[test]
     fn betti_1872_both_couplings_are_one() {
-        let (grid, coupling) = (grid(), coupling());
+        let (grid, coupling) = (grid(), PressureCoupling { curvature: 80.0, ..coupling() });
         let value = |k: usize| 1e8 * ((k * k % 23) as f64 - 9.0);
         let pressure: Vec<f64> = (0..grid.len()).map(|k| value(k).abs()).collect();
         let traction = VectorField {

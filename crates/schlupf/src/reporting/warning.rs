@@ -419,7 +419,8 @@ messages! {
         };
         format!(
             "{name}: the surface turns by {turn:.2} rad over a contact, which is solved in a plane: \
-             beyond 0.3 rad the pressure is too high; {spin}"
+             beyond 0.3 rad the pressure is too high (normal.method = \"conformal\" has that of the \
+             surface); {spin}"
         )
     }, severity *turn;
 

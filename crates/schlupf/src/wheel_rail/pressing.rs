@@ -121,10 +121,12 @@ impl Pressing<'_> {
         for distance in &mut distance {
             *distance += raised.everywhere;
         }
-        let approach = -distance.iter().fold(0.0, |least: f64, d| least.min(*d));
+        let least = |distance: &[f64]| distance.iter().copied().fold(f64::INFINITY, f64::min);
+        let undeformed = least(&distance);
         for (distance, opening) in distance.iter_mut().zip(&opening) {
             *distance += opening;
         }
+        let opened = least(&distance) - undeformed;
         if !distance.iter().any(|d| *d < 0.0) {
             return Ok(None);
         }
@@ -144,7 +146,8 @@ impl Pressing<'_> {
         let options = if columns.max(rows) > COARSE { &FINELY } else { &COARSELY };
         let solution = contact.solve_at_level(0.0, options, self.watch)?;
         require_convergence(&solution, options)?;
-        let RoughContactSolution { pressure, load, .. } = solution;
+        let RoughContactSolution { pressure, load, approach, .. } = solution;
+        let approach = approach + opened;
         let (plane, force) = self.directed(plane, &s, (&pressure, load));
         let pressed = Pressed { plane, x, s, pressure, opening, force, load, curvature, approach };
         Ok(Some((pressed, is_beyond)))
