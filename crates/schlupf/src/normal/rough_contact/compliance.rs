@@ -99,13 +99,16 @@ fn kernel(
 ) -> Vec<f64> {
     let over = (PI * contact_modulus).recip();
     let reach = size.map(|count| count / 2 + 1);
-    let quadrant = love::cells(spacing, reach, love::corner);
+    let quadrant = love::cells(spacing, reach, |at| {
+        let [x, y] = love::corner(at);
+        [x + y, x]
+    });
     let influence = |i: usize, j: usize| {
-        let [x, y] = quadrant[j * reach[0] + i];
+        let [both, x] = quadrant[j * reach[0] + i];
         over * if curved.curvature == 0.0 {
-            x + y
+            both
         } else {
-            let nu = curved.poisson_ratio;
+            let (y, nu) = (both - x, curved.poisson_ratio);
             let along = [(1.0 - nu) * x + y, x + (1.0 - nu) * y].map(|part| part / (1.0 - nu));
             let [less, more] = love::halves(nu, along);
             more * (curved.curvature * j as f64 * spacing[1]).cos() - less
