@@ -7,7 +7,7 @@ messages! {
     /// Why two profiles and a position give no contacts.
     WheelRailError:
 
-    /// A profile with too few points.
+    /// A profile of a wheel or a rail has too few points.
     "few-profile-points" FewPoints {
         /// That of the wheel or of the rail.
         profile: Quantity,
@@ -19,7 +19,7 @@ messages! {
         "{name} needs at least {fewest} points that are 0.03 mm apart, got {count}"
     );
 
-    /// A profile that nowhere shows the side on which the bodies touch.
+    /// A profile has no side on which the other body could touch it.
     "no-running-surface" NoRunningSurface {
         /// That of the wheel or of the rail.
         profile: Quantity,
@@ -28,7 +28,7 @@ messages! {
          body to touch"
     );
 
-    /// Rollers under a wheelset in a curve.
+    /// A finite radius of a curve with rails that are rollers.
     "rollers-in-curve" RollersInCurve {
         /// Radius of the curve, in m.
         radius: f64,
@@ -38,12 +38,12 @@ messages! {
         readable(*radius)
     );
 
-    /// An elasticity on a plane, with contacts on a curved surface.
+    /// Contacts on the curved surface of the rail with an elasticity of plane surfaces.
     "no-curved-surface" NoCurvedSurface {} Quantity::Elasticity, |name, words| format!(
         "{name}: contacts on the curved surface of the rail need half-spaces"
     );
 
-    /// A wheel that is not above the rail.
+    /// The wheel is nowhere above the rail.
     "wheel-beside-rail" BesideRail {
         /// Lateral positions of the wheel's profile, in m.
         wheel: [f64; 2],
@@ -59,7 +59,7 @@ messages! {
         )
     };
 
-    /// A wheel at a height at which it does not touch.
+    /// At the given height the wheel does not touch the rail.
     "wheel-lifted" Lifted {
         /// Least vertical gap to the rail, in m.
         gap: f64,
@@ -68,7 +68,7 @@ messages! {
         readable(1e3 * gap)
     );
 
-    /// Friction that holds a flange however deep it goes.
+    /// Friction holds the wheel at a steep contact angle, whatever the normal force.
     "jammed" Jammed {
         /// Contact angle, outwards, in rad.
         angle: f64,
@@ -81,7 +81,7 @@ messages! {
         readable(*ratio)
     );
 
-    /// A contact that reaches the end of a profile.
+    /// The contact reaches the end of the named profile.
     "contact-at-profile-end" AtProfileEnd {
         /// That of the wheel or of the rail.
         profile: Quantity,
@@ -96,7 +96,7 @@ messages! {
         1e3 * end
     );
 
-    /// Profiles that lie deep in each other.
+    /// Wheel and rail would overlap by millimetres: wrong units or gauge?
     "deep-overlap" DeepOverlap {
         /// Depth, in m.
         depth: f64,
@@ -106,7 +106,7 @@ messages! {
         readable(1e3 * depth)
     );
 
-    /// A vertical force that no elastic contact of the profiles carries.
+    /// No elastic contact carries the vertical force: wrong units or gauge?
     "load-not-carried" NotCarried {
         /// Depth below first touch at which the search ends, in m.
         deepest: f64,
@@ -118,7 +118,7 @@ messages! {
         readable(1e3 * deepest)
     );
 
-    /// A roll angle that did not settle.
+    /// No roll angle was found at which both wheels rest.
     "roll-not-settled" RollNotSettled {
         /// Rounds that were made.
         rounds: usize,
@@ -129,7 +129,7 @@ messages! {
          forces at one height of the wheelset; the last one changed it by {step:.1e} rad"
     );
 
-    /// No state of the wheel was found.
+    /// No state of the wheel on the rail was found.
     "unsolved-wheel" Unsolved {} Quantity::WheelProfile, |name, words| format!(
         "{name}: no state of the wheel on the rail was found"
     );
