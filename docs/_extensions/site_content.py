@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Any
 
 import schlupf
+from schlupf._core import error_codes, warning_codes
 from schlupf._fields import FIELDS, SECTIONS, Field
 
 DOCS = Path(__file__).parent.parent
@@ -249,14 +250,17 @@ def examples() -> str:
 
 def warnings() -> str:
     """Every warning with its category in Python and its meaning."""
-    rows = re.findall(r"^\| `([a-z-]+)` \| (.*) \|$", (DOCS / "messages.md").read_text(), re.M)
-    meanings = dict(rows)
-    missing = set(schlupf.warnings.BY_CODE) - set(meanings)
-    if missing:
-        raise ValueError(f"messages.md does not have {sorted(missing)}")
     lines = ["| code | category in `schlupf.warnings` | meaning |", "|---|---|---|"]
-    for code, category in sorted(schlupf.warnings.BY_CODE.items()):
-        lines.append(f"| `{code}` | `{category.__name__}` | {_cell(meanings[code])} |")
+    for code, meaning in sorted(warning_codes()):
+        category = schlupf.warnings.BY_CODE[code].__name__
+        lines.append(f"| `{code}` | `{category}` | {_cell(meaning)} |")
+    return "\n".join(lines)
+
+
+def errors() -> str:
+    """Every error and its meaning."""
+    lines = ["| code | meaning |", "|---|---|"]
+    lines += [f"| `{code}` | {_cell(meaning)} |" for code, meaning in sorted(error_codes())]
     return "\n".join(lines)
 
 
@@ -336,6 +340,7 @@ GENERATED: dict[str, Callable[..., str]] = {
     "presets": presets,
     "rust-example": rust_example,
     "warnings": warnings,
+    "errors": errors,
 }
 
 COMMENT = re.compile(r"^<!-- generated: (.*) -->$", re.M)

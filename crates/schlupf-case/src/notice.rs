@@ -12,7 +12,7 @@ messages! {
     /// A notice about a field or a section of a case.
     Notice of &'static str:
 
-    /// A case file gives nothing.
+    /// The case gives no fields: all have their defaults.
     "nothing-given" NothingGiven {} field!("title").as_str(), |subject, words| {
         "the case gives no fields: all have their defaults, free rolling of a steel wheel on a steel rail; \
          `schlupf init` writes a case to start from"
@@ -29,7 +29,7 @@ messages! {
         because: String,
     } field.as_str(), |subject, words| format!("{place}: {field} has no effect {because}");
 
-    /// A number that is far from what it is in almost all cases.
+    /// A number is unusual: wrong unit, or a percentage?
     "unusual-value" UnusualValue {
         /// Where it was given.
         place: Place,
@@ -52,7 +52,7 @@ messages! {
         format!("{place}: {field} is {is}, but is usually {usual}{advice}")
     }, severity usual.remoteness(*value);
 
-    /// A height that no rough surfaces in contact have.
+    /// A roughness height is outside of 1 nm to 100 µm: wrong unit?
     "unusual-height" UnusualHeight {
         /// h_rms of both surfaces together, in m.
         rms_height: f64,
@@ -61,7 +61,7 @@ messages! {
         readable(*rms_height)
     ), severity (rms_height / 1e-6).ln().abs();
 
-    /// Elastic spots that carry more than any steel does.
+    /// The contact spots carry more than steel can bear.
     "yielding-spots" YieldingSpots {
         /// Mean pressure in the spots, in Pa.
         in_spots: f64,
@@ -74,7 +74,7 @@ messages! {
         1e-6 * mean_pressure
     );
 
-    /// Too few cells to show the shape of the spots.
+    /// Too few cells are in contact to resolve the shape of the spots.
     "few-cells-in-contact" FewCellsInContact {
         /// Cells in contact in the mean, dimensionless.
         cells: f64,
@@ -85,7 +85,7 @@ messages! {
          larger surface make it better"
     );
 
-    /// A surface that does not load exponentially.
+    /// Eq. (8) with one k_c does not fit the tangential curves.
     "not-exponential" NotExponential {
         /// What Eq. (8) with one k_c misses of μp, root mean square, dimensionless.
         root_mean_square_error: f64,
@@ -98,7 +98,7 @@ messages! {
         1e2 * largest_error
     );
 
-    /// A k_c that depends on the pressure.
+    /// k_c depends on the pressure.
     "stiffness-varies" StiffnessVaries {
         /// Smallest and largest k_c, in 1/m.
         stiffness: [f64; 2],
@@ -112,20 +112,20 @@ messages! {
         1e-6 * mean_pressure[1]
     );
 
-    /// A normal contact of the micro model that did not converge.
+    /// The normal contact of the micro model did not converge.
     "micro-model-not-converged" MicroModelNotConverged {} ROUGHNESS, |subject, words| {
         "the normal contact of the micro model did not converge at every pressure: do not trust its k_c"
             .to_owned()
     };
 
-    /// Pressures too few for the closed form.
+    /// Too few pressures for the closed form of k_c.
     "no-closed-form" NoClosedForm {} ROUGHNESS, |subject, words| {
         "fewer than three of the solved pressures bring 1 to 20 % of the surface into contact: the \
          closed form does not apply"
             .to_owned()
     };
 
-    /// Slopes that are hardly small.
+    /// Gradients so large that the small-slope assumption is doubtful.
     "steep-surface" SteepSurface {
         /// Root mean square gradient, dimensionless.
         gradient: f64,
@@ -134,7 +134,7 @@ messages! {
         readable(*gradient)
     );
 
-    /// A measured piece that is too small to be one of many.
+    /// The measured piece is too small to be representative.
     "small-piece" SmallPiece {
         /// Part of the variance in waves longer than a fifth of it, dimensionless.
         share: f64,
@@ -145,7 +145,7 @@ messages! {
         1e2 * share
     );
 
-    /// Waves of a profile that the cells do not show.
+    /// Waves of a profile shorter than two cells are omitted.
     "waves-left-out" WavesLeftOut {
         /// The longest of them, in m.
         wavelength: f64,
@@ -154,7 +154,7 @@ messages! {
         1e6 * wavelength
     );
 
-    /// Axes of a profile that its shape hardly shows, or other ones than those of its format.
+    /// The shape of a profile does not show its axes, or contradicts its format or the case.
     "profile-axes" ProfileAxes {
         /// Its path.
         field: FieldPath,
@@ -162,7 +162,8 @@ messages! {
         text: String,
     } field.as_str(), |subject, words| format!("{subject}: {text}");
 
-    /// Numbers of a profile in an unusual unit.
+    /// A profile has not the size of a wheel or rail, or numbers without a unit were taken for
+    /// metres.
     "profile-units" ProfileUnits {
         /// Its path.
         field: FieldPath,
@@ -170,7 +171,7 @@ messages! {
         text: String,
     } field.as_str(), |subject, words| format!("{subject}: {text}");
 
-    /// Points of a profile that are not in order.
+    /// Points of a profile were repeated or out of order, and were sorted.
     "profile-order" ProfileOrder {
         /// Its path.
         field: FieldPath,
@@ -178,7 +179,7 @@ messages! {
         text: String,
     } field.as_str(), |subject, words| format!("{subject}: {text}");
 
-    /// A part of a profile that was measured twice.
+    /// Two passes cover the same part of a profile; the later one is left out there.
     "profile-overlap" ProfileOverlap {
         /// Its path.
         field: FieldPath,
@@ -186,7 +187,7 @@ messages! {
         text: String,
     } field.as_str(), |subject, words| format!("{subject}: {text}");
 
-    /// A setting in the file of a profile that is not applied.
+    /// A setting in the file of a profile is not applied.
     "profile-setting" ProfileSetting {
         /// Its path.
         field: FieldPath,
@@ -194,7 +195,7 @@ messages! {
         setting: String,
     } field.as_str(), |subject, words| format!("{subject}: the file's setting is not applied: {setting}");
 
-    /// A flange that does not belong to the usual position of its back.
+    /// The flange of a profile does not belong to the usual position of its back.
     "flange-back" FlangeBack {
         /// Its path.
         field: FieldPath,
@@ -202,7 +203,8 @@ messages! {
         text: String,
     } field.as_str(), |subject, words| format!("{subject}: {text}");
 
-    /// A rail that ends, on its inner side, above the depth down to which its gauge is measured.
+    /// The inner side of the rail profile ends above the gauge depth; the rail is placed by that
+    /// end.
     "gauge-depth-not-reached" GaugeDepthNotReached {
         /// Depth of the inner end of the profile below its top, in m.
         reached: f64,
@@ -216,7 +218,7 @@ messages! {
         1e3 * reached
     ), severity wanted - reached;
 
-    /// Many points had no height.
+    /// Many of the points had no height and were filled.
     "filled-points" FilledPoints {
         /// The file and how many points of it were filled, as a sentence.
         filling: String,

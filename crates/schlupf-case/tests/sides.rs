@@ -131,5 +131,7 @@ fn rollers_turn() {
     let both = message(&format!("{HEAD}{roller}"));
     assert!(both.contains("given together with rail.angular_velocity"), "{both}");
     let straight = message(&discs.replace("radius_x = \"0.5 m\"\n", ""));
-    assert!(straight.contains("must be positive, for a roller to roll forwards"), "{straight}");
+    assert!(straight.contains("is that of a roller, which needs its rail.radius_x"), "{straight}");
+    let backwards = message(&discs.replace("\"40 rad/s", "\"-40 rad/s"));
+    assert!(backwards.contains("must be positive, for a roller to roll forwards"), "{backwards}");
 }

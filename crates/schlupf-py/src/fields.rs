@@ -87,6 +87,32 @@ pub fn warning_codes() -> Vec<(&'static str, &'static str)> {
     codes.into_iter().zip(meanings.into_iter().map(str::trim)).collect()
 }
 
+/// The codes of all errors and what they mean, without those of which the code is that of the error
+/// within.
+#[pyfunction]
+pub fn error_codes() -> Vec<(&'static str, &'static str)> {
+    use schlupf::Error;
+    use schlupf::reporting::{FitError, ForceError, SurfaceError, WheelRailError};
+    const OUTER: [&str; 6] =
+        ["at-time", "no-rolling-at-patch", "surface", "fit", "force", "wheel-rail"];
+    let codes = [
+        Error::CODES,
+        ForceError::CODES,
+        SurfaceError::CODES,
+        WheelRailError::CODES,
+        FitError::CODES,
+    ];
+    let meanings = [
+        Error::MEANINGS,
+        ForceError::MEANINGS,
+        SurfaceError::MEANINGS,
+        WheelRailError::MEANINGS,
+        FitError::MEANINGS,
+    ];
+    let all = codes.concat().into_iter().zip(meanings.concat().into_iter().map(str::trim));
+    all.filter(|(code, _)| !OUTER.contains(code)).collect()
+}
+
 /// Constants to start with: group, name, what it is, its source, and its fields with values as
 /// TOML.
 #[pyfunction]

@@ -30,7 +30,7 @@ mod _core {
     #[pymodule_export]
     use super::conditions::{BatchSolver, batch, condition_status, conditions, force_names};
     #[pymodule_export]
-    use super::fields::{command, field_table, presets, warning_codes};
+    use super::fields::{command, error_codes, field_table, presets, warning_codes};
     #[pymodule_export]
     use super::imports::import_contact;
     #[pymodule_export]

@@ -10,13 +10,13 @@ messages! {
     /// A notice about a field of a case.
     Notice of &'static str:
 
-    /// A method of a comparison cannot answer for this case.
+    /// A method of `schlupf compare` cannot answer for this case.
     "not-available" NotAvailable {
         /// Why.
         reason: String,
     } field!("solver.method").as_str(), |subject, words| format!("not available: {reason}");
 
-    /// An output has nothing in it, because the method gives no fields.
+    /// A file has no rows, because the method gives no fields.
     "empty-output" EmptyOutput {
         /// Which one.
         output: String,
@@ -28,7 +28,7 @@ messages! {
         format!("{output}: {what}, because solver.method = {method:?} gives no fields")
     };
 
-    /// Loads of the data are far from that of the case.
+    /// Loads of the data differ much from that of the case: wrong units?
     "other-loads" OtherLoads {
         /// The one that is farthest, in N.
         of_data: f64,
@@ -38,7 +38,7 @@ messages! {
         "the data have a load of {of_data:.4e} N, the case one of {of_case:.4e} N: are the units right?"
     );
 
-    /// A passage by a method that has no fields.
+    /// The method has no fields: wear and melting per wheel passage are unknown.
     "no-wear" NoWear {
         /// Its name.
         method: &'static str,
@@ -46,7 +46,7 @@ messages! {
         "the method {method} gives no fields: wear and melting are unknown"
     );
 
-    /// Wear of dry steel where something is between the surfaces.
+    /// Wear coefficients of dry steel with low friction or a layer.
     "wear-of-dry-steel" WearOfDrySteel {
         /// μ0, dimensionless.
         friction: f64,
@@ -55,7 +55,7 @@ messages! {
          layer: what lowers friction lowers wear by more"
     );
 
-    /// Surfaces that are hotter than what they withstand.
+    /// A part of the contact is hotter than the melting temperature.
     "molten" Molten {
         /// Part of the area of contact, dimensionless.
         share: f64,
@@ -68,7 +68,7 @@ messages! {
          melts, and friction, wear and heat are no longer those of the laws", 100.0 * share
     );
 
-    /// States of a run without a solution.
+    /// States of a run have no solution: the damage is that of the others.
     "left-out" LeftOut {
         /// How many.
         rows: usize,
@@ -81,7 +81,7 @@ messages! {
          {distance:.4e} m over which they hold are left out"
     );
 
-    /// States of a run in which a wheel has contacts that are not counted.
+    /// A wheel has more contacts than a table has columns for: the smallest are not counted.
     "more-contacts" MoreContacts {
         /// How many.
         rows: usize,
@@ -92,7 +92,7 @@ messages! {
          {first} for the first time: those with the smallest forces are not counted"
     );
 
-    /// A lateral position of a wheelset whose contacts were not found.
+    /// The contacts of a wheelset were not found at a lateral position.
     "position-failed" PositionFailed {
         /// Where, in m.
         lateral: f64,
@@ -102,7 +102,7 @@ messages! {
         format!("at a lateral position of {} mm: {reason}", millimetres(*lateral))
     };
 
-    /// Amplitudes for which there is no equivalent conicity, because the wheels leave the rails.
+    /// Beyond an amplitude the wheels leave the rails or profiles end: conicity is given up to it.
     "conicity-ends" ConicityEnds {
         /// The largest amplitude, in m.
         largest: f64,
@@ -113,7 +113,8 @@ messages! {
         millimetres(*largest)
     );
 
-    /// Amplitudes that no motion has.
+    /// The rolling radius difference drives the wheelset outwards: the equivalent conicity by EN
+    /// 15302 is unknown.
     "no-periodic-motion" NoPeriodicMotion {
         /// Smallest and largest of them, in m.
         amplitudes: [f64; 2],
@@ -125,7 +126,8 @@ messages! {
         millimetres(amplitudes[1])
     );
 
-    /// States of a run whose friction power is unknown.
+    /// States of a run have no friction power (Polach's method with spin): the damage is that of
+    /// the others.
     "no-friction-power" NoFrictionPower {
         /// How many.
         rows: usize,
@@ -138,13 +140,13 @@ messages! {
          have spin, the first in row {first}: the {distance:.4e} m over which they hold are left out"
     );
 
-    /// The patch is beyond the table of calibrated stiffnesses.
+    /// The patch is outside the table of calibrated stiffnesses.
     "no-table" NoTable {
         /// Why.
         error: Error,
     } CALIBRATION, |subject, words| error.text(words);
 
-    /// Fitted stiffnesses are far from those of the bodies of the case.
+    /// Fitted stiffnesses are far from those of the case's bodies: wrong units?
     "unlikely-bedding" UnlikelyBedding {
         /// `x` or `y`.
         component: &'static str,
@@ -155,7 +157,7 @@ messages! {
          bodies: are units and bodies right?"
     );
 
-    /// Displacements that an elastic layer hardly follows.
+    /// An elastic layer fits the displacements poorly.
     "poor-layer-fit" PoorLayerFit {
         /// `x` or `y`.
         component: &'static str,
@@ -166,7 +168,7 @@ messages! {
         100.0 * deviation
     );
 
-    /// Displacements leave open how far the coupling reaches.
+    /// The displacements do not determine the decay length of the coupling.
     "undetermined-decay-length" UndeterminedDecayLength {
         /// `x` or `y`.
         component: &'static str,

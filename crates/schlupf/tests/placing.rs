@@ -272,6 +272,17 @@ fn rails_pass_at_different_speeds_in_a_curve() {
     }
 }
 
+/// A wheelset on rollers runs in no curve.
+#[test]
+fn rollers_have_no_curve() {
+    let roller = RailShape { radius: 0.5, ..rail_shape(&Shape::Arc(0.3)) };
+    let pairs = Sides::both(pair(&wheel_shape(&Shape::Arc(-0.4), RADIUS), &roller));
+    let mut wheel = on(pairs, Side::Left, Support::Force(5e4));
+    assert!(wheel.check().is_ok());
+    wheel.motion.curve_radius = 300.0;
+    assert_eq!(wheel.check().unwrap_err().code(), "rollers-in-curve");
+}
+
 /// A wheel with an arc across on a roller: Hertz's contact with 1/R = 1/R_w + 1/R_r. A large roller
 /// is a straight rail.
 #[test]

@@ -96,6 +96,8 @@ choices! {
     /// `normal.method`.
     NormalSolution {
         HalfSpaces "half-spaces" "the pressure of two elastic half-spaces";
+        Conformal "conformal"
+            "the same on the curved surface of the rail, for contacts that turn by more than 0.3 rad";
         KikPiotrowski "kik-piotrowski"
             "patch and pressure from the overlap at 0.55 of the approach (virtual penetration)";
         EllipseCorrected "ellipse-corrected"

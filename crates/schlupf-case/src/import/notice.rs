@@ -8,7 +8,7 @@ messages! {
     /// A notice about an input file.
     Notice of &'static str:
 
-    /// Settings that have no counterpart.
+    /// Settings of CONTACT's solvers and output have no counterpart.
     "settings-left-out" SettingsLeftOut {
         /// Their names.
         names: &'static str,
@@ -16,7 +16,7 @@ messages! {
         "{names} set CONTACT's own solvers and output and are left out: nothing that is solved depends on them"
     );
 
-    /// The grid of two profiles.
+    /// The given size of elements has no counterpart.
     "grid-left-out" GridLeftOut {
         /// Size of its elements, in mm.
         size: [f64; 2],
@@ -27,18 +27,28 @@ messages! {
         size[1]
     );
 
-    /// Another FASTSIM.
+    /// CONTACT's FASTSIM has other flexibilities and takes cells as a whole.
     "other-fastsim" OtherFastsim {} field!("solver.method").as_str(), |subject, words| "CONTACT's FASTSIM shifts its \
         three flexibilities towards one and takes cells as a whole: forces differ by 1 to 2 % of the \
         friction limit".to_owned();
 
-    /// Modified FASTSIM with lateral creepage or spin.
+    /// Influences on a curved surface follow its turn.
+    "bent-half-spaces" BentHalfSpaces {} field!("normal.method").as_str(), |subject, words| "D = 4: the \
+        half-spaces are bent along the surface, as with C3 = 4; with C3 = 2 the largest pressure is \
+        up to 5 % higher".to_owned();
+
+    /// The ellipse correction of KPEC is another one.
+    "other-shares" OtherShares {} field!("normal.method").as_str(), |subject, words| "KPEC: the share \
+        of the approach that bounds the contact follows from Hertz's theory, not from CONTACT's \
+        formula; pressures of contacts that are no ellipses differ".to_owned();
+
+    /// Modified FASTSIM with lateral creepage or spin differs from CONTACT's.
     "other-slope-reduction" OtherSlopeReduction {} field!("fastsim.reduction_decay").as_str(), |subject, words| "with \
         lateral creepage or spin modified FASTSIM differs more: the ratio of slip to adhesion that \
         reduces the slope has C11 √(ξ² + (η + φ a)²) in CONTACT, √((C11 ξ)² + (C22 η)²) here"
         .to_owned();
 
-    /// Another point about which the moment is taken.
+    /// Creepages and moment refer to the middle of the contact.
     "moment-at-middle" MomentAtMiddle {
         /// Middle of the contact in the coordinates of the file, in mm.
         centre: [f64; 2],
@@ -49,16 +59,16 @@ messages! {
         crate::import::document::number(centre[1])
     );
 
-    /// Stresses below the surface.
+    /// Points of stresses below the surface are another command's.
     "points-left-out" PointsLeftOut {} "subsurface", |subject, words| "the points of stresses below \
         the surface (S) are left out: `schlupf subsurface` computes them".to_owned();
 
-    /// Contacts that are close together.
+    /// Close contacts are one; CONTACT attenuates their influence on each other.
     "whole-contacts" WholeContacts {} field!("normal.join_distance").as_str(), |subject, words| "contacts closer than \
         D_SEP are one contact: CONTACT attenuates their influence on each other down to D_COMB"
         .to_owned();
 
-    /// Thresholds of profiles.
+    /// Thresholds for kinks and errors of a profile have no counterpart.
     "thresholds-left-out" ThresholdsLeftOut {
         /// The field of the profile.
         profile: FieldPath,

@@ -16,13 +16,19 @@ pub fn speed(settings: &Settings) -> Result<f64, CaseError> {
     let Some(angular_velocity) = settings.optional_number(TURNING)? else {
         return settings.number(field!("kinematics.speed"));
     };
-    let (speed, radius) = (angular_velocity * settings.number(RADIUS)?, settings.shown(RADIUS));
+    let radius = settings.number(RADIUS)?;
+    let speed = angular_velocity * radius;
     if speed > 0.0 && speed.is_finite() {
         return Ok(speed);
     }
+    if radius.is_infinite() {
+        let message = format!("{TURNING} is that of a roller, which needs its {RADIUS}");
+        return Err(settings.error(TURNING, message));
+    }
     let message = format!(
-        "{TURNING} and {RADIUS} must be positive, for a roller to roll forwards, but are {} and {radius}",
-        settings.shown(TURNING)
+        "{TURNING} and {RADIUS} must be positive, for a roller to roll forwards, but are {} and {}",
+        settings.shown(TURNING),
+        settings.shown(RADIUS)
     );
     Err(settings.error(TURNING, message))
 }

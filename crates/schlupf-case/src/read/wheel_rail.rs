@@ -71,6 +71,7 @@ pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
         },
         normal_method: match settings.chosen(field!("normal.method"))? {
             NormalSolution::HalfSpaces => NormalMethod::HalfSpaces,
+            NormalSolution::Conformal => NormalMethod::Conformal,
             NormalSolution::KikPiotrowski => NormalMethod::KikPiotrowski,
             NormalSolution::EllipseCorrected => NormalMethod::EllipseCorrected,
             NormalSolution::EquivalentEllipse => NormalMethod::EquivalentEllipse,

@@ -52,6 +52,18 @@ cells_y = 40
     assert_eq!(one(BALL).text, expected);
 }
 
+/// MAXOUT: one iteration leaves the pressure of unlike bodies as it is.
+#[test]
+fn iterations_between_pressure_and_tractions() {
+    let unlike = with(BALL, &[("82031.25 82031.25", "82031.25 41015.625")]);
+    let one_way = "unlike_bodies = \"one-way\"";
+    has(&one(&unlike).text, &[one_way]);
+    for coupled in [with(&unlike, &[("30 1 1e-5", "30 20 1e-5")]), BALL.to_owned()] {
+        let text = one(&coupled).text;
+        assert!(!text.contains("unlike_bodies"), "{text}");
+    }
+}
+
 /// Hertz's contact in all descriptions, with a load and with an approach. A sphere of R = 300 mm
 /// has A1 = B1 = 1/(2 R), an approach of a²/R and N = 4 E* a³/(3 R) (Johnson 1985, Eqs. 4.22–4.24).
 #[test]

@@ -255,6 +255,27 @@ fn friction_and_methods_of_module_1() {
         &import.cases[0].text,
         &["method = \"ellipse-corrected\"", "method = \"fastsim\""],
     );
+    assert!(import.notices.iter().any(|notice| notice.code == "other-shares"));
+}
+
+/// Contacts on a curved surface (D = 4), with bent half-spaces (C3 = 4), which are ours, or not.
+#[test]
+fn curved_surfaces_of_module_1() {
+    let row = &rows("manchester_a22.csv")[2];
+    let plain = benchmark(row, 0, "-4.35");
+    let curved = plain.replace("0022033", "0042033");
+    let bent = curved.replace("0042033", "0044033").replace(" 0.28 0.28", " 1 4\n 0.28 0.28");
+    for (text, is_told) in [(curved, true), (bent, false)] {
+        let import = imported(text);
+        assert!(import.errors.is_empty(), "{:#?}", import.errors);
+        let text = &import.cases[0].text;
+        crate::support::has(text, &["method = \"conformal\""]);
+        assert!(!text.contains("row_motion"), "{text}");
+        assert_eq!(import.notices.iter().any(|told| told.code == "bent-half-spaces"), is_told);
+    }
+    let flat = plain.replace("0022033", "0024033").replace(" 0.28 0.28", " 1 4\n 0.28 0.28");
+    let refused = imported(flat).errors;
+    assert!(format!("{refused:?}").contains("C3 = 4: influence coefficients"), "{refused:?}");
 }
 
 /// What goes with the digit F of module 1, and what does not, with its line.

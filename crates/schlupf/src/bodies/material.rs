@@ -126,6 +126,14 @@ pub fn contact_modulus(first: &Material, second: &Material) -> f64 {
     1.0 / (compliance(first) + compliance(second))
 }
 
+/// Combined constants of two bodies: 1/G = ½ (1/G₁ + 1/G₂) in Pa, and ν/G = ½ (ν₁/G₁ + ν₂/G₂).
+pub(crate) fn shear_modulus_and_poisson_ratio(first: &Material, second: &Material) -> [f64; 2] {
+    let [one, other] = [first, second].map(|material| 0.5 / material.shear_modulus());
+    let shear_modulus = (one + other).recip();
+    let poisson_ratio = first.poisson_ratio * one + second.poisson_ratio * other;
+    [shear_modulus, shear_modulus * poisson_ratio]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -5,5 +5,6 @@ mod kinematics;
 mod row_motion;
 
 pub use kinematics::{Kinematics, ReferencePoint};
+pub(crate) use material::shear_modulus_and_poisson_ratio;
 pub use material::{Body, Material, contact_modulus};
 pub use row_motion::{RowMotion, RowSlip, StripSlip};

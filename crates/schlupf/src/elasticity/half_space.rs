@@ -9,7 +9,7 @@ use rustfft::{Fft, FftPlanner};
 
 use super::ellipsoidal_traction::EllipsoidalTraction;
 use super::{Compliance, Elasticity, PressureCoupling, UnlikeBodies};
-use crate::bodies::Material;
+use crate::bodies::{Material, shear_modulus_and_poisson_ratio};
 use crate::normal::{Grid, VectorField};
 use crate::numerics::fourier::smooth_from;
 use crate::numerics::love;
@@ -30,6 +30,18 @@ use crate::reporting::{Error, Quantity, Warning, require_positive};
 /// It depends only on the distance between the two cells, so the product is a convolution and costs
 /// O(n log n) with the fast Fourier transform on a grid padded to twice its size.
 ///
+/// On a surface with a curvature κ across rolling, cells Δy apart are inclined to each other by
+/// κ Δy. The half-space of both is then that whose plane is half-way between them: the traction of
+/// one is turned into it by half that angle, and the displacement out of it by the other half. With
+/// the influence A_nn of pressure on the approach, A_± = ½ (A_yy ± A_nn),
+///
+/// A_yy → A₋ + A₊ cos κΔy,  A_nn → A₊ cos κΔy − A₋,  A_xy → A_xy cos ½κΔy,
+///
+/// and pressure displaces tangentially ([`PressureCoupling`]). In plane strain this is a disc in a
+/// hole, apart from what is uniform in them; elsewhere it is the estimate of J. Blanco-Lorenzo et
+/// al., Tribology International 103 (2016), in the symmetric form of E. A. H. Vollebregt, User guide
+/// for CONTACT, §4.2. κ = 0 is the plane.
+///
 /// The mean over the cell is removed from its influence to second order (`Influences`), which makes
 /// forces some four times as accurate and keeps A positive definite. Both components share one
 /// complex field; columns k and −k of its transform are transformed across, multiplied and
@@ -40,6 +52,8 @@ pub struct HalfSpace {
     poisson_ratio: f64,
     dissimilarity: f64,
     unlike_bodies: UnlikeBodies,
+    /// In 1/m.
+    curvature: f64,
 }
 
 /// Dissimilarity below which bodies are alike.
@@ -60,15 +74,12 @@ impl HalfSpace {
     /// # Ok::<(), schlupf::Error>(())
     /// ```
     pub fn new(first: &Material, second: &Material) -> Result<Self, Error> {
-        let compliance = [first, second].map(|m| 0.5 / m.shear_modulus());
-        let shear_modulus = (compliance[0] + compliance[1]).recip();
+        let [shear_modulus, poisson_ratio] = shear_modulus_and_poisson_ratio(first, second);
         require_positive(Quantity::WheelYoungModulus, shear_modulus)?;
-        let poisson_ratio = shear_modulus
-            * (first.poisson_ratio * compliance[0] + second.poisson_ratio * compliance[1]);
         let dilation = |m: &Material| (1.0 - 2.0 * m.poisson_ratio) / m.shear_modulus();
         let dissimilarity = 0.25 * shear_modulus * (dilation(first) - dilation(second));
         let unlike_bodies = UnlikeBodies::default();
-        Ok(Self { shear_modulus, poisson_ratio, dissimilarity, unlike_bodies })
+        Ok(Self { shear_modulus, poisson_ratio, dissimilarity, unlike_bodies, curvature: 0.0 })
     }
 
     /// The same with less, or all, of what couples pressure and tractions of unlike bodies.
@@ -106,6 +117,13 @@ impl HalfSpace {
         let [below, above] =
             [-0.5, 0.5].map(|side_y| [-0.5, 0.5].map(|side_x| corner(side_x, side_y)));
         love::rectangle([below, above])
+    }
+
+    /// The influences of plane bodies on those `across` (in m) of each other on a curved surface.
+    fn turned(&self, [xx, yy, xy]: [f64; 3], across: f64) -> [f64; 3] {
+        let [less, more] = love::halves(self.poisson_ratio, [xx, yy]);
+        let turn = self.curvature * across;
+        [xx, less + more * turn.cos(), xy * (0.5 * turn).cos()]
     }
 
     /// Integrals of A_xx, A_yy and A_xy from the origin to a corner (x, y), in m³/N.
@@ -157,7 +175,13 @@ impl Influences {
     /// The uncorrected influences.
     fn plain(bodies: &HalfSpace, grid: &Grid, [columns, rows]: [usize; 2]) -> Self {
         let spacing = [grid.spacing_x, grid.spacing_y];
-        let quadrant = love::cells(spacing, [columns, rows], |at| bodies.corner(at));
+        let mut quadrant = love::cells(spacing, [columns, rows], |at| bodies.corner(at));
+        if bodies.curvature != 0.0 {
+            for (j, row) in quadrant.chunks_exact_mut(columns).enumerate() {
+                let across = j as f64 * grid.spacing_y;
+                row.iter_mut().for_each(|influence| *influence = bodies.turned(*influence, across));
+            }
+        }
         Self { quadrant, columns }
     }
 
@@ -173,11 +197,17 @@ impl Elasticity for HalfSpace {
     fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error> {
         let influences = Influences::new(self, grid);
         let convolution = Convolution::new(grid, |i, j| influences.at(i, j));
-        Ok(Box::new(HalfSpaceCompliance { convolution }))
+        Ok(Box::new(HalfSpaceCompliance { convolution, is_plane: self.curvature == 0.0 }))
     }
 
     fn under_ellipsoid(&self, semi_axes: [f64; 2]) -> Option<EllipsoidalTraction> {
-        Some(EllipsoidalTraction::new(self.shear_modulus, self.poisson_ratio, semi_axes))
+        let ellipsoid =
+            || EllipsoidalTraction::new(self.shear_modulus, self.poisson_ratio, semi_axes);
+        (self.curvature == 0.0).then(ellipsoid)
+    }
+
+    fn curved(&self, curvature: f64) -> Option<Arc<dyn Elasticity>> {
+        Some(Arc::new(Self { curvature, ..*self }))
     }
 
     fn caveat(&self) -> Option<Warning> {
@@ -186,17 +216,19 @@ impl Elasticity for HalfSpace {
     }
 
     fn pressure_coupling(&self) -> Option<PressureCoupling> {
-        let constant = self.unlike().filter(|_| self.unlike_bodies != UnlikeBodies::Neglected)?;
+        let constant = self.unlike().filter(|_| self.unlike_bodies != UnlikeBodies::Neglected);
+        let Self { shear_modulus, poisson_ratio, curvature, .. } = *self;
+        let constant = constant.or((curvature != 0.0).then_some(0.0))?;
         let is_mutual = self.unlike_bodies == UnlikeBodies::Coupled;
-        let Self { shear_modulus, poisson_ratio, .. } = *self;
-        Some(PressureCoupling { constant, shear_modulus, poisson_ratio, is_mutual })
+        Some(PressureCoupling { constant, curvature, shear_modulus, poisson_ratio, is_mutual })
     }
 }
 
-/// The half-space on one grid. Displacements scale linearly with its size.
+/// The half-space on one grid. Displacements of plane bodies scale linearly with its size.
 #[derive(Debug)]
 struct HalfSpaceCompliance {
     convolution: Convolution,
+    is_plane: bool,
 }
 
 impl Compliance for HalfSpaceCompliance {
@@ -209,8 +241,10 @@ impl Compliance for HalfSpaceCompliance {
         traction: &VectorField,
         displacement: &mut VectorField,
     ) -> bool {
-        self.convolution.displacement(traction, displacement);
-        true
+        if self.is_plane {
+            self.convolution.displacement(traction, displacement);
+        }
+        self.is_plane
     }
 
     fn couples_cells(&self) -> bool {

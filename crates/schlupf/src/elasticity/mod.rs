@@ -20,6 +20,7 @@ pub use rigid::Rigid;
 pub use winkler::Winkler;
 
 use std::fmt::Debug;
+use std::sync::Arc;
 
 use crate::normal::{Grid, VectorField};
 use crate::reporting::{Error, Warning};
@@ -88,6 +89,12 @@ pub trait Elasticity: Debug + Send + Sync {
     /// How pressure displaces the surfaces tangentially and tractions move them apart, if the model
     /// does not neglect it.
     fn pressure_coupling(&self) -> Option<PressureCoupling> {
+        None
+    }
+
+    /// The same for bodies whose common surface is curved across rolling, with a curvature in 1/m,
+    /// positive where the rail is convex; `None` if the model is for plane surfaces only.
+    fn curved(&self, _curvature: f64) -> Option<Arc<dyn Elasticity>> {
         None
     }
 

@@ -33,6 +33,10 @@ pub enum UnlikeBodies {
 ///
 /// u = −K/(πG) ∫ p r/|r|² dA,  h = K/(πG) ∫ t · r/|r|² dA.
 ///
+/// On a surface with a curvature κ across rolling ([`HalfSpace`](super::HalfSpace)) there is also
+/// what the tangential displacement of one place and the pressure at another have in common as
+/// these are inclined to each other: K **r**/(πG r²) → K **r**/(πG r²) + (A_xy sin ½κΔy, A₊ sin κΔy).
+///
 /// u is the tangential displacement, wheel minus rail, and h how far the tractions move the
 /// surfaces apart. Both are constant in a cell, for which ∫∫ x/r² = Y ln r + X atan(Y/X) in sums
 /// over its corners.
@@ -40,6 +44,8 @@ pub enum UnlikeBodies {
 pub struct PressureCoupling {
     /// K, dimensionless.
     pub constant: f64,
+    /// κ, in 1/m.
+    pub curvature: f64,
     /// Combined shear modulus G, in Pa.
     pub shear_modulus: f64,
     /// Combined Poisson's ratio ν, dimensionless.
@@ -73,17 +79,17 @@ impl PressureCoupling {
         self.convolved(grid, &conjugate).iter().map(|h| h.re).collect()
     }
 
-    /// K/(πG) ∫ f (x + i y)/r² dA of a complex field f.
+    /// The convolution of a complex field with what couples, in m per unit of the field.
     fn convolved(&self, grid: &Grid, field: &[Complex<f64>]) -> Vec<Complex<f64>> {
         let size = [smooth_from(2 * grid.columns - 1), smooth_from(2 * grid.rows - 1)];
         let [nx, ny] = size;
-        let over = self.constant / (PI * self.shear_modulus * (nx * ny) as f64);
+        let over = ((nx * ny) as f64).recip();
         let mut padded = vec![Complex::default(); nx * ny];
         let rows = field.chunks_exact(grid.columns);
         for (line, row) in padded.chunks_exact_mut(nx).zip(rows) {
             line[..grid.columns].copy_from_slice(row);
         }
-        let mut kernel = kernel(grid, size);
+        let mut kernel = self.kernel(grid, size);
         transform(&mut padded, size, false);
         transform(&mut kernel, size, false);
         for (value, wave) in padded.iter_mut().zip(&kernel) {
@@ -93,24 +99,41 @@ impl PressureCoupling {
         let lines = padded.chunks_exact(nx).take(grid.rows);
         lines.flat_map(|line| &line[..grid.columns]).copied().collect()
     }
-}
 
-/// ∫ (x + i y)/r² dA over the cell at the origin, at all cells; those beyond half the size are
-/// behind it.
-fn kernel(grid: &Grid, [nx, ny]: [usize; 2]) -> Vec<Complex<f64>> {
-    let reach = [nx / 2 + 1, ny / 2 + 1];
-    let quadrant = love::cells([grid.spacing_x, grid.spacing_y], reach, |[x, y]| {
-        let logarithm = 0.5 * (x * x + y * y).ln();
-        [y * logarithm + x * (y / x).atan(), x * logarithm + y * (x / y).atan()]
-    });
-    let away = |k: usize, count: usize| if 2 * k <= count { (k, 1.0) } else { (count - k, -1.0) };
-    let cells = (0..ny).flat_map(|j| (0..nx).map(move |i| (away(i, nx), away(j, ny))));
-    cells
-        .map(|((i, ahead), (j, left))| {
-            let [x, y] = quadrant[j * reach[0] + i];
-            Complex::new(ahead * x, left * y)
-        })
-        .collect()
+    /// x + i y of what couples the cell at the origin with all cells; those beyond half the size are
+    /// behind it.
+    fn kernel(&self, grid: &Grid, [nx, ny]: [usize; 2]) -> Vec<Complex<f64>> {
+        let reach = [nx / 2 + 1, ny / 2 + 1];
+        let over = (PI * self.shear_modulus).recip();
+        let mut quadrant = love::cells([grid.spacing_x, grid.spacing_y], reach, |[x, y]| {
+            let logarithm = 0.5 * (x * x + y * y).ln();
+            let both = [y * logarithm + x * (y / x).atan(), x * logarithm + y * (x / y).atan()];
+            both.map(|part| self.constant * over * part)
+        });
+        if self.curvature != 0.0 {
+            let nu = self.poisson_ratio;
+            let plane = love::cells([grid.spacing_x, grid.spacing_y], reach, |[x, y]| {
+                let [along, across] = love::corner([x, y]);
+                [(1.0 - nu) * along + across, along + (1.0 - nu) * across, -nu * x.hypot(y)]
+                    .map(|part| over * part)
+            });
+            for (k, (both, [xx, yy, xy])) in quadrant.iter_mut().zip(plane).enumerate() {
+                let turn = self.curvature * (k / reach[0]) as f64 * grid.spacing_y;
+                let [_, more] = love::halves(nu, [xx, yy]);
+                both[0] += xy * (0.5 * turn).sin();
+                both[1] += more * turn.sin();
+            }
+        }
+        let away =
+            |k: usize, count: usize| if 2 * k <= count { (k, 1.0) } else { (count - k, -1.0) };
+        let cells = (0..ny).flat_map(|j| (0..nx).map(move |i| (away(i, nx), away(j, ny))));
+        cells
+            .map(|((i, ahead), (j, left))| {
+                let [x, y] = quadrant[j * reach[0] + i];
+                Complex::new(ahead * x, left * y)
+            })
+            .collect()
+    }
 }
 
 /// Fourier transform in both directions, in place, without a factor.
@@ -146,7 +169,7 @@ mod tests {
 
     fn coupling() -> PressureCoupling {
         let (constant, shear_modulus, poisson_ratio) = (0.1, 36e9, 0.3);
-        PressureCoupling { constant, shear_modulus, poisson_ratio, is_mutual: true }
+        PressureCoupling { constant, curvature: 0.0, shear_modulus, poisson_ratio, is_mutual: true }
     }
 
     /// Boussinesq 1885: far away a loaded cell acts as a point force, u = −K/(πG) P r/r².
@@ -166,10 +189,10 @@ mod tests {
     }
 
     /// Betti 1872: the work of one state on the displacements of the other is the same both ways;
-    /// displacement rail minus wheel is paired with the traction on the rail.
+    /// displacement rail minus wheel is paired with the traction on the rail. On a curved surface, too.
     #[test]
     fn betti_1872_both_couplings_are_one() {
-        let (grid, coupling) = (grid(), coupling());
+        let (grid, coupling) = (grid(), PressureCoupling { curvature: 80.0, ..coupling() });
         let value = |k: usize| 1e8 * ((k * k % 23) as f64 - 9.0);
         let pressure: Vec<f64> = (0..grid.len()).map(|k| value(k).abs()).collect();
         let traction = VectorField {

@@ -13,7 +13,7 @@ pub use third_body::{ShearedPoint, ThirdBodyLayer, YieldLimit};
 
 use std::sync::Arc;
 
-use crate::bodies::{Body, Kinematics, Material, contact_modulus};
+use crate::bodies::{Body, Kinematics, Material, contact_modulus, shear_modulus_and_poisson_ratio};
 use crate::elasticity::Elasticity;
 use crate::normal::patch::Cell;
 use crate::reporting::{Error, Warning};
@@ -133,6 +133,12 @@ impl Interface {
     /// Contact modulus E* of both bodies, in Pa.
     pub fn contact_modulus(&self) -> f64 {
         contact_modulus(&self.wheel.material, &self.rail.material)
+    }
+
+    /// Combined Poisson's ratio of both bodies, dimensionless.
+    pub(crate) fn poisson_ratio(&self) -> f64 {
+        let [_, ratio] = shear_modulus_and_poisson_ratio(&self.wheel.material, &self.rail.material);
+        ratio
     }
 
     /// Performs all checks possible before the patch is known, at a speed.

@@ -46,6 +46,10 @@ impl PressureSource for AtLoad {
         self.source.undeformed_distance(x, y)
     }
 
+    fn cells(&self) -> usize {
+        self.source.cells()
+    }
+
     fn load_exponent(&self) -> Option<f64> {
         self.source.load_exponent()
     }

@@ -88,6 +88,11 @@ pub trait PressureSource: Debug + Send + Sync {
         None
     }
 
+    /// Cells across the contact in each direction on which that change is solved.
+    fn cells(&self) -> usize {
+        profile::Profile::DEFAULT_CELLS
+    }
+
     /// The power of the load with which the lengths of the patch grow (dimensionless), if only the
     /// load changes in the description of the source: 1/3 for two bodies of given curvature, 0 for
     /// a patch of given size. `None` if the patch changes its shape or the power is not known; then

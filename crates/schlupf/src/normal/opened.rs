@@ -7,10 +7,6 @@ use super::{Extent, Grid, NormalContact, NormalSummary, Pressure, PressureSource
 use crate::reporting::{Error, Warning, Watch};
 use crate::surface::{HeightMap, Lattice};
 
-/// Cells across the contact in each direction, as many as a [`Profile`](super::profile::Profile)
-/// has by default.
-const CELLS: f64 = 128.0;
-
 /// Rim around the contact of the same bodies without tractions, relative to its sides: the contact
 /// changes its size by less.
 const RIM: f64 = 0.25;
@@ -38,8 +34,9 @@ pub(crate) struct Cells {
 }
 
 impl Cells {
-    fn around(extent: &Extent) -> Self {
-        let columns = (CELLS * (1.0 + 2.0 * RIM)) as usize;
+    /// Those around a contact that has so many across it in each direction.
+    fn around(extent: &Extent, across: usize) -> Self {
+        let columns = (across as f64 * (1.0 + 2.0 * RIM)) as usize;
         let line = |[from, to]: [f64; 2]| {
             let length = (1.0 + 2.0 * RIM) * (to - from);
             [0.5 * (from + to - length), length / columns as f64]
@@ -64,7 +61,7 @@ impl Opened {
         watch: Watch,
     ) -> Result<Option<Self>, Error> {
         let contact = source.normal_contact(None)?;
-        let cells = Cells::around(&contact.extent());
+        let cells = Cells::around(&contact.extent(), source.cells());
         if source.undeformed_distance(&cells.x, &cells.y).is_none() {
             return Ok(None);
         }

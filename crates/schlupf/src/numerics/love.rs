@@ -11,6 +11,13 @@ pub(crate) fn corner([x, y]: [f64; 2]) -> [f64; 2] {
     [times_asinh(x, y), times_asinh(y, x)]
 }
 
+/// ½ (A_yy − A_nn) and ½ (A_yy + A_nn) of half-spaces, in their unit, from A_xx and A_yy: A_nn = (1 − ν)/(2 − ν)
+/// (A_xx + A_yy).
+pub(crate) fn halves(poisson_ratio: f64, [xx, yy]: [f64; 2]) -> [f64; 2] {
+    let normal = (1.0 - poisson_ratio) / (2.0 - poisson_ratio) * (xx + yy);
+    [0.5 * (yy - normal), 0.5 * (yy + normal)]
+}
+
 /// The integrals over a rectangle from those to its corners, row by row.
 pub(crate) fn rectangle<const N: usize>([[a, b], [c, d]]: [[[f64; N]; 2]; 2]) -> [f64; N] {
     std::array::from_fn(|k| d[k] - b[k] - c[k] + a[k])

@@ -1,22 +1,24 @@
 //! Warnings: what users of results should know.
 
 mod heat_limit;
+mod unconverged;
 
-use crate::reporting::{FitStop, Quantity, messages, readable};
+use crate::reporting::{Quantity, messages, readable};
 
 pub use heat_limit::HeatLimit;
+pub(crate) use unconverged::Unconverged;
 
 messages! {
     /// A warning.
     Warning:
 
-    /// The results did not converge.
+    /// Results did not converge; the text says which, and by how much.
     "not-converged" NotConverged {
         /// Why.
         cause: Unconverged,
     } cause.quantity(), |name, words| cause.text(words), severity cause.severity();
 
-    /// The steady state was marched to.
+    /// The steady state was not found directly but by marching, without derivatives.
     "marched" Marched {
         /// Residual at which Newton's method stopped, dimensionless.
         residual: f64,
@@ -27,7 +29,7 @@ messages! {
          Newton steps); this is the end of a march, without derivatives"
     ), severity *residual;
 
-    /// There are several steady states.
+    /// Falling friction has several steady states; the text has the forces of both.
     "several-states" SeveralStates {
         /// Whether this one is reached from low slip (or from high slip).
         from_low_slip: bool,
@@ -46,7 +48,7 @@ messages! {
         )
     };
 
-    /// Several motions have the prescribed forces.
+    /// Two creepages cause the prescribed forces on falling friction; the text has the others.
     "several-motions" SeveralMotions {
         /// Whether this one is on the rising branch (or on the falling one).
         is_low: bool,
@@ -64,31 +66,31 @@ messages! {
         )
     };
 
-    /// The other motion with the prescribed forces was asked for, and there is none.
+    /// The falling branch is asked for, but only one motion has these forces.
     "one-motion" OneMotion {} Quantity::Branch, |name, words| format!(
         "{name} asks for the falling branch of the creep curve, but only one motion with the \
          prescribed forces was found, on the rising one"
     );
 
-    /// There may be several steady states.
+    /// There may be several steady states, not all of which could be followed.
     "branch-lost" BranchLost {} Quantity::Branch, |name, words| {
         "friction falls so fast that there may be several steady states; they could not all be \
          followed along the creepage: there may be another one than this, on either branch"
             .to_owned()
     };
 
-    /// Derivatives were not found.
+    /// The derivatives were not found and are omitted.
     "no-sensitivity" NoSensitivity {} Quantity::Sensitivities, |name, words| format!(
         "{name}: a linear system at the solution was not solved; the derivatives are left out"
     );
 
-    /// Forces were not extrapolated.
+    /// No second grid for `solver.extrapolate`: too few cells, marching, or not solved.
     "no-extrapolation" NoExtrapolation {} Quantity::Extrapolate, |name, words| format!(
         "{name}: there is no second grid, half as fine and solved, which takes the steady driver and \
          16 cells in each direction (8 on a layer); the forces are those of the grid alone"
     );
 
-    /// A pressure beyond the elastic range of any metal.
+    /// The pressure is above any elastic limit: wrong units?
     "beyond-elastic" BeyondElastic {
         /// Largest pressure, in Pa.
         pressure: f64,
@@ -101,7 +103,7 @@ messages! {
         1e2 * pressure / modulus
     ), severity pressure / modulus;
 
-    /// Surroundings of the layer that are too small.
+    /// The surroundings of the elastic layer are too small.
     "small-margin" SmallMargin {
         /// Displacement at their outer edge over the largest one, dimensionless.
         edge: f64,
@@ -111,7 +113,7 @@ messages! {
         100.0 * edge
     ), severity *edge;
 
-    /// Power that the bristles return.
+    /// Power returned by the bristles is discarded: the grid is too coarse for the contact law.
     "returned-power" ReturnedPower {
         /// That power, in W.
         returned: f64,
@@ -123,7 +125,7 @@ messages! {
          nor cools. Where it is large in steady rolling, the grid is too coarse for the contact law"
     ), severity returned / friction.abs();
 
-    /// Bodies whose pressure displaces their surfaces tangentially against each other.
+    /// Wheel and rail have different elastic constants, which is neglected.
     "dissimilar-bodies" DissimilarBodies {
         /// Dundurs' or Kalker's constant K, dimensionless.
         constant: f64,
@@ -132,7 +134,7 @@ messages! {
          displaces their surfaces tangentially, and tractions change it, is neglected"
     ), severity constant.abs();
 
-    /// A pressure that the tractions of unlike bodies would change.
+    /// Unlike bodies, whose tractions change the pressure: neglected, or only in derivatives.
     "unchanged-pressure" UnchangedPressure {
         /// Kalker's constant K, dimensionless.
         constant: f64,
@@ -147,7 +149,7 @@ messages! {
         }
     ), severity constant.abs();
 
-    /// A calibrated layer for a patch of several parts.
+    /// The calibrated layer treats a patch of several parts as one ellipse.
     "layer-of-parts" LayerOfParts {
         /// How many.
         parts: usize,
@@ -158,12 +160,12 @@ messages! {
         words.choice(Quantity::Elasticity, "half-space")
     ), severity *parts as f64;
 
-    /// A patch that a calibration takes for an ellipse.
+    /// A calibration treats the patch like the ellipse with the same extent.
     "equivalent-ellipse" EquivalentEllipse {} Quantity::Calibration, |name, words| {
         "the patch is treated like the ellipse of the same extent".to_owned()
     };
 
-    /// A distance of the bodies of few points.
+    /// The undeformed distance has too few points across the patch.
     "coarse-distance" CoarseDistance {
         /// Points across the patch.
         points: usize,
@@ -178,7 +180,7 @@ messages! {
         if *parts == 1 { String::new() } else { format!(" in each of its {parts} parts") }
     ), severity -(*points as f64);
 
-    /// A patch that has shrunk to few cells.
+    /// The patch shrinks to few cells under a load that falls in a history.
     "few-cells" FewCells {
         /// Cells along rolling in its longest strip.
         cells: usize,
@@ -190,7 +192,7 @@ messages! {
         words.word(Quantity::CellsX)
     ), severity -(*cells as f64);
 
-    /// Rolling so slowly that heat also flows along the surface.
+    /// These temperatures neglect that heat flows along the surface.
     "slow-rolling" SlowRolling {
         /// Péclet numbers of wheel and rail, dimensionless.
         peclet: [f64; 2],
@@ -218,7 +220,7 @@ messages! {
         )
     }, severity -peclet[0].min(peclet[1]);
 
-    /// A surface so hot that material constants do not hold.
+    /// A surface is so hot that steel austenitises or melts.
     "hot-surface" HotSurface {
         /// Which one: the bulk temperature of the wheel, or of the rail.
         body: Quantity,
@@ -233,13 +235,13 @@ messages! {
         limit.text()
     ), severity *temperature;
 
-    /// Temperatures below the surface by another heat model than in the cells.
+    /// Temperatures below the surface use another heat model than the cells.
     "heat-model-of-cells" HeatModelOfCells {} Quantity::HeatModel, |name, words| format!(
         "{name}: below the surface and in the wake temperatures follow from the heat released, by \
          Duhamel's theorem; the heat model of the case applies to the cells only"
     );
 
-    /// Kalker's coefficients beyond their table.
+    /// Kalker's coefficients are extrapolated beyond their table.
     "slender-patch" SlenderPatch {
         /// The method.
         method: &'static str,
@@ -251,7 +253,7 @@ messages! {
          1/30 and 30, C33 is a limit only"
     ), severity axis_ratio.ln().abs();
 
-    /// A patch that a look-up table does not cover.
+    /// The patch is more slender than those of the look-up table.
     "outside-table" OutsideTable {
         /// a/b, dimensionless.
         axis_ratio: f64,
@@ -264,7 +266,7 @@ messages! {
         readable(range[1])
     ), severity axis_ratio.ln().abs();
 
-    /// A patch that is no ellipse but counts as one.
+    /// Kalker's coefficients are those of an ellipse with the extent of the patch.
     "counts-as-ellipse" CountsAsEllipse {
         /// The method.
         method: &'static str,
@@ -282,7 +284,7 @@ messages! {
         )
     }, severity *parts as f64;
 
-    /// A method without memory of friction.
+    /// The method does not support friction memory.
     "no-memory" NoMemory {
         /// The method.
         method: &'static str,
@@ -290,7 +292,7 @@ messages! {
         "{name}: {method:?} has no friction memory; friction follows its law instantly"
     );
 
-    /// A layer that yields, in a method that takes it to be elastic.
+    /// The method takes the layer between the surfaces to be elastic.
     "no-yield" NoYield {
         /// The method.
         method: &'static str,
@@ -298,7 +300,7 @@ messages! {
         "{name}: {method:?} takes the layer to be elastic whatever the traction"
     );
 
-    /// A method without temperatures where friction depends on them.
+    /// Friction depends on the temperature, which the method does not compute.
     "cold-friction" ColdFriction {
         /// The method.
         method: &'static str,
@@ -307,7 +309,7 @@ messages! {
          entering material"
     );
 
-    /// A force above the friction limit.
+    /// The force is above the friction limit.
     "beyond-friction" BeyondFriction {
         /// The method.
         method: &'static str,
@@ -318,7 +320,7 @@ messages! {
          does not enforce; do not use it"
     ), severity *ratio;
 
-    /// A balance of power that is not closed.
+    /// Friction power and creep power of FASTSIM differ.
     "power-gap" PowerGap {
         /// Friction power, in W.
         friction: f64,
@@ -332,7 +334,7 @@ messages! {
         100.0 * part
     ), severity (friction - creep).abs() / creep.abs();
 
-    /// A creep curve without the slope at its origin.
+    /// The derivatives at zero creepage were not found.
     "no-initial-slope" NoInitialSlope {
         /// What the curve is drawn over.
         abscissa: Quantity,
@@ -340,7 +342,7 @@ messages! {
         format!("no initial slope: the derivatives at {name} = 0 were not found")
     };
 
-    /// Fitted parameters that go together.
+    /// Two fitted parameters are strongly correlated.
     "correlated" Correlated {
         /// One.
         one: Quantity,
@@ -354,7 +356,7 @@ messages! {
         words.word(*other)
     ), severity correlation.abs();
 
-    /// A fitted parameter at the end of its range.
+    /// A fitted parameter is at the end of its range.
     "at-end-of-range" AtEndOfRange {
         /// Which.
         parameter: Quantity,
@@ -366,7 +368,7 @@ messages! {
         readable(*value)
     );
 
-    /// Polach's reductions as no case can have them.
+    /// K_S is above k_A: no case can have them.
     "impossible-reduction" ImpossibleReduction {
         /// k_S, dimensionless.
         slip: f64,
@@ -378,14 +380,14 @@ messages! {
         words.word(Quantity::PolachAreaAdhesion)
     );
 
-    /// Residuals of a fit that are no scatter.
+    /// Neighbouring residuals have the same sign.
     "systematic-residuals" SystematicResiduals {} Quantity::ForceRatio, |name, words| {
         "the residuals are not random, neighbours have the same sign: the model does not follow the \
          data, and the parameters are less certain than their intervals suggest"
             .to_owned()
     };
 
-    /// Data that have little to do with the model.
+    /// The model explains little of the variance of the data.
     "unexplained" Unexplained {
         /// R², dimensionless.
         r_squared: f64,
@@ -394,7 +396,7 @@ messages! {
         100.0 * r_squared.max(0.0)
     ), severity -r_squared;
 
-    /// A result about the first of several contacts of a wheel.
+    /// The wheel has more contacts than the first, which this result is about.
     "one-contact" OneContact {
         /// How many the wheel has.
         contacts: usize,
@@ -405,7 +407,8 @@ messages! {
          {:.0} % of the normal forces", 100.0 * share
     ), severity -share;
 
-    /// A contact whose surface is curved more than a plane can show.
+    /// The surface turns by more than 0.3 rad over a contact that is solved in a plane: its
+    /// pressure is too high, and its spin perhaps that of the plane.
     "conformal-contact" ConformalContact {
         /// Angle by which the surface turns over the contact, in rad.
         turn: f64,
@@ -419,11 +422,12 @@ messages! {
         };
         format!(
             "{name}: the surface turns by {turn:.2} rad over a contact, which is solved in a plane: \
-             beyond 0.3 rad the pressure is too high; {spin}"
+             beyond 0.3 rad the pressure is too high (normal.method = \"conformal\" has that of the \
+             surface); {spin}"
         )
     }, severity *turn;
 
-    /// A vertical force that jumps over the load as the wheel is lowered.
+    /// The vertical force jumps over the load; results are those of the nearest state.
     "jumping-force" JumpingForce {
         /// Vertical force over the load, minus one; dimensionless.
         residual: f64,
@@ -433,7 +437,7 @@ messages! {
         100.0 * residual
     );
 
-    /// The heights of both wheels jump past each other as the wheelset rolls.
+    /// The heights at which both wheels rest jump past each other as the roll angle varies.
     "jumping-height" JumpingHeight {
         /// Height of the wheel above the other one, in m.
         difference: f64,
@@ -442,7 +446,7 @@ messages! {
          contacts come to touch; this wheel stays {:.1} um above the other one", 1e6 * difference
     );
 
-    /// A patch of several parts on profiles that were not smoothed.
+    /// A contact has many parts on profiles that were not smoothed.
     "rough-profile" RoughProfile {
         /// Parts of the patch.
         parts: usize,
@@ -451,7 +455,7 @@ messages! {
          measured profiles, over some 5 mm"
     ), severity *parts as f64;
 
-    /// A part of a contact under which a profile has no points.
+    /// A profile has no points under more than a third of a contact.
     "hole-under-contact" HoleUnderContact {
         /// Of the wheel or of the rail.
         profile: Quantity,
@@ -467,7 +471,7 @@ messages! {
         1e2 * share
     ), severity *share;
 
-    /// A profile whose points are too far apart for a contact.
+    /// The points of a profile are more than a third of a contact apart.
     "coarse-profile" CoarseProfile {
         /// Of the wheel or of the rail.
         profile: Quantity,
@@ -482,7 +486,7 @@ messages! {
         1e3 * width
     ), severity step / width;
 
-    /// Residuals beyond the standard deviations of the data.
+    /// Residuals are larger than the standard deviations of the data explain.
     "excess-scatter" ExcessScatter {
         /// How many times they are, dimensionless.
         factor: f64,
@@ -497,122 +501,6 @@ impl Warning {
     pub(crate) fn of(cause: Unconverged) -> Self {
         Self::NotConverged { cause }
     }
-}
-
-messages! {
-    /// Why results did not converge.
-    Unconverged:
-
-    /// The equilibrium of bodies that do not roll.
-    "equilibrium" Equilibrium {
-        /// Newton steps that were done.
-        newton_steps: usize,
-        /// Residual, dimensionless.
-        residual: f64,
-        /// Tolerance, dimensionless.
-        tolerance: f64,
-    } Quantity::Tolerance, |name, words| format!(
-        "after {newton_steps} Newton steps the equilibrium has a residual of {residual:.1e}, above the \
-         tolerance {tolerance:.1e}"
-    ), severity *residual;
-
-    /// The equilibrium of a time step.
-    "time-step" TimeStep {
-        /// Worst residual, dimensionless.
-        residual: f64,
-        /// Tolerance, dimensionless.
-        tolerance: f64,
-    } Quantity::Tolerance, |name, words| format!(
-        "the worst equilibrium of a time step has a residual of {residual:.1e}, above the tolerance \
-         {tolerance:.1e}"
-    ), severity *residual;
-
-    /// Prescribed forces that a time step did not end with.
-    "missed-force" MissedForce {
-        /// What is prescribed.
-        force: Quantity,
-        /// End of the first such step, in s.
-        time: f64,
-    } *force, |name, words| format!(
-        "no creepages were found with which the time step that ends at {time:.4e} s has the {name} \
-         prescribed: it may be beyond friction"
-    );
-
-    /// A march that ended early.
-    "short-march" ShortMarch {
-        /// Time steps that were done.
-        steps: usize,
-    } Quantity::MaxSteps, |name, words| format!(
-        "the march ends after {steps} time steps, before the material has passed the patch twice"
-    );
-
-    /// A march that has not become steady.
-    "unsteady-march" UnsteadyMarch {
-        /// Time steps that were done.
-        steps: usize,
-        /// Change within a passage of the patch, dimensionless.
-        change: f64,
-        /// Tolerance, dimensionless.
-        tolerance: f64,
-    } Quantity::MaxSteps, |name, words| format!(
-        "after {steps} time steps traction or temperature still changes by {change:.1e} within a \
-         passage of the patch, above the tolerance {tolerance:.1e}"
-    ), severity *change;
-
-    /// Pressure and tractions of unlike bodies.
-    "pressure" Pressure {
-        /// Pressures that were found.
-        iterations: usize,
-        /// Change of the opening by the last tractions over the approach, dimensionless.
-        change: f64,
-        /// Tolerance, dimensionless.
-        tolerance: f64,
-    } Quantity::Tolerance, |name, words| format!(
-        "after {iterations} pressures the tractions still move the surfaces of the unlike bodies by \
-         {change:.1e} of their approach, above the tolerance {tolerance:.1e}"
-    ), severity *change;
-
-    /// Surfaces that are not equally hot.
-    "heat-exchange" HeatExchange {} Quantity::HeatModel, |name, words| {
-        "the exchange of heat that makes the surfaces of wheel and rail equally hot was not found; \
-         temperatures are wrong"
-            .to_owned()
-    };
-
-    /// A wheel whose heat is not balanced.
-    "heat-balance" HeatBalance {
-        /// Steady states that were found.
-        states: usize,
-        /// Heat that the wheel receives more than it gives, in W.
-        surplus: f64,
-    } Quantity::WheelBulkTemperature, |name, words| format!(
-        "after {states} steady states the wheel still receives {surplus:.1e} W more than it gives off"
-    ), severity surplus.abs();
-
-    /// Points of a curve.
-    "points" Points {
-        /// What the curve is drawn over.
-        abscissa: Quantity,
-        /// Where the first of them lie, in the unit of that quantity, or dimensionless.
-        places: Vec<f64>,
-        /// How many there are.
-        failed: usize,
-        /// All points.
-        count: usize,
-    } *abscissa, |name, words| {
-        let named: Vec<String> = places.iter().map(|place| abscissa.six_digits(*place)).collect();
-        let rest = match failed.saturating_sub(places.len()) {
-            0 => String::new(),
-            rest => format!(" and {rest} more"),
-        };
-        format!("{failed} of {count} points, at {name} = {}{rest}", named.join(", "))
-    }, severity *failed as f64;
-
-    /// A fit that is at no minimum.
-    "fit" Fit {
-        /// Why it stopped.
-        stop: FitStop,
-    } Quantity::FitParameters, |name, words| stop.text(words);
 }
 
 /// As a message with the names of the quantities.

@@ -43,7 +43,9 @@ pub(crate) fn settled(
         if let Some(before) = &before {
             solution.work.add(before);
         }
-        let next = opening_under(&solution.fields, &coupling, &opened)?;
+        let cells = opened.cells();
+        let next = opening_under(&solution.fields, &coupling, [&cells.x, &cells.y])?;
+        let next = next.sample(&cells.x, &cells.y);
         let change = change([&opening, &next], &opened);
         let is_found = change <= tolerance || solution.status != Status::Converged;
         if is_found || iterations == settings::most_pressures() {
@@ -57,10 +59,14 @@ pub(crate) fn settled(
 }
 
 /// The solution with what is said about it, if the pressure `missed` the tolerance or not.
-fn finished(mut solution: Solution, missed: Option<Unconverged>, constant: f64) -> Solution {
+pub(crate) fn finished(
+    mut solution: Solution,
+    missed: Option<Unconverged>,
+    constant: f64,
+) -> Solution {
     let unchanged = |warning: &Warning| matches!(warning, Warning::UnchangedPressure { .. });
     solution.warnings.retain(|warning| !unchanged(warning));
-    if solution.sensitivity.is_some() {
+    if solution.sensitivity.is_some() && constant != 0.0 {
         let in_derivatives = true;
         solution.warnings.push(Warning::UnchangedPressure { constant, in_derivatives });
     }
@@ -74,14 +80,14 @@ fn finished(mut solution: Solution, missed: Option<Unconverged>, constant: f64) 
     solution
 }
 
-/// How far the tractions of a solution move the surfaces apart (in m) on the cells of the pressure,
-/// interpolated from the grid of the tractions.
-fn opening_under(
+/// How far the tractions of a solution move the surfaces apart (in m), on the grid of the tractions
+/// extended to x and y (in m, ascending).
+pub(crate) fn opening_under(
     fields: &Fields,
     coupling: &PressureCoupling,
-    opened: &Opened,
-) -> Result<Vec<f64>, Error> {
-    let (cells, within) = (opened.cells(), fields.grid);
+    [x, y]: [&[f64]; 2],
+) -> Result<UndeformedDistance, Error> {
+    let within = fields.grid;
     // Cells to add in front of the first and behind the last.
     let beyond = |[first, last]: [f64; 2], line: &[f64], spacing: f64| {
         let rim = |length: f64| (length / spacing).ceil().max(0.0) as usize + 2;
@@ -90,8 +96,8 @@ fn opening_under(
     let ends = |at: &dyn Fn(usize) -> f64, count: usize| [at(0), at(count - 1)];
     let columns = ends(&|i| within.x(i), within.columns);
     let rows = ends(&|j| within.y(j), within.rows);
-    let [left, right] = beyond(columns, &cells.x, within.spacing_x);
-    let [below, above] = beyond(rows, &cells.y, within.spacing_y);
+    let [left, right] = beyond(columns, x, within.spacing_x);
+    let [below, above] = beyond(rows, y, within.spacing_y);
     let grid = Grid {
         columns: left + within.columns + right,
         rows: below + within.rows + above,
@@ -107,7 +113,7 @@ fn opening_under(
     let opening = coupling.opening(&grid, &traction);
     let x = (0..grid.columns).map(|i| grid.x(i)).collect();
     let y = (0..grid.rows).map(|j| grid.y(j)).collect();
-    Ok(UndeformedDistance::on_lattice(x, y, opening)?.sample(&cells.x, &cells.y))
+    UndeformedDistance::on_lattice(x, y, opening)
 }
 
 /// Largest difference of two openings where there is pressure, apart from its mean, over the

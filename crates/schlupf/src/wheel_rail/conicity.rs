@@ -57,7 +57,7 @@ pub struct RestingWheelset {
     pub lateral: f64,
     /// Roll angle, in rad.
     pub roll: f64,
-    /// Height of the middle of the axle above the nominal radius over the tops of the rails, in m.
+    /// Height of the middle of the axle above the nominal radius over z = 0 of the track, in m.
     pub height: f64,
     /// Contacts of the left and of the right wheel.
     pub contacts: [RigidContact; 2],

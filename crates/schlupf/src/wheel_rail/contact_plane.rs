@@ -1,4 +1,4 @@
-//! Planes in which contacts are solved.
+//! Planes in which contacts are solved, or of whose surface they have the direction.
 //!
 //! The origin of a plane is on the rail, at the means of x and y of a region of overlap; its
 //! inclination is the mean of the rail's, all weighted with the overlap to the power of 2.5. The
@@ -25,7 +25,9 @@ impl Default for Joining {
 }
 
 /// A plane that touches the rail. Its directions: along the track, rising with the rail; s,
-/// outwards along the surface; n, out of the rail.
+/// outwards along the surface; n, out of the rail. On a curved surface s is the arc length along
+/// the rail's profile, the distance is normal to the profile at every s, and the plane has the
+/// direction of the force.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ContactPlane {
     /// In the track, in m.
@@ -40,6 +42,8 @@ pub(super) struct ContactPlane {
     pub guess: [[f64; 2]; 2],
     /// Bounds along x and s, beyond which a neighbouring contact has its own plane; in m.
     pub limits: [[f64; 2]; 2],
+    /// Whether the contact is on the curved surface of the rail.
+    pub is_curved: bool,
 }
 
 impl ContactPlane {
@@ -69,15 +73,39 @@ impl ContactPlane {
         [0.0, -sin, cos]
     }
 
-    /// Position along s of a point of the track, y and z in m.
-    fn position(&self, [y, z]: [f64; 2]) -> f64 {
+    /// Position along s of a point of the rail, y and z in m.
+    fn position(&self, pair: &Pair, [y, z]: [f64; 2]) -> f64 {
         let [_, s_y, s_z] = self.across();
-        s_y * (y - self.origin[1]) + s_z * (z - self.origin[2])
+        let along = s_y * (y - self.origin[1]) + s_z * (z - self.origin[2]);
+        if !self.is_curved {
+            return along;
+        }
+        arc_at(pair, [self.origin[0], y], self.arcs[0] + along) - self.arcs[0]
+    }
+
+    /// The inclination of the surface at s (in m) relative to the plane, in rad.
+    pub fn turn(&self, pair: &Pair, s: f64) -> f64 {
+        let point = pair.rail.point(self.origin[0], self.arcs[0] + s);
+        point.map_or(0.0, |point| point.inclination() - self.inclination)
     }
 }
 
-/// The planes of regions that are sorted by y.
-pub(super) fn planes(pair: &Pair, regions: &[Region], joining: &Joining) -> Vec<ContactPlane> {
+/// Arc length of the rail at x and y, from a guess; all in m.
+fn arc_at(pair: &Pair, [x, y]: [f64; 2], guess: f64) -> f64 {
+    let mut arc = guess;
+    for _ in 0..STEPS {
+        let Some(point) = pair.rail.point(x, arc) else { break };
+        arc += (y - point.place[0]) / point.tangent[0].max(SLOWEST);
+    }
+    arc
+}
+
+/// The planes of regions that are sorted by y, those of contacts on the curved surface or not.
+pub(super) fn planes(
+    pair: &Pair,
+    regions: &[Region],
+    (joining, is_curved): (&Joining, bool),
+) -> Vec<ContactPlane> {
     let mut joined: Vec<Region> = Vec::new();
     for region in regions {
         match joined.iter_mut().rev().find(|other| belongs(other, region, joining)) {
@@ -85,14 +113,16 @@ pub(super) fn planes(pair: &Pair, regions: &[Region], joining: &Joining) -> Vec<
             None => joined.push(*region),
         }
     }
-    let mut planes: Vec<ContactPlane> = joined.iter().map(|region| plane(pair, region)).collect();
+    let mut planes: Vec<ContactPlane> =
+        joined.iter().map(|region| plane(pair, region, is_curved)).collect();
     for k in 0..joined.len() {
         for j in 0..k {
             let (one, two) = (&joined[j], &joined[k]);
             let [end, start] = [one.ends[1], two.ends[0]];
             if end[0] <= start[0] || ahead(one, two) <= 0.0 {
                 let middle = [0.5 * (end[0] + start[0]), 0.5 * (end[1] + start[1])];
-                let [low, high] = [planes[k].position(middle), planes[j].position(middle)];
+                let [low, high] =
+                    [planes[k].position(pair, middle), planes[j].position(pair, middle)];
                 planes[k].limits[1][0] = planes[k].limits[1][0].max(low);
                 planes[j].limits[1][1] = planes[j].limits[1][1].min(high);
             } else {
@@ -139,13 +169,9 @@ fn union(one: &Region, two: &Region) -> Region {
     }
 }
 
-fn plane(pair: &Pair, region: &Region) -> ContactPlane {
+fn plane(pair: &Pair, region: &Region, is_curved: bool) -> ContactPlane {
     let near = region.nearest;
-    let mut arc = near.rail[1];
-    for _ in 0..STEPS {
-        let Some(point) = pair.rail.point(region.x, arc) else { break };
-        arc += (region.y - point.place[0]) / point.tangent[0].max(SLOWEST);
-    }
+    let arc = arc_at(pair, [region.x, region.y], near.rail[1]);
     let z = pair.rail.point(region.x, arc).map_or(near.rail[0], |point| point.place[1]);
     let mut plane = ContactPlane {
         origin: [region.x, region.y, pair.rail_height(region.x, z)],
@@ -154,8 +180,9 @@ fn plane(pair: &Pair, region: &Region) -> ContactPlane {
         arcs: [arc, near.wheel[1] + arc - near.rail[1]],
         guess: [region.along.map(|x| x - region.x), [0.0; 2]],
         limits: [[f64::NEG_INFINITY, f64::INFINITY]; 2],
+        is_curved,
     };
-    plane.guess[1] = region.ends.map(|end| plane.position(end));
+    plane.guess[1] = region.ends.map(|end| plane.position(pair, end));
     plane
 }
 

@@ -8,14 +8,15 @@ const LARGEST: f64 = 1.0;
 
 /// How a rail deviates from its place in the track, or a wheel from its place in the wheelset, and
 /// how fast: by an irregularity, or as rail, axle and wheel give way. x forwards, y to the left and
-/// z up, in the axes of the track or of the wheelset; it turns about the origin of its profile.
+/// z up, in the axes of the track or of the wheelset; it turns about the origin of its profile. A
+/// roller's axle keeps its place: its profile moves on it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Deviation {
     /// Displacement of the origin of its profile, in m; x does not count for a rail.
     pub displacement: [f64; 3],
     /// About x, in rad.
     pub roll: f64,
-    /// About z of what has rolled, in rad; that of a rail does not count.
+    /// About the z that has turned about x, in rad; that of a rail does not count.
     pub yaw: f64,
     /// Velocity of the origin of its profile, in m/s.
     pub velocity: [f64; 3],

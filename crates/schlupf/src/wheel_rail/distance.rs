@@ -14,6 +14,7 @@
 use super::contact_plane::ContactPlane;
 use super::pair::Pair;
 use super::pose::{Pose, minus};
+use super::profile_curve::CurvePoint;
 use super::sections::SurfacePoint;
 use super::surface::Surface;
 
@@ -32,6 +33,7 @@ pub(super) const CLEAR: f64 = 1e-2;
 /// Wheel and rail above a plane.
 pub(super) struct PlaneView<'a> {
     pair: &'a Pair,
+    pose: Pose,
     plane: &'a ContactPlane,
     wheel: Swept<'a>,
     /// A roller, or a rail that changes along the track.
@@ -65,6 +67,8 @@ pub(super) struct Heights {
 pub(super) struct RailPoint {
     /// Its arc length, in m.
     pub arc: f64,
+    /// Its position in the plane, in m.
+    pub s: f64,
     /// Its height, in m.
     pub n: f64,
     /// The slope of the height, dimensionless.
@@ -103,11 +107,14 @@ impl<'a> PlaneView<'a> {
             origin: minus(plane.origin, [0.0, 0.0, -pair.roller.unwrap_or(0.0)]),
             axes,
         });
-        Self { pair, plane, wheel, rail }
+        Self { pair, pose: *pose, plane, wheel, rail }
     }
 
     /// Distances at the positions `x` × `s` (in m, relative to the plane's origin), rows along x.
     pub fn heights(&self, x: &[f64], s: &[f64]) -> Heights {
+        if self.plane.is_curved {
+            return self.heights_along_normals(x, s);
+        }
         let [rail_arc, wheel_arc] = self.plane.arcs;
         let wheel = self.wheel.heights(x, s, wheel_arc);
         let rail = if let Some(rail) = &self.rail {
@@ -129,6 +136,30 @@ impl<'a> PlaneView<'a> {
             is_beyond: both().map(|(one, two)| is_end(one, two) || is_end(two, one)).collect(),
             distance: both().map(distance).collect(),
         }
+    }
+
+    /// The same normal to the rail's profile at every s, an arc length.
+    fn heights_along_normals(&self, x: &[f64], s: &[f64]) -> Heights {
+        let (mut distance, mut is_beyond) = (Vec::new(), Vec::new());
+        for s in s {
+            let arcs = self.plane.arcs.map(|arc| arc + s);
+            let [along, ..] = self.plane.origin;
+            let is_inside = (0.0..=self.pair.rail.length()).contains(&arcs[0]);
+            let point = self.pair.rail.point(along, arcs[0]).filter(|_| is_inside);
+            let Some(point) = point else {
+                distance.resize(distance.len() + x.len(), CLEAR);
+                is_beyond.resize(is_beyond.len() + x.len(), true);
+                continue;
+            };
+            let [y, z] = point.place;
+            let origin = [along, y, self.pair.rail_height(along, z)];
+            let inclination = point.inclination();
+            let plane = ContactPlane { origin, inclination, arcs, is_curved: false, ..*self.plane };
+            let row = PlaneView::new(self.pair, &self.pose, &plane).heights(x, &[0.0]);
+            distance.extend(row.distance);
+            is_beyond.extend(row.is_beyond);
+        }
+        Heights { distance, is_beyond }
     }
 
     /// Heights of a straight rail at all s, in m, outwards from the origin of the plane.
@@ -170,12 +201,19 @@ impl<'a> PlaneView<'a> {
 
     /// The section of the rail at the origin at s, from a guess of its arc length; both in m.
     pub fn rail_point(&self, s: f64, guess: f64) -> Option<RailPoint> {
-        let (_, arc) = self.on_rail(s, Some((s, guess)))?;
-        let tangent = self.pair.rail.point(self.plane.origin[0], arc)?.tangent;
+        let arc = if self.plane.is_curved {
+            let arc = self.plane.arcs[0] + s;
+            (0.0..=self.pair.rail.length()).contains(&arc).then_some(arc)?
+        } else {
+            self.on_rail(s, Some((s, guess)))?.1
+        };
+        let point = self.pair.rail.point(self.plane.origin[0], arc)?;
+        let CurvePoint { place: [y, z], tangent, .. } = point;
         let ([_, s_y, s_z], [_, n_y, n_z]) = (self.plane.across(), self.plane.upright());
         let along = s_y * tangent[0] + s_z * tangent[1];
         let up = n_y * tangent[0] + n_z * tangent[1];
-        Some(RailPoint { arc, n: self.rail_height(arc)?, slope: up / along })
+        let s = s_y * (y - self.plane.origin[1]) + s_z * (z - self.plane.origin[2]);
+        Some(RailPoint { arc, s, n: self.rail_height(arc)?, slope: up / along })
     }
 
     fn rail_height(&self, arc: f64) -> Option<f64> {

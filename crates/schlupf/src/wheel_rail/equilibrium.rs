@@ -7,13 +7,15 @@
 //! own raise each other's surfaces by F (n·n′)/(π E* r) at their distance r (Boussinesq 1885).
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use super::contact_plane::{ContactPlane, Joining, planes};
 use super::gap::Gap;
+use super::opening::Opening;
 use super::pair::Pair;
 use super::pose::{Attitude, Pose, dot, minus};
 use super::pressed::Pressed;
-use super::pressing::{Accuracy, Pressing};
+use super::pressing::{Accuracy, Pressing, Raised};
 use super::virtual_penetration::NormalMethod;
 use crate::numerics::root::Bracket;
 use crate::reporting::{Error, Watch, WheelRailError};
@@ -30,15 +32,20 @@ const PASSES: usize = 4;
 /// Change of such a rise relative to the depth below which it does not matter, dimensionless.
 const NEGLIGIBLE_RISE: f64 = 1e-5;
 
-/// Friction of a contact.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct FrictionRatio {
+/// What the tractions of a contact do.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Tractions {
     /// Where it is, in m.
     pub y: f64,
     /// Lateral over normal force, dimensionless.
     pub ratio: f64,
     /// Longitudinal over normal force, dimensionless.
     pub along: f64,
+    /// Change of the normal force by tractions along a curved surface, and by what they do to the
+    /// pressure, over that force, dimensionless.
+    pub normal: f64,
+    /// How far they move the surfaces apart, if that changes the pressure.
+    pub opening: Option<Arc<Opening>>,
 }
 
 /// A wheel above a rail, to be lowered.
@@ -49,6 +56,8 @@ pub(super) struct Lowering<'a> {
     pub joining: Joining,
     /// E*, in Pa.
     pub contact_modulus: f64,
+    /// Combined Poisson's ratio, dimensionless.
+    pub poisson_ratio: f64,
     pub method: NormalMethod,
     pub watch: Watch<'a>,
 }
@@ -88,24 +97,35 @@ impl Lowering<'_> {
         self.attitude.at_height(self.pair.nominal_radius, self.touch() - depth)
     }
 
-    /// The contacts at a depth.
-    pub fn at(&self, depth: f64, accuracy: Accuracy) -> Result<Vec<Pressed>, Error> {
+    /// The contacts at a depth whose surfaces tractions have moved apart.
+    pub fn at(
+        &self,
+        depth: f64,
+        tractions: &[Tractions],
+        accuracy: Accuracy,
+    ) -> Result<Vec<Pressed>, Error> {
         if depth > DEEPEST {
             return Err(WheelRailError::DeepOverlap { depth }.into());
         }
         let regions = self.gap.regions(self.touch() - depth, self.pair.radius_along());
-        let planes = planes(self.pair, &regions, &self.joining);
+        let how = (&self.joining, self.method == NormalMethod::Conformal);
+        let planes = planes(self.pair, &regions, how);
         let pose = self.pair.wheel_in(&self.pose(depth));
         let pressing = Pressing {
             pair: self.pair,
             pose: &pose,
             contact_modulus: self.contact_modulus,
+            poisson_ratio: self.poisson_ratio,
             method: self.method,
             watch: self.watch,
         };
         let mut raised = vec![0.0; planes.len()];
         for pass in 1.. {
-            let solve = |k: usize| pressing.solve(&planes[k], raised[k], accuracy);
+            let solve = |k: usize| {
+                let near = near(&planes[k], tractions);
+                let opening = near.and_then(|near| near.opening.as_deref());
+                pressing.solve(&planes[k], Raised { everywhere: raised[k], opening }, accuracy)
+            };
             let found = (0..planes.len()).map(solve).collect::<Result<Vec<_>, Error>>()?;
             let next: Vec<f64> = planes.iter().map(|plane| self.rise(plane, &found)).collect();
             let change = raised.iter().zip(&next).map(|(one, two)| (one - two).abs());
@@ -129,8 +149,13 @@ impl Lowering<'_> {
     }
 
     /// The contacts at a depth that is tried as part of a search.
-    pub fn lowered(&self, at: Guess, accuracy: Accuracy) -> Result<Lowered, Error> {
-        Ok(Lowered { at, contacts: self.at(at.depth, accuracy)? })
+    pub fn lowered(
+        &self,
+        at: Guess,
+        tractions: &[Tractions],
+        accuracy: Accuracy,
+    ) -> Result<Lowered, Error> {
+        Ok(Lowered { at, contacts: self.at(at.depth, tractions, accuracy)? })
     }
 
     /// The depth at which contacts carry a vertical force (in N) to a tolerance (dimensionless),
@@ -139,7 +164,7 @@ impl Lowering<'_> {
     pub fn carrying(
         &self,
         load: f64,
-        ratios: &[FrictionRatio],
+        tractions: &[Tractions],
         guess: Guess,
         (accuracy, tolerance): (Accuracy, f64),
     ) -> Result<Lowered, Error> {
@@ -149,10 +174,10 @@ impl Lowering<'_> {
         let mut held: Option<Held> = None;
         let mut least = LEAST_STEP;
         loop {
-            let lowered = self.lowered(at, accuracy)?;
-            held = lowered.held(ratios).or(held);
+            let lowered = self.lowered(at, tractions, accuracy)?;
+            held = lowered.held(tractions).or(held);
             let depth = at.depth;
-            let share = lowered.vertical_force(ratios) / load;
+            let share = lowered.vertical_force(tractions) / load;
             at.power = local_power([depth, share], before).unwrap_or(at.power);
             bracket.note(depth, share < 1.0);
             let is_closed = bracket.width() <= ROUNDING * depth;
@@ -176,14 +201,16 @@ impl Lowering<'_> {
 
 impl Lowered {
     /// Vertical force of the contacts with given friction, in N.
-    pub fn vertical_force(&self, ratios: &[FrictionRatio]) -> f64 {
-        self.contacts.iter().map(|contact| contact.force * weight(contact, ratios)).sum()
+    pub fn vertical_force(&self, tractions: &[Tractions]) -> f64 {
+        self.contacts.iter().map(|contact| contact.force * weight(contact, tractions)).sum()
     }
 
     /// A contact whose friction lets it carry nothing.
-    fn held(&self, ratios: &[FrictionRatio]) -> Option<Held> {
-        let mut held = self.contacts.iter().filter(|contact| weight(contact, ratios) <= 0.0);
-        held.next().map(|contact| (contact.plane.inclination, ratios_of(contact, ratios)[1]))
+    fn held(&self, tractions: &[Tractions]) -> Option<Held> {
+        let mut held = self.contacts.iter().filter(|contact| weight(contact, tractions) <= 0.0);
+        let ratio =
+            |contact: &Pressed| near(&contact.plane, tractions).map_or(0.0, |near| near.ratio);
+        held.next().map(|contact| (contact.plane.inclination, ratio(contact)))
     }
 }
 
@@ -220,16 +247,17 @@ fn not_carried(force: f64, held: Option<Held>) -> Error {
 }
 
 /// Vertical over normal force of a contact, dimensionless.
-fn weight(contact: &Pressed, ratios: &[FrictionRatio]) -> f64 {
+fn weight(contact: &Pressed, tractions: &[Tractions]) -> f64 {
     let (sin, cos) = contact.plane.inclination.sin_cos();
     let (rising, level) = contact.plane.rise.sin_cos();
-    let [along, across] = ratios_of(contact, ratios);
-    cos * (level + along * rising) + across * sin
+    let near = near(&contact.plane, tractions);
+    near.map_or(cos * level, |near| {
+        ((1.0 + near.normal) * level + near.along * rising) * cos + near.ratio * sin
+    })
 }
 
-/// The ratios of the contact nearest to this one, longitudinal and lateral; zero without any.
-fn ratios_of(contact: &Pressed, ratios: &[FrictionRatio]) -> [f64; 2] {
-    let y = contact.plane.origin[1];
-    let near = ratios.iter().min_by(|p, q| (p.y - y).abs().total_cmp(&(q.y - y).abs()));
-    near.map_or([0.0; 2], |near| [near.along, near.ratio])
+/// Those of the contact nearest to a plane.
+fn near<'a>(plane: &ContactPlane, tractions: &'a [Tractions]) -> Option<&'a Tractions> {
+    let y = plane.origin[1];
+    tractions.iter().min_by(|p, q| (p.y - y).abs().total_cmp(&(q.y - y).abs()))
 }

@@ -12,9 +12,10 @@
 //!
 //! A right wheel is solved as the mirror image of a left one.
 //!
-//! Limits: the pressure of each contact is that in a plane (a warning says how far a conformal one
-//! turns), while its rows slip as the curved surface; the planes on a roller are parallel to x; the
-//! friction that helps to carry the wheel is that of steady rolling.
+//! Limits: unless it is asked for on the curved surface, the pressure of each contact is that in a
+//! plane (a warning says how far a conformal one turns), while its rows slip as the surface; the
+//! planes on a roller are parallel to x; the friction that helps to carry the wheel is that of
+//! steady rolling.
 
 mod side;
 mod spline;
@@ -33,6 +34,7 @@ mod gap;
 mod contact_plane;
 mod distance;
 mod pressed;
+mod opening;
 mod virtual_penetration;
 mod pressing;
 mod creepage;
@@ -44,6 +46,7 @@ mod drive;
 mod sliding;
 mod turning;
 mod wheel;
+mod coupled;
 mod settling;
 mod resultant;
 mod resting;

@@ -13,7 +13,7 @@ use crate::reporting::Error;
 #[derive(Debug, Clone)]
 pub struct ContactPatch {
     table: Tabulated,
-    force: f64,
+    load: f64,
     approach: f64,
     /// In the contact frame.
     rows: Option<Arc<RowMotion>>,
@@ -45,16 +45,16 @@ impl ContactPatch {
             Side::Left => rows.seen_from(origin),
             Side::Right => rows.mirrored().seen_from(origin),
         });
-        let table = Tabulated::new(table, Some(pressed.force))?;
+        let table = Tabulated::new(table, Some(pressed.load))?;
         let rows = rows.map(Arc::new);
-        Ok(Arc::new(Self { table, force: pressed.force, approach: pressed.approach, rows }))
+        Ok(Arc::new(Self { table, load: pressed.load, approach: pressed.approach, rows }))
     }
 }
 
 impl PressureSource for ContactPatch {
     fn normal_contact(&self, load: Option<f64>) -> Result<NormalContact, Error> {
         let contact = self.table.normal_contact(load)?;
-        let is_own = load.is_none_or(|load| load == self.force);
+        let is_own = load.is_none_or(|load| load == self.load);
         let approach = is_own.then_some(self.approach);
         let summary = NormalSummary { approach, ..contact.summary };
         Ok(NormalContact { summary, rows: self.rows.clone(), ..contact })

@@ -46,7 +46,7 @@ impl Attitude {
         Self { lateral, roll, yaw }
     }
 
-    /// With the axle `height` (in m) above the nominal radius (in m) over the tops of the rails.
+    /// With the axle `height` (in m) above the nominal radius (in m) over z = 0 of the track.
     pub fn at_height(&self, nominal_radius: f64, height: f64) -> Pose {
         let centre = [0.0, self.lateral, nominal_radius + height];
         Pose { centre, rotation: rotation(self.roll, self.yaw) }

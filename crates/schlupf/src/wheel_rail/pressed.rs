@@ -12,8 +12,16 @@ pub(super) struct Pressed {
     pub s: Vec<f64>,
     /// In rows along x, in Pa.
     pub pressure: Vec<f64>,
-    /// Normal force, in N.
+    /// How far tractions have moved the surfaces apart, in rows along x, in m; empty where they
+    /// have not.
+    pub opening: Vec<f64>,
+    /// Force of the pressure, which is normal to the plane, in N.
     pub force: f64,
+    /// Integral of the pressure over the surface, in N: on a curved one more than its force.
+    pub load: f64,
+    /// Curvature of the surface across rolling in 1/m, positive where the rail is convex; zero in a
+    /// plane.
+    pub curvature: f64,
     /// Approach of the bodies, in m.
     pub approach: f64,
 }

@@ -8,12 +8,13 @@
 
 use super::contact_plane::ContactPlane;
 use super::distance::{CLEAR, Heights, PlaneView};
+use super::opening::Opening;
 use super::pair::Pair;
 use super::pose::Pose;
 use super::pressed::{Pressed, positions};
 use super::virtual_penetration::{self, NormalMethod};
 use crate::normal::rough_contact::{
-    Boundary, RoughContact, RoughContactOptions, RoughContactSolution,
+    Boundary, Curved, RoughContact, RoughContactOptions, RoughContactSolution,
 };
 use crate::reporting::{Error, Watch};
 use crate::surface::{HeightMap, Lattice};
@@ -46,36 +47,46 @@ pub(super) enum Accuracy {
     Cells(usize),
 }
 
+/// How far surfaces have been moved apart.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Raised<'a> {
+    /// By other contacts, in m.
+    pub everywhere: f64,
+    /// By tractions.
+    pub opening: Option<&'a Opening>,
+}
+
 /// Bodies that are pressed together in a plane.
 pub(super) struct Pressing<'a> {
     pub pair: &'a Pair,
     pub pose: &'a Pose,
     /// E*, in Pa.
     pub contact_modulus: f64,
+    /// Combined Poisson's ratio, dimensionless.
+    pub poisson_ratio: f64,
     pub method: NormalMethod,
     pub watch: Watch<'a>,
 }
 
 impl Pressing<'_> {
-    /// The contact in a plane in which other contacts have moved the surfaces apart by `raised` (in
-    /// m) already; `None` where the bodies do not touch.
+    /// The contact in a plane in which the surfaces have been moved apart already; `None` where the bodies do not touch.
     pub fn solve(
         &self,
         plane: &ContactPlane,
-        raised: f64,
+        raised: Raised,
         accuracy: Accuracy,
     ) -> Result<Option<Pressed>, Error> {
         let view = PlaneView::new(self.pair, self.pose, plane);
-        if self.method != NormalMethod::HalfSpaces {
+        if !matches!(self.method, NormalMethod::HalfSpaces | NormalMethod::Conformal) {
             let cells = match accuracy {
                 Accuracy::Coarse => COARSE,
                 Accuracy::Cells(cells) => cells,
             };
-            let bodies = (raised, self.contact_modulus);
+            let bodies = (raised.everywhere, self.contact_modulus);
             let pressed = virtual_penetration::pressed(&view, plane, bodies, (self.method, cells));
             return pressed.map_err(|s| self.at_end(&view, plane, s));
         }
-        let Some(rectangle) = overlap(&view, plane, raised)? else { return Ok(None) };
+        let Some(rectangle) = overlap(&view, plane, raised.everywhere)? else { return Ok(None) };
         let coarse = self.press(&view, plane, (rectangle, raised), [COARSE; 2])?;
         let Some(coarse) = coarse else { return Ok(None) };
         let Accuracy::Cells(cells) = accuracy else { return Ok(Some(coarse.0)) };
@@ -100,15 +111,22 @@ impl Pressing<'_> {
         &self,
         view: &PlaneView,
         plane: &ContactPlane,
-        (rectangle, raised): (Rectangle, f64),
+        (rectangle, raised): (Rectangle, Raised),
         [columns, rows]: [usize; 2],
     ) -> Result<Option<(Pressed, Vec<bool>)>, Error> {
         let [x, s] = [positions(rectangle[0], columns), positions(rectangle[1], rows)];
         let Heights { mut distance, is_beyond } = view.heights(&x, &s);
         set_apart(plane, [&x, &s], &mut distance);
+        let opening = raised.opening.map_or_else(Vec::new, |opening| opening.sample(&x, &s));
         for distance in &mut distance {
-            *distance += raised;
+            *distance += raised.everywhere;
         }
+        let least = |distance: &[f64]| distance.iter().copied().fold(f64::INFINITY, f64::min);
+        let undeformed = least(&distance);
+        for (distance, opening) in distance.iter_mut().zip(&opening) {
+            *distance += opening;
+        }
+        let opened = least(&distance) - undeformed;
         if !distance.iter().any(|d| *d < 0.0) {
             return Ok(None);
         }
@@ -118,15 +136,61 @@ impl Pressing<'_> {
             spacing_x: (rectangle[0][1] - rectangle[0][0]) / columns as f64,
             spacing_y: (rectangle[1][1] - rectangle[1][0]) / rows as f64,
         };
+        let curvature = if plane.is_curved { self.curvature(plane, &s, &distance) } else { 0.0 };
+        let curved = Curved { curvature, poisson_ratio: self.poisson_ratio };
         let map = HeightMap::new(lattice, distance)?;
         let mut contact = RoughContact::new(map, self.contact_modulus, Boundary::Free)?;
+        if plane.is_curved {
+            contact = contact.curved(curved);
+        }
         let options = if columns.max(rows) > COARSE { &FINELY } else { &COARSELY };
         let solution = contact.solve_at_level(0.0, options, self.watch)?;
         require_convergence(&solution, options)?;
         let RoughContactSolution { pressure, load, approach, .. } = solution;
-        let plane = *plane;
-        let pressed = Pressed { plane, x, s, pressure, force: load, approach };
+        let approach = approach + opened;
+        let (plane, force) = self.directed(plane, &s, (&pressure, load));
+        let pressed = Pressed { plane, x, s, pressure, opening, force, load, curvature, approach };
         Ok(Some((pressed, is_beyond)))
+    }
+
+    /// Curvature of the rail (in 1/m) where the bodies overlap: of the parabola through its
+    /// profile's directions, as many times as they overlap.
+    fn curvature(&self, plane: &ContactPlane, s: &[f64], distance: &[f64]) -> f64 {
+        let overlap = |row: &[f64]| -> f64 { row.iter().map(|d| (-d).max(0.0)).sum() };
+        let weights = distance.chunks_exact(distance.len() / s.len()).map(overlap);
+        let rows: Vec<[f64; 3]> =
+            weights.zip(s).map(|(weight, s)| [weight, *s, plane.turn(self.pair, *s)]).collect();
+        let sum =
+            |of: &dyn Fn(&[f64; 3]) -> f64| rows.iter().map(|row| row[0] * of(row)).sum::<f64>();
+        let weight = sum(&|_| 1.0);
+        let [middle, turn] = [sum(&|row| row[1]), sum(&|row| row[2])].map(|sum| sum / weight);
+        let square = sum(&|row| (row[1] - middle).powi(2));
+        let slope = -sum(&|row| (row[1] - middle) * (row[2] - turn)) / square;
+        if slope.is_finite() { slope } else { 0.0 }
+    }
+
+    /// The plane with the direction of the force of a pressure whose integral is a load, in N, and
+    /// that force, in N.
+    fn directed(
+        &self,
+        plane: &ContactPlane,
+        s: &[f64],
+        (pressure, load): (&[f64], f64),
+    ) -> (ContactPlane, f64) {
+        if !plane.is_curved || load <= 0.0 {
+            return (*plane, load);
+        }
+        let rows = pressure.chunks_exact(pressure.len() / s.len()).zip(s);
+        let mut parts = [0.0; 2];
+        let mut total = 0.0;
+        for (row, s) in rows {
+            let (sum, (sin, cos)) = (row.iter().sum::<f64>(), plane.turn(self.pair, *s).sin_cos());
+            total += sum;
+            parts = [parts[0] + sum * sin, parts[1] + sum * cos];
+        }
+        let turn = parts[0].atan2(parts[1]);
+        let inclination = plane.inclination + turn;
+        (ContactPlane { inclination, ..*plane }, load * parts[0].hypot(parts[1]) / total)
     }
 
     /// Refuses a contact next to the end of a profile.

@@ -70,6 +70,8 @@ const LONGEST_STEP: f64 = 3e-3;
 /// Height above the plane and slope in it of a curve at s.
 #[derive(Debug, Clone, Copy)]
 struct Height {
+    /// Position in the plane, in m.
+    s: f64,
     /// In m.
     n: f64,
     /// dn/ds, dimensionless.
@@ -117,7 +119,7 @@ impl Passing<'_> {
 
     fn row(&self, (s, height): (f64, &Height), moving: &Moving, motion: &Kinematics) -> RowSlip {
         let (across, normal) = (self.plane.across(), self.plane.upright());
-        let away = [0, 1, 2].map(|k| s * across[k] + height.n * normal[k]);
+        let away = [0, 1, 2].map(|k| height.s * across[k] + height.n * normal[k]);
         let velocity = moving.velocity(away);
         let cos = height.slope.hypot(1.0).recip();
         let sin = height.slope * cos;
@@ -143,10 +145,11 @@ impl Passing<'_> {
                 || near(*at),
                 |(before, arcs): (f64, [f64; 2])| arcs.map(|arc| arc + at - before),
             );
-            let RailPoint { arc, n, slope } = view.rail_point(*at, rail)?;
-            let (wheel, outline) = self.outline_at(*at, wheel)?;
+            let RailPoint { arc, s, n, slope } = view.rail_point(*at, rail)?;
+            let (wheel, outline) = self.outline_at(s, wheel)?;
             let [along, up] = outline.tangent;
             heights.push(Height {
+                s,
                 n: 0.5 * (n + outline.place[1]),
                 slope: 0.5 * (slope + up / along),
             });

@@ -2,16 +2,16 @@
 //!
 //! With friction solved at every depth that is tried, the vertical force G(d) = Σ F (cos β + ρ sin
 //! β) is a function of the depth d alone. The next depth is that at which the contacts carry the
-//! load with the friction ratios ρ of the last one; it is taken as a proposal within a bracket,
+//! load with the friction tractions ρ of the last one; it is taken as a proposal within a bracket,
 //! which closes whatever is proposed. At a steep flange a last digit of ρ counts several times in
 //! G, so that G jumps where a row of cells comes into contact, and where contacts join a plane. A
 //! bracket that closes on a jump ends with the state that is nearer to the load.
 
-use super::equilibrium::{DEEPEST, FrictionRatio, Guess, Lowered, Lowering};
+use super::coupled::{Coupled, Coupling};
+use super::equilibrium::{DEEPEST, Guess, Lowered, Lowering, Tractions};
 use super::pressed::Pressed;
 use super::pressing::Accuracy;
 use super::sliding::Tangential;
-use super::turning::Turning;
 use super::wheel::{Found, NEARLY_SETTLED, SETTLED, WheelOnRail, WheelSolution, first_guess};
 use crate::numerics::root::Bracket;
 use crate::problem::Options;
@@ -38,7 +38,7 @@ const FLAT: f64 = 0.02;
 /// wheel in rad/s.
 #[derive(Clone)]
 pub(super) struct Start {
-    pub ratios: Vec<FrictionRatio>,
+    pub tractions: Vec<Tractions>,
     pub guess: Guess,
     /// The angular velocity of a driven wheel, in rad/s.
     pub turned: Option<f64>,
@@ -60,8 +60,7 @@ pub(super) struct Settling<'a> {
 
 /// A wheel at a depth, with its friction.
 pub(super) struct Settled {
-    pub lowered: Lowered,
-    pub turning: Turning,
+    pub coupled: Coupled,
     /// What a search nearby begins with.
     pub start: Start,
     /// Vertical force over that asked for, minus one; dimensionless.
@@ -102,21 +101,21 @@ impl WheelOnRail {
             watch,
         };
         let (from, rounds) = if let Some(near) = near {
-            let (ratios, turned) = (near.ratios(), near.nearby());
-            (Start { ratios, guess: near.guess, turned }, 0)
+            let (tractions, turned) = (near.tractions.clone(), near.nearby());
+            (Start { tractions, guess: near.guess, turned }, 0)
         } else {
             let guess = first_guess(lowering, force);
-            let from = Start { ratios: Vec::new(), guess, turned: None };
+            let from = Start { tractions: Vec::new(), guess, turned: None };
             let coarse = settling(Accuracy::Coarse, NEARLY_SETTLED, &coarse).find(from)?;
             (coarse.start, coarse.rounds)
         };
         let searching = tangential.searching();
         let fine = settling(Accuracy::Cells(self.cells), SETTLED, &searching);
-        let Settled { lowered, turning, residual, rounds: more, .. } = fine.find(from)?;
-        if let Some(missed) = turning.missed {
+        let Settled { mut coupled, residual, rounds: more, .. } = fine.find(from)?;
+        if let Some(missed) = coupled.turning.missed.take() {
             return Err(missed.into());
         }
-        let (mut solution, solvers) = self.found(lowering, &lowered, turning, rounds + more);
+        let (mut solution, solvers) = self.found(lowering, coupled, rounds + more);
         solution.residual = residual;
         Ok((solution, solvers))
     }
@@ -132,22 +131,20 @@ impl Settling<'_> {
         let mut best: Option<Settled> = None;
         let mut rounds = 0;
         loop {
-            let (lowered, turning) = self.next(&start, (&bracket, rounds))?;
+            let coupled = self.next(&start, (&bracket, rounds))?;
+            let Coupled { lowered, turning, tractions } = &coupled;
             rounds += 1;
-            start = Start {
-                ratios: self.wheel.ratios(&turning.contacts),
-                guess: lowered.at,
-                turned: turning.nearby(),
-            };
-            let residual = lowered.vertical_force(&start.ratios) / self.force - 1.0;
+            let (tractions, guess, turned) = (tractions.clone(), lowered.at, turning.nearby());
+            start = Start { tractions, guess, turned };
+            let residual = lowered.vertical_force(&start.tractions) / self.force - 1.0;
             let depth = lowered.at.depth;
             bracket.note(depth, residual < 0.0);
             // Coarse cells tell how much friction carries; where it hardly does, once is enough.
-            let is_told = self.accuracy == Accuracy::Coarse && is_flat(&lowered);
+            let is_told = self.accuracy == Accuracy::Coarse && is_flat(lowered);
             let is_closed = bracket.width() <= NARROW * self.tolerance * depth;
             let is_found = residual.abs() <= self.tolerance || is_told || is_closed;
             let start = start.clone();
-            let now = Settled { lowered, turning, start, residual, rounds };
+            let now = Settled { coupled, start, residual, rounds };
             let nearer = match best.take() {
                 Some(best) if best.residual.abs() <= residual.abs() => best,
                 _ => now,
@@ -160,13 +157,9 @@ impl Settling<'_> {
     }
 
     /// The wheel at the next depth.
-    fn next(
-        &self,
-        start: &Start,
-        (bracket, rounds): (&Bracket, usize),
-    ) -> Result<(Lowered, Turning), Error> {
+    fn next(&self, start: &Start, (bracket, rounds): (&Bracket, usize)) -> Result<Coupled, Error> {
         let how = (self.accuracy, SHARE * self.tolerance);
-        let carrying = self.lowering.carrying(self.force, &start.ratios, start.guess, how);
+        let carrying = self.lowering.carrying(self.force, &start.tractions, start.guess, how);
         let [low, high] = bracket.ends();
         let error = match carrying {
             Ok(lowered) => {
@@ -180,7 +173,7 @@ impl Settling<'_> {
             }
             Err(error) => error,
         };
-        if matches!(error, Error::Stopped { .. }) || start.ratios.is_empty() {
+        if matches!(error, Error::Stopped { .. }) || start.tractions.is_empty() {
             return Err(error);
         }
         // The friction of the last depth lets none carry: that of others may.
@@ -200,13 +193,13 @@ impl Settling<'_> {
     }
 
     fn lowered(&self, depth: f64, start: &Start) -> Result<Lowered, Error> {
-        self.lowering.lowered(Guess { depth, ..start.guess }, self.accuracy)
+        let at = Guess { depth, ..start.guess };
+        self.lowering.lowered(at, &start.tractions, self.accuracy)
     }
 
-    fn solved(&self, lowered: Lowered, start: &Start) -> Result<(Lowered, Turning), Error> {
-        let sliding = self.wheel.sliding((self.lowering, &lowered), self.how, self.watch);
-        let turning = sliding.solve(start.turned)?;
-        Ok((lowered, turning))
+    fn solved(&self, lowered: Lowered, start: &Start) -> Result<Coupled, Error> {
+        let Self { wheel, lowering, accuracy, tolerance, how, watch, .. } = *self;
+        Coupling { wheel, lowering, how, accuracy, tolerance, watch }.solve(lowered, start.turned)
     }
 }
 

@@ -111,13 +111,16 @@ impl ContactSolver {
                 None => sliding.friction(pressed, &normal, interface.friction)?,
             };
             self.friction = Some(friction.clone());
+            let curved =
+                pressed.plane.is_curved.then(|| interface.elasticity.curved(pressed.curvature));
+            let elasticity = curved.flatten().unwrap_or(interface.elasticity);
             Problem {
                 kinematics,
                 prescribed: PrescribedForces::default(),
                 reference: ReferencePoint::File,
                 branch: sliding.tangential.branch,
                 normal,
-                interface: Interface { friction, ..interface },
+                interface: Interface { friction, elasticity, ..interface },
             }
         };
         problem.check()?;
@@ -153,6 +156,9 @@ impl Sliding<'_> {
 
     /// How much of the motion of its rows a contact takes.
     fn share_of_rows(&self, pressed: &Pressed) -> f64 {
+        if pressed.plane.is_curved {
+            return 1.0;
+        }
         self.rows.share(turn(self.lowering.pair, pressed))
     }
 

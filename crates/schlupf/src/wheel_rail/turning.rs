@@ -171,7 +171,7 @@ impl Responds for States<'_> {
     fn respond(&mut self, creepages: DVector<f64>) -> Result<Option<Response>, Error> {
         let (sliding, creepage) = (self.sliding, creepages[0]);
         let (contacts, slopes) = self.at(creepage)?;
-        let of = |found: &Slid| (found.2.force, found.2.normal.load);
+        let of = |found: &Slid| (found.2.force, found.0.force);
         let together = sliding.together(&contacts, contacts.iter().map(of));
         let forces = DVector::from_element(1, sliding.value(&together) / self.force_unit);
         // Where a state is found without slopes, that of small creepages.

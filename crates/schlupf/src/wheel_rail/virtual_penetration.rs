@@ -17,7 +17,12 @@
 //! Dynamics 46 (2008), with ε = 0.55; E. A. H. Vollebregt, User guide for CONTACT, for the idea of
 //! an ε that makes an ellipse that of Hertz. Here ε follows from Hertz's theory for each side of
 //! the patch: with the curvature B of the distance up to the edge, it is B b²/δ across and A a²/δ
-//! along rolling. Limits: one coefficient c for a patch of several parts.
+//! along rolling.
+//!
+//! A plane has a part for each place of least distance outside of the parts of deeper ones; each
+//! part of force F moves the surfaces of the others apart by F/(π E* r), as contacts in planes of
+//! their own do. Limits: a part ends where a deeper one begins; with l from x₀(s) the distance from
+//! the middle of a row stands for |s| in η where x₀ varies, which is right far away only.
 
 use std::f64::consts::PI;
 
@@ -33,6 +38,8 @@ pub enum NormalMethod {
     /// As that of two half-spaces.
     #[default]
     HalfSpaces,
+    /// As that of two half-spaces that are bent along the surface of the rail.
+    Conformal,
     /// By virtual penetration, ε = 0.55 (Piotrowski and Kik 2008).
     KikPiotrowski,
     /// By virtual penetration with ε from Hertz's theory.
@@ -56,6 +63,9 @@ const HALVINGS: u32 = 30;
 /// Cells beside the patch.
 const RIM: usize = 2;
 
+/// Passes in which parts move each other's surfaces apart.
+const PASSES: usize = 4;
+
 /// The distance in a row of the plane, least + A (x − x₀)².
 #[derive(Debug, Clone, Copy)]
 struct Row {
@@ -71,6 +81,8 @@ struct Row {
 struct Rows {
     s: Vec<f64>,
     rows: Vec<Row>,
+    /// Whether a profile ends at the first and at the last row.
+    ends: [bool; 2],
 }
 
 impl Row {
@@ -97,18 +109,26 @@ impl Row {
 }
 
 impl Rows {
-    /// Those over the overlap; `None` where there are fewer than three.
-    fn new(view: &PlaneView, plane: &ContactPlane) -> Option<Self> {
+    /// Those over the overlap of surfaces that are `raised` apart (in m); `None` where there are
+    /// fewer than three.
+    fn new(view: &PlaneView, plane: &ContactPlane, raised: f64) -> Option<Self> {
         let [[from, to], across] = plane.guess;
         let (x, d) = (0.5 * (from + to), 0.25 * (to - from));
         let [low, high] = [across[0].max(plane.limits[1][0]), across[1].min(plane.limits[1][1])];
-        let at = |k: usize| low + (high - low) * k as f64 / (ROWS - 1) as f64;
-        let s: Vec<f64> = (0..ROWS).map(at).collect();
+        let s = positions([low, high], ROWS);
         let heights = view.heights(&[x - d, x, x + d], &s).distance;
-        let rows = heights.chunks_exact(3).map(|row| Row::through([row[0], row[1], row[2]], x, d));
-        let (s, rows): (Vec<_>, Vec<_>) =
-            s.into_iter().zip(rows).filter_map(|(s, row)| Some((s, row?))).unzip();
-        (s.len() >= 3).then_some(Self { s, rows })
+        let row = |row: &[f64]| Row::through([row[0], row[1], row[2]].map(|h| h + raised), x, d);
+        let rows: Vec<Option<Row>> = heights.chunks_exact(3).map(row).collect();
+        let is_missing = |row: Option<&Option<Row>>| matches!(row, Some(None));
+        let ends = [is_missing(rows.first()), is_missing(rows.last())];
+        let found = s.into_iter().zip(rows).filter_map(|(s, row)| Some((s, row?)));
+        let (s, rows): (Vec<_>, Vec<_>) = found.unzip();
+        (s.len() >= 3).then_some(Self { s, rows, ends })
+    }
+
+    /// The first and the last row, in m.
+    fn span(&self) -> [f64; 2] {
+        [self.s[0], self.s[self.s.len() - 1]]
     }
 
     fn at(&self, s: f64) -> Row {
@@ -117,49 +137,61 @@ impl Rows {
         Row::between(&self.rows[next - 1], &self.rows[next], part.clamp(0.0, 1.0))
     }
 
-    /// The same with the surfaces moved apart, in m.
-    fn raised(mut self, raised: f64) -> Self {
-        for row in &mut self.rows {
-            row.least += raised;
+    /// The first place from a middle towards a bound (in m) that is no longer inside, if one is.
+    fn edge(&self, middle: f64, bound: f64, is_inside: impl Fn(f64) -> bool) -> Option<f64> {
+        let is_between = |s: &f64| (s - middle) * (bound - s) >= 0.0 && *s != middle;
+        let mut places: Vec<f64> = self.s.iter().copied().filter(is_between).collect();
+        if bound < middle {
+            places.reverse();
         }
-        self
-    }
-
-    /// The first place below or above a middle that is no longer inside, in m.
-    fn edge(&self, middle: f64, is_above: bool, is_inside: impl Fn(f64) -> bool) -> Option<f64> {
-        let places: Vec<f64> = if is_above {
-            self.s.iter().copied().filter(|s| *s > middle).collect()
-        } else {
-            self.s.iter().rev().copied().filter(|s| *s < middle).collect()
-        };
         let outside = places.iter().position(|s| !is_inside(*s))?;
         let inside = if outside == 0 { middle } else { places[outside - 1] };
         let [edge, _] = bisection([inside, places[outside]], HALVINGS, is_inside);
         Some(edge)
     }
 
-    /// Where the distance is least, through three rows, and how large it is there; both in m.
-    fn least(&self) -> [f64; 2] {
-        let least = |k: &usize| self.rows[*k].least;
-        let found = (0..self.s.len()).min_by(|j, k| least(j).total_cmp(&least(k)));
-        let middle = found.unwrap_or(0).clamp(1, self.s.len() - 2);
-        let three = [middle - 1, middle, middle + 1].map(|k| least(&k));
-        match Row::through(three, self.s[middle], self.s[middle + 1] - self.s[middle]) {
-            Some(row) if (row.x - self.s[middle]).abs() <= self.s[middle + 1] - self.s[middle] => {
-                [row.x, row.least]
-            }
-            _ => [self.s[found.unwrap_or(0)], least(&found.unwrap_or(0))],
-        }
+    /// Places at which the distance is least (in m) and the surfaces overlap, the deepest first,
+    /// each with its depth, in m.
+    fn deepest(&self) -> Vec<[f64; 2]> {
+        let least = |k: usize| self.rows[k].least;
+        let last = self.s.len() - 1;
+        // At a bound that is no end the other plane has the contact.
+        let below = |k: usize, beside: Option<usize>, is_end: bool| match beside {
+            Some(beside) => least(k) <= least(beside),
+            None => is_end,
+        };
+        let is_least = |k: &usize| {
+            let after = (*k < last).then_some(k + 1);
+            least(*k) < 0.0
+                && below(*k, k.checked_sub(1), self.ends[0])
+                && below(*k, after, self.ends[1])
+        };
+        let mut found: Vec<[f64; 2]> =
+            (0..=last).filter(is_least).map(|k| self.through(k)).collect();
+        found.sort_by(|one, two| two[1].total_cmp(&one[1]));
+        found
+    }
+
+    /// Place (in m) and depth (in m) of the least distance next to a row, through three rows.
+    fn through(&self, k: usize) -> [f64; 2] {
+        let own = [self.s[k], -self.rows[k].least];
+        let (Some(before), Some(after)) = (k.checked_sub(1), self.rows.get(k + 1)) else {
+            return own;
+        };
+        let three = [self.rows[before].least, self.rows[k].least, after.least];
+        let vertex = Row::through(three, self.s[k], self.s[k + 1] - self.s[k]);
+        vertex.map_or(own, |vertex| [vertex.x, -vertex.least])
     }
 }
 
-/// A patch of rows.
-struct Patch<'a> {
+/// A part of a patch.
+struct Part<'a> {
     rows: &'a Rows,
-    /// Where the bodies approach each other by δ, in m.
+    /// Where the bodies approach each other by δ: of an ellipse its middle, otherwise the place of
+    /// least distance; in m.
     middle: f64,
-    /// δ, in m.
-    approach: f64,
+    /// How far the undeformed surfaces overlap there, in m.
+    depth: f64,
     /// ε δ along rolling, in m.
     along: f64,
     /// ε δ across, below and above the middle; in m.
@@ -168,44 +200,108 @@ struct Patch<'a> {
     edges: [f64; 2],
     /// Whether its edge is an ellipse.
     is_ellipse: bool,
+    /// c, in Pa/m.
+    level: f64,
+    /// In N.
+    force: f64,
 }
 
-impl<'a> Patch<'a> {
-    /// The patch under an approach (in m) about a middle (in m); the end of
-    /// the rows (in m) that lies inside, if one does.
-    fn new(
+/// What a part is found with.
+struct Bodies {
+    method: NormalMethod,
+    /// E*, in Pa.
+    contact_modulus: f64,
+}
+
+impl Bodies {
+    /// The part about a place of least distance and its depth (in m), between bounds (in m), whose
+    /// surfaces others have moved apart by `raised` (in m).
+    ///
+    /// # Errors
+    /// The end of the rows (in m) that lies inside.
+    fn part<'a>(
+        &self,
         rows: &'a Rows,
-        [middle, approach]: [f64; 2],
-        method: NormalMethod,
-    ) -> Result<Self, f64> {
+        ([middle, depth], raised): ([f64; 2], f64),
+        bounds: [f64; 2],
+    ) -> Result<Part<'a>, f64> {
+        let approach = depth - raised;
         let curvature = rows.at(middle).curvature;
+        let grown = |s: f64| rows.at(s).least + depth;
         let shares = |s: f64| {
-            if method == NormalMethod::KikPiotrowski {
+            if self.method == NormalMethod::KikPiotrowski {
                 return [SHARE; 2];
             }
-            let across = (rows.at(s).least + approach).max(0.0) / (s - middle).powi(2);
-            approach_shares(curvature / across)
+            approach_shares(curvature * (s - middle).powi(2) / grown(s).max(0.0))
         };
-        let mut edges = [middle; 2];
+        let mut edges = bounds;
         for (side, edge) in edges.iter_mut().enumerate() {
-            let is_inside = |s: f64| rows.at(s).least + approach < shares(s)[1] * approach;
-            let end = if side == 0 { rows.s.first() } else { rows.s.last() };
-            *edge = rows.edge(middle, side == 1, is_inside).ok_or(*end.unwrap_or(&middle))?;
+            let found = rows.edge(middle, *edge, |s| grown(s) < shares(s)[1] * approach);
+            if found.is_none() && rows.ends[side] && *edge == rows.span()[side] {
+                return Err(*edge);
+            }
+            *edge = found.unwrap_or(*edge);
         }
         let [low, high] = edges.map(shares);
-        let mut patch = Self {
+        let is_ellipse = self.method == NormalMethod::EquivalentEllipse;
+        let mut part = Part {
             rows,
-            middle,
-            approach,
+            middle: if is_ellipse { 0.5 * (edges[0] + edges[1]) } else { middle },
+            depth,
             along: 0.5 * (low[0] + high[0]) * approach,
             across: [low[1] * approach, high[1] * approach],
             edges,
-            is_ellipse: method == NormalMethod::EquivalentEllipse,
+            is_ellipse,
+            level: 0.0,
+            force: 0.0,
         };
-        if patch.is_ellipse {
-            patch.middle = 0.5 * (edges[0] + edges[1]);
+        let [potential, area] = part.integrals();
+        part.level = PI * self.contact_modulus * approach / (2.0 * potential);
+        part.force = part.level * 0.5 * PI * area;
+        Ok(part)
+    }
+
+    /// The parts of a plane, the deepest first, apart from those that others lift off.
+    fn parts<'a>(&self, rows: &'a Rows) -> Result<Vec<Part<'a>>, f64> {
+        let mut parts: Vec<Part> = Vec::new();
+        for _ in 0..PASSES {
+            let before = std::mem::take(&mut parts);
+            for place in rows.deepest() {
+                let [middle, depth] = place;
+                if parts.iter().any(|part| part.covers(middle)) {
+                    continue;
+                }
+                let raised = self.raised(middle, &before);
+                if depth <= raised {
+                    continue;
+                }
+                let mut bounds = rows.span();
+                for part in &parts {
+                    let side = usize::from(part.middle > middle);
+                    let nearer = [f64::max, f64::min][side];
+                    bounds[side] = nearer(bounds[side], part.edges[1 - side]);
+                }
+                parts.push(self.part(rows, (place, raised), bounds)?);
+            }
+            if parts.len().max(before.len()) < 2 {
+                break;
+            }
         }
-        Ok(patch)
+        Ok(parts)
+    }
+
+    /// How far other parts move the surfaces at a place apart, in m.
+    fn raised(&self, middle: f64, parts: &[Part]) -> f64 {
+        let others = parts.iter().filter(|part| !part.covers(middle));
+        let raise =
+            |part: &Part| part.force / (PI * self.contact_modulus * (part.middle - middle).abs());
+        others.map(raise).sum()
+    }
+}
+
+impl Part<'_> {
+    fn covers(&self, s: f64) -> bool {
+        (self.edges[0]..=self.edges[1]).contains(&s)
     }
 
     /// Middle (in m) and half length squared (in m²) of a row; negative outside.
@@ -217,56 +313,28 @@ impl<'a> Patch<'a> {
         }
         let Row { x, curvature, least } = self.rows.at(s);
         let across = self.across[usize::from(s > self.middle)];
-        [x, self.along / curvature * (1.0 - (least + self.approach) / across)]
+        [x, self.along / curvature * (1.0 - (least + self.depth) / across)]
     }
 
-    /// c of the pressure c √(l² − (x − x₀)²), in Pa/m.
-    fn level(&self, contact_modulus: f64) -> f64 {
-        let side = |edge: f64| {
-            let point = |k: usize| {
+    /// ∫ l G(η) ds with the potential G of a row (in m²), and ∫ l² ds (in m³).
+    fn integrals(&self) -> [f64; 2] {
+        let [x, _] = self.row(self.middle);
+        let mut sums = [0.0; 2];
+        for edge in self.edges {
+            for k in 0..POINTS {
                 // Dense at the middle, where the potential of a row is singular.
                 let t = (k as f64 + 0.5) / POINTS as f64;
                 let away = (edge - self.middle) * t * t;
-                let [_, square] = self.row(self.middle + away);
-                let width = 2.0 * t * (edge - self.middle).abs() / POINTS as f64;
-                if square <= 0.0 {
-                    return 0.0;
+                let [at, square] = self.row(self.middle + away);
+                let half = square.max(0.0).sqrt();
+                if half > 0.0 {
+                    let width = 2.0 * t * (edge - self.middle).abs() / POINTS as f64;
+                    sums[0] += half * row_potential(away.hypot(at - x) / half) * width;
+                    sums[1] += square * width;
                 }
-                let half = square.sqrt();
-                half * row_potential(away.abs() / half) * width
-            };
-            (0..POINTS).map(point).sum::<f64>()
-        };
-        let sides: f64 = self.edges.map(side).iter().sum();
-        PI * contact_modulus * self.approach / (2.0 * sides)
-    }
-
-    /// On a lattice with so many cells across it each way.
-    fn pressed(&self, plane: &ContactPlane, contact_modulus: f64, cells: usize) -> Pressed {
-        let [low, high] = self.edges;
-        let count = cells + 2 * RIM;
-        let around = |from: f64, to: f64| {
-            let rim = RIM as f64 * (to - from) / cells as f64;
-            positions([from - rim, to + rim], count)
-        };
-        let s = around(low, high);
-        let rows: Vec<[f64; 2]> = s.iter().map(|s| self.row(*s)).collect();
-        let ends = rows.iter().filter(|[_, square]| *square > 0.0);
-        let ends = ends.map(|[x, square]| [x - square.sqrt(), x + square.sqrt()]);
-        let [from, to] = ends
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], [from, to]| {
-                [low.min(from), high.max(to)]
-            });
-        let x = around(from, to);
-        let level = self.level(contact_modulus);
-        let cell = |[middle, square]: &[f64; 2], x: f64| {
-            level * (square - (x - middle).powi(2)).max(0.0).sqrt()
-        };
-        let pressure = rows.iter().flat_map(|row| x.iter().map(|x| cell(row, *x))).collect();
-        let step = (high - low) / cells as f64;
-        let areas = rows.iter().map(|[_, square]| 0.5 * PI * square.max(0.0));
-        let force = level * step * areas.sum::<f64>();
-        Pressed { plane: *plane, x, s, pressure, force, approach: self.approach }
+            }
+        }
+        sums
     }
 }
 
@@ -281,13 +349,36 @@ pub(super) fn pressed(
     (raised, contact_modulus): (f64, f64),
     (method, cells): (NormalMethod, usize),
 ) -> Result<Option<Pressed>, f64> {
-    let Some(rows) = Rows::new(view, plane) else { return Ok(None) };
-    let [middle, least] = rows.least();
-    let approach = -least - raised;
-    if approach <= 0.0 {
-        return Ok(None);
-    }
-    let rows = rows.raised(raised);
-    let patch = Patch::new(&rows, [middle, approach], method)?;
-    Ok(Some(patch.pressed(plane, contact_modulus, cells)))
+    let Some(rows) = Rows::new(view, plane, raised) else { return Ok(None) };
+    let parts = Bodies { method, contact_modulus }.parts(&rows)?;
+    let Some(approach) = parts.first().map(|part| part.depth) else { return Ok(None) };
+    let around = |[from, to]: [f64; 2]| {
+        let rim = RIM as f64 * (to - from) / cells as f64;
+        positions([from - rim, to + rim], cells + 2 * RIM)
+    };
+    let s = around(hull(parts.iter().map(|part| part.edges)));
+    let row = |s: &f64| {
+        let part = parts.iter().find(|part| part.covers(*s))?;
+        let [middle, square] = part.row(*s);
+        (square > 0.0).then(|| (part.level, middle, square))
+    };
+    let lines: Vec<Option<(f64, f64, f64)>> = s.iter().map(row).collect();
+    let ends = lines.iter().flatten();
+    let x = around(hull(ends.map(|(_, x, square)| [x - square.sqrt(), x + square.sqrt()])));
+    let cell = |line: &Option<(f64, f64, f64)>, x: &f64| {
+        line.map_or(0.0, |(level, middle, square)| {
+            level * (square - (x - middle).powi(2)).max(0.0).sqrt()
+        })
+    };
+    let pressure = lines.iter().flat_map(|line| x.iter().map(|x| cell(line, x))).collect();
+    let force = parts.iter().map(|part| part.force).sum();
+    let (plane, load, curvature) = (*plane, force, 0.0);
+    let opening = Vec::new();
+    Ok(Some(Pressed { plane, x, s, pressure, opening, force, load, curvature, approach }))
+}
+
+/// The interval around all.
+fn hull(intervals: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
+    let none = [f64::INFINITY, f64::NEG_INFINITY];
+    intervals.fold(none, |[low, high], [from, to]| [low.min(from), high.max(to)])
 }

@@ -3,11 +3,13 @@
 use std::sync::Arc;
 
 use super::contact_plane::Joining;
+use super::coupled::{Coupled, Coupling};
 use super::creepage::Motion;
 use super::drive::Drive;
-use super::equilibrium::{FrictionRatio, Guess, Lowered, Lowering};
+use super::equilibrium::{Guess, Lowered, Lowering, Tractions};
 use super::gap::Gap;
 use super::holes;
+use super::opening::Opening;
 use super::pair::Pair;
 use super::pose::{Attitude, minus};
 use super::pressing::Accuracy;
@@ -41,7 +43,7 @@ pub struct Position {
 pub enum Support {
     /// The vertical force on the wheel, in N.
     Force(f64),
-    /// The height of the middle of the axle above the nominal radius over the tops of the rails, in
+    /// The height of the middle of the axle above the nominal radius over z = 0 of the track, in
     /// m.
     Height(f64),
 }
@@ -112,7 +114,7 @@ pub struct WheelSolution {
     pub side: Side,
     /// Where the wheelset is.
     pub position: Position,
-    /// Height of the middle of the axle above the nominal radius over the tops of the rails, in m.
+    /// Height of the middle of the axle above the nominal radius over z = 0 of the track, in m.
     pub height: f64,
     /// Its contacts, the one with the largest normal force first.
     pub contacts: Vec<Contact>,
@@ -130,6 +132,10 @@ pub struct WheelSolution {
     pub(super) unevenness: f64,
     pub(super) guess: Guess,
     rows: RowsMove,
+    /// Friction of its contacts as seen from the left.
+    pub(super) tractions: Vec<Tractions>,
+    /// Whether its contacts are on the curved surface of the rail.
+    is_conformal: bool,
     /// Whether one of the profiles was smoothed.
     is_smoothed: bool,
     /// Where the profiles have no points under its contacts.
@@ -185,17 +191,6 @@ impl WheelSolution {
         rises.then_some(self.angular_velocity)
     }
 
-    /// Friction of its contacts as seen from the left.
-    pub(super) fn ratios(&self) -> Vec<FrictionRatio> {
-        let sign = self.side.outwards();
-        let ratio = |contact: &Contact| FrictionRatio {
-            y: sign * contact.position[1],
-            ratio: sign * contact.solution.force.y / contact.solution.normal.load,
-            along: contact.solution.force.x / contact.solution.normal.load,
-        };
-        self.contacts.iter().map(ratio).collect()
-    }
-
     /// What to know of a result that is about the first contact only.
     pub fn other_contacts(&self) -> Option<Warning> {
         let loads = self.contacts.iter().map(|contact| contact.solution.normal.load);
@@ -218,7 +213,8 @@ impl WheelSolution {
             let (turn, is_found) = (contact.turn, contact.has_rows());
             let is_missed = self.rows.share(turn) > 0.0 && !is_found;
             let has_rows = is_found && contact.solution.method.has_fields();
-            (turn > CONFORMAL || is_missed).then_some(Warning::ConformalContact { turn, has_rows })
+            (turn > CONFORMAL && !self.is_conformal || is_missed)
+                .then_some(Warning::ConformalContact { turn, has_rows })
         };
         let turned = self.contacts.iter().filter_map(warning);
         let parts = self.contacts.iter().map(|contact| contact.solution.normal.parts);
@@ -266,7 +262,11 @@ impl WheelOnRail {
         require_finite(Quantity::RollRate, self.motion.roll_rate)?;
         require_finite(Quantity::YawRate, self.motion.yaw_rate)?;
         let curve = Requirement::Radius(1.0, f64::INFINITY);
-        require(Quantity::CurveRadius, curve, self.motion.curve_radius)?;
+        let radius = self.motion.curve_radius;
+        require(Quantity::CurveRadius, curve, radius)?;
+        if radius.is_finite() && self.pair().roller.is_some() {
+            return Err(WheelRailError::RollersInCurve { radius }.into());
+        }
         self.drive.check()?;
         let angle = Requirement::Inside(-1.0, 1.0);
         require_finite(Quantity::LateralPosition, self.position.lateral)?;
@@ -309,6 +309,13 @@ impl WheelOnRail {
     ) -> Result<Found, Error> {
         self.check()?;
         tangential.check(self.motion.speed)?;
+        let is_conformal = self.normal_method == NormalMethod::Conformal;
+        if is_conformal && tangential.interface.elasticity.curved(0.0).is_none() {
+            return Err(WheelRailError::NoCurvedSurface {}.into());
+        }
+        if is_conformal && self.pair().relief.is_some() {
+            return Err(WheelRailError::VaryingCurvedSurface {}.into());
+        }
         let gap = Gap::new(self.pair(), &self.attitude())?;
         let lowering = self.lowering(&gap, tangential, watch);
         match self.support {
@@ -317,12 +324,18 @@ impl WheelOnRail {
                 if depth <= 0.0 {
                     return Err(WheelRailError::Lifted { gap: -depth }.into());
                 }
-                let contacts = lowering.at(depth, Accuracy::Cells(self.cells))?;
-                let lowered = Lowered { at: Guess::smooth(depth), contacts };
-                let options = tangential.searching();
-                let sliding = self.sliding((&lowering, &lowered), (tangential, &options), watch);
-                let turning = sliding.solve(near.map(|near| near.angular_velocity))?;
-                Ok(self.found(&lowering, &lowered, turning, 1))
+                let (accuracy, options) = (Accuracy::Cells(self.cells), tangential.searching());
+                let lowered = lowering.lowered(Guess::smooth(depth), &[], accuracy)?;
+                let turned = near.map(|near| near.angular_velocity);
+                let how = Coupling {
+                    wheel: self,
+                    lowering: &lowering,
+                    how: (tangential, &options),
+                    accuracy,
+                    tolerance: SETTLED,
+                    watch,
+                };
+                Ok(self.found(&lowering, how.solve(lowered, turned)?, 1))
             }
             Support::Force(force) => self.settle(&lowering, (force, near), tangential, watch),
         }
@@ -336,8 +349,8 @@ impl WheelOnRail {
     ) -> Lowering<'a> {
         let (pair, joining, attitude) = (self.pair(), self.joining, self.attitude());
         let contact_modulus = tangential.interface.contact_modulus();
-        let method = self.normal_method;
-        Lowering { pair, gap, attitude, joining, contact_modulus, method, watch }
+        let (method, poisson_ratio) = (self.normal_method, tangential.interface.poisson_ratio());
+        Lowering { pair, gap, attitude, joining, contact_modulus, poisson_ratio, method, watch }
     }
 
     pub(super) fn sliding<'a>(
@@ -380,20 +393,28 @@ impl WheelOnRail {
         Ok(lowering.carrying(force, &[], first_guess(&lowering, force), how)?.at.depth)
     }
 
-    pub(super) fn ratios(&self, solved: &[Slid]) -> Vec<FrictionRatio> {
-        let ratio = |(pressed, _, solution): &Slid| FrictionRatio {
-            y: pressed.plane.origin[1],
-            ratio: self.side.outwards() * solution.force.y / pressed.force,
-            along: solution.force.x / pressed.force,
+    /// What the tractions of contacts do.
+    pub(super) fn tractions(&self, solved: &[Slid]) -> Result<Vec<Tractions>, Error> {
+        let of = |slid: &Slid| {
+            let (pressed, problem, solution) = slid;
+            let (y, force) = (pressed.plane.origin[1], pressed.force);
+            let [across, normal] = self.force_in_plane(slid);
+            let opening = Opening::new((pressed, problem, solution), self.side)?.map(Arc::new);
+            Ok(Tractions {
+                y,
+                ratio: across / force,
+                along: solution.force.x / force,
+                normal: normal / force - 1.0,
+                opening,
+            })
         };
-        solved.iter().map(ratio).collect()
+        solved.iter().map(of).collect()
     }
 
     pub(super) fn found(
         &self,
         lowering: &Lowering,
-        lowered: &Lowered,
-        turning: Turning,
+        Coupled { lowered, turning, tractions }: Coupled,
         rounds: usize,
     ) -> Found {
         let Turning { angular_velocity, contacts, solvers, .. } = turning;
@@ -402,23 +423,26 @@ impl WheelOnRail {
         let (solved, solvers): (Vec<Slid>, Vec<_>) = with_solvers.into_iter().unzip();
         let holes =
             solved.iter().flat_map(|(pressed, ..)| holes::under(self.pair(), pressed)).collect();
-        let contacts: Vec<Contact> =
-            solved.into_iter().map(|solved| self.contact(lowering, lowered, solved)).collect();
         let mut force = [0.0; 3];
-        for contact in &contacts {
-            let (sin, cos) = contact.angle.sin_cos();
-            let (rising, level) = contact.rise.sin_cos();
-            let (normal, along) = (contact.solution.normal.load, contact.solution.force);
-            let upright = normal * level + along.x * rising;
-            force[0] += along.x * level - normal * rising;
-            force[1] += upright * sin + along.y * cos;
-            force[2] += upright * cos - along.y * sin;
+        for slid in &solved {
+            let [across, normal] = self.force_in_plane(slid);
+            let plane = &slid.0.plane;
+            let (sin, cos) = plane.inclination.sin_cos();
+            let (rising, level) = plane.rise.sin_cos();
+            let along = slid.2.force.x;
+            let upright = normal * level + along * rising;
+            force[0] += along * level - normal * rising;
+            force[1] += self.side.outwards() * (across * cos - upright * sin);
+            force[2] += upright * cos + across * sin;
         }
+        let contacts: Vec<Contact> =
+            solved.into_iter().map(|solved| self.contact(lowering, &lowered, solved)).collect();
         let wheel = WheelSolution {
             side: self.side,
             position: self.position,
             height: lowering.touch() - lowered.at.depth,
             contacts,
+            tractions,
             angular_velocity,
             force,
             residual: 0.0,
@@ -426,10 +450,33 @@ impl WheelOnRail {
             guess: lowered.at,
             rows: self.rows,
             rounds,
+            is_conformal: self.normal_method == NormalMethod::Conformal,
             is_smoothed: self.pair().wheel.is_smoothed() || self.pair().rail.is_smoothed(),
             holes,
         };
         (wheel, solvers)
+    }
+
+    /// Force across (outwards) and normal to the plane of a contact, in N: on a curved surface that
+    /// of pressure and tractions where they are.
+    fn force_in_plane(&self, (pressed, _, solution): &Slid) -> [f64; 2] {
+        let sign = self.side.outwards();
+        let fields = &solution.fields;
+        if !pressed.plane.is_curved || fields.is_empty() {
+            return [sign * solution.force.y, pressed.force];
+        }
+        let middle = solution.normal.origin.unwrap_or_default()[1];
+        let area = fields.grid.cell_area();
+        let mut force = [0.0; 2];
+        for ((y, traction), pressure) in
+            fields.y.iter().zip(&fields.traction_y).zip(&fields.pressure)
+        {
+            let (sin, cos) = pressed.plane.turn(self.pair(), sign * (y + middle)).sin_cos();
+            let (traction, pressure) = (sign * traction * area, pressure * area);
+            force[0] += traction * cos - pressure * sin;
+            force[1] += traction * sin + pressure * cos;
+        }
+        force
     }
 
     fn contact(

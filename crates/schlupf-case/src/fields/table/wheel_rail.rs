@@ -60,8 +60,8 @@ section! {
         example("0 mrad"), with(NORMAL_MODEL, WHEEL_RAIL),
         usually(Magnitude(0.2));
     "height" [WheelsetHeight] quantity(&Measure::LENGTH), Magnitude(1.0), Nothing,
-        "height of the middle of the axle above the nominal radius over the tops of the rails, in \
-         place of normal.load",
+        "height of the middle of the axle above the nominal radius over z = 0 of the track, in place \
+         of normal.load",
         shaping(), example("-0.1 mm"), with(NORMAL_MODEL, WHEEL_RAIL),
         usually(Magnitude(0.05));
     "lateral_velocity" [LateralVelocity] quantity(&Measure::SPEED), SPEED, Text("0 m/s"),
@@ -137,7 +137,7 @@ macro_rules! wheel {
             example("0 mrad"),
             with(NORMAL_MODEL, WHEEL_RAIL);
         "yaw_angle" [] quantity(&Measure::ANGLE), ANGLE, Computed("0 mrad"),
-            "turn of the wheel about z, after that about x", shaping(), example("0 mrad"),
+            "turn of the wheel about the z that has turned about x", shaping(), example("0 mrad"),
             with(NORMAL_MODEL, WHEEL_RAIL);
         "longitudinal_velocity" [] quantity(&Measure::SPEED), SPEED, Computed("0 m/s"),
             "velocity of that origin forwards, relative to the wheelset and along its axes",
@@ -150,14 +150,17 @@ macro_rules! wheel {
             "velocity of that origin upwards", shaping(), example("0 m/s"),
             with(NORMAL_MODEL, WHEEL_RAIL), usually(Magnitude(10.0));
         "roll_rate" [] quantity(&Measure::ANGULAR_VELOCITY), TURNING, Computed("0 rad/s"),
-            "angular velocity about x, relative to the wheelset and about its axes", shaping(),
+            "angular velocity about x relative to the wheelset; −ω yaw_angle if it turns about its own \
+             axis", shaping(),
             example("0 rad/s"),
             with(NORMAL_MODEL, WHEEL_RAIL);
         "pitch_rate" [] quantity(&Measure::ANGULAR_VELOCITY), TURNING, Computed("0 rad/s"),
             "angular velocity about y beyond that of the wheelset", shaping(), example("0 rad/s"),
             with(NORMAL_MODEL, WHEEL_RAIL);
         "yaw_rate" [] quantity(&Measure::ANGULAR_VELOCITY), TURNING, Computed("0 rad/s"),
-            "angular velocity about z", shaping(), example("0 rad/s"),
+            "angular velocity about z relative to the wheelset; ω roll_angle if it turns about its own \
+             axis",
+            shaping(), example("0 rad/s"),
             with(NORMAL_MODEL, WHEEL_RAIL);
     } };
 }
@@ -180,7 +183,7 @@ macro_rules! rail {
             Computed("0 mm"), "irregularity: displacement to the left from its place in the track",
             shaping(), example("0 mm"), with(NORMAL_MODEL, WHEEL_RAIL), usually(Magnitude(0.05));
         "vertical_displacement" [] quantity(&Measure::LENGTH), Magnitude(1.0), Computed("0 mm"),
-            "irregularity: displacement upwards", shaping(), example("0 mm"),
+            "irregularity: displacement upwards, of a roller's profile on its axle", shaping(), example("0 mm"),
             with(NORMAL_MODEL, WHEEL_RAIL), usually(Magnitude(0.05));
         "roll_angle" [] quantity(&Measure::ANGLE), ANGLE, Computed("0 mrad"),
             "irregularity: turn about x through the origin of its profile", shaping(),

@@ -10,6 +10,8 @@ use super::skipped;
 /// What a case of module 3 has, and the next one may keep.
 #[derive(Debug, Clone, Default)]
 pub struct Basic {
+    /// MAXOUT: iterations between normal and tangential problem.
+    pub outer_iterations: Option<Given>,
     /// Loads and creepages.
     pub motion: Option<Motion>,
     /// Friction.
@@ -80,7 +82,7 @@ const MOST_ELEMENTS: i64 = 4_000_000;
 impl Basic {
     /// Reads what a case gives anew.
     pub fn read(&mut self, reader: &mut Reader, control: &Control) -> Reading<()> {
-        skipped::iteration(reader, control)?;
+        self.outer_iterations = skipped::iteration(reader, control)?.or(self.outer_iterations);
         self.motion = Some(Motion::read(reader, control)?);
         let is_by_row = control.friction_variation.is(3);
         let has_new_friction = !control.friction_law.is(1);

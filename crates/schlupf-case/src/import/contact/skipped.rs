@@ -1,19 +1,19 @@
 //! Values that no case of ours needs: they are read to find what follows them.
 
 use super::control::Control;
-use super::given::{Item, real, whole};
+use super::given::{Given, Item, real, whole};
 use super::reader::{Reader, Reading};
 
 /// Most points along an axis of a block below the surface.
 const MOST_POINTS: i64 = 1_000_000;
 
-/// Settings of the solvers: digit G.
-pub fn iteration(reader: &mut Reader, control: &Control) -> Reading<()> {
+/// Settings of the solvers, digit G; of them MAXOUT counts, if it is given.
+pub fn iteration(reader: &mut Reader, control: &Control) -> Reading<Option<Given>> {
     let method = control.iteration.whole();
     if method == 1 {
-        return Ok(());
+        return Ok(None);
     }
-    reader.numbers_and(
+    let ([_, _, _, outer, _], _) = reader.numbers_and(
         [whole("MAXGS"), whole("MAXIN"), whole("MAXNR"), whole("MAXOUT"), real("EPS")],
         [whole("NPOT_MAX")],
     )?;
@@ -30,9 +30,12 @@ pub fn iteration(reader: &mut Reader, control: &Control) -> Reading<()> {
             real("D_SLP"),
             real("POW_S"),
         ],
-        _ => return Ok(()),
+        _ => &[],
     };
-    reader.group_of(items).map(|_| ())
+    if !items.is_empty() {
+        reader.group_of(items)?;
+    }
+    Ok(Some(outer))
 }
 
 /// Points below the surface: digit S.

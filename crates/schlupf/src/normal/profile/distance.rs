@@ -78,7 +78,7 @@ impl UndeformedDistance {
 
     /// The rectangle on which the distance is known, in m; unbounded along x if only a profile
     /// across is given.
-    pub(super) fn bounds(&self) -> [[f64; 2]; 2] {
+    pub(crate) fn bounds(&self) -> [[f64; 2]; 2] {
         let ends = |v: &[f64]| [v[0], v[v.len() - 1]];
         match &self.shape {
             Shape::Across { y, .. } => [[f64::NEG_INFINITY, f64::INFINITY], ends(y)],

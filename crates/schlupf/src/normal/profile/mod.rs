@@ -230,6 +230,10 @@ impl PressureSource for Profile {
         Some(distance.iter().zip(beyond).map(|(d, beyond)| d + beyond).collect())
     }
 
+    fn cells(&self) -> usize {
+        self.cells
+    }
+
     fn load_exponent(&self) -> Option<f64> {
         None
     }

@@ -21,6 +21,7 @@ mod conjugate_gradients;
 use crate::reporting::{Error, Quantity, SurfaceError, Watch, require_positive};
 use crate::surface::{HeightMap, Lattice};
 
+pub(crate) use compliance::Curved;
 use compliance::NormalCompliance;
 use conjugate_gradients::{Equilibrium, Held, Outcome};
 
@@ -136,6 +137,14 @@ impl RoughContact {
             require_positive(Quantity::Hardness, hardness)?;
         }
         Ok(Self { hardness, ..self })
+    }
+
+    /// The same on a surface that is curved across.
+    pub(crate) fn curved(self, curved: Curved) -> Self {
+        let how = (self.boundary, curved);
+        let compliance =
+            NormalCompliance::curved(self.distance.lattice(), self.contact_modulus, how);
+        Self { compliance, ..self }
     }
 
     /// The same with a pressure on its cells (in Pa) from which its solution starts, or without one

@@ -7,12 +7,12 @@ messages! {
     /// Why parameters cannot be fitted to data.
     FitError:
 
-    /// Nothing to be fitted.
+    /// No parameter is to be fitted.
     "nothing-to-fit" NothingToFit {} Quantity::FitParameters, |name, words| {
         format!("{name}: there is nothing to fit")
     };
 
-    /// Fewer points than parameters.
+    /// There are fewer points than parameters.
     "too-few-points" TooFewPoints {
         /// What is to be fitted.
         parameters: Vec<Quantity>,
@@ -36,7 +36,7 @@ messages! {
         )
     };
 
-    /// A value to start from that is out of the range that a fit looks at.
+    /// An initial value is outside the bounds of the fit.
     "start-out-of-range" StartOutOfRange {
         /// What is to be fitted.
         quantity: Quantity,
@@ -51,7 +51,7 @@ messages! {
         with_unit(*value, quantity.unit())
     );
 
-    /// Standard deviations of some points only.
+    /// Only some of the points have a standard deviation.
     "some-deviations" SomeDeviations {
         /// Points that have one.
         known: usize,
@@ -61,7 +61,7 @@ messages! {
         "{name}: all points or none need a standard deviation, but {known} of {count} have one"
     );
 
-    /// Measured forces with the wrong sign.
+    /// Measured forces have the wrong sign.
     "wrong-sign" WrongSign {
         /// Which forces.
         component: Quantity,
@@ -81,7 +81,7 @@ messages! {
         )
     };
 
-    /// Values from which a fit cannot start.
+    /// No forces or derivatives were found at the initial values.
     "no-start" NoStart {
         /// What is to be fitted first.
         quantity: Quantity,
@@ -96,7 +96,7 @@ messages! {
         None => format!("{name}: the forces have no derivatives at the start values"),
     };
 
-    /// A fit that got stuck where nothing follows.
+    /// The fit stopped where the forces do not depend on the parameters.
     "fit-stuck" FitStuck {
         /// What is to be fitted first.
         quantity: Quantity,
@@ -107,7 +107,7 @@ messages! {
         stop.text(words)
     );
 
-    /// A parameter that no measured force depends on.
+    /// No measured force depends on a parameter.
     "no-influence" NoInfluence {
         /// The parameter.
         quantity: Quantity,
@@ -119,7 +119,7 @@ messages! {
         where_it_shows(*quantity)
     );
 
-    /// Parameters that the data do not tell apart.
+    /// The data do not distinguish the parameters.
     "inseparable" Inseparable {
         /// Which.
         parameters: Vec<Quantity>,
@@ -132,7 +132,7 @@ messages! {
         )
     };
 
-    /// Friction from forces that are in proportion to the creepage.
+    /// Forces proportional to the creepage do not determine friction.
     "linear-range" LinearRange {
         /// Largest force over μ0 N, dimensionless.
         largest: f64,
@@ -142,7 +142,7 @@ messages! {
         where_it_shows(Quantity::FrictionCoefficient)
     );
 
-    /// A parameter that the data leave open.
+    /// The data do not determine a parameter.
     "undetermined" Undetermined {
         /// Which.
         quantity: Quantity,
@@ -175,7 +175,7 @@ messages! {
         )
     };
 
-    /// A parameter that is no constant of the friction law in use.
+    /// The friction law in use has no such constant.
     "no-such-constant" NoSuchConstant {
         /// The parameter.
         quantity: Quantity,
@@ -187,7 +187,7 @@ messages! {
         format!("{name}: it is not a constant of the friction law in use, which has {names}")
     };
 
-    /// A parameter that shows only where there is heat.
+    /// A parameter affects the forces only with heat.
     "needs-heat" NeedsHeat {
         /// The parameter.
         quantity: Quantity,
@@ -201,7 +201,7 @@ messages! {
         format!("{name}: it affects the forces only where friction heats the contact, but {why}")
     };
 
-    /// A parameter that the method does not have.
+    /// The method does not have the parameter.
     "not-of-method" NotOfMethod {
         /// The parameter.
         quantity: Quantity,
@@ -220,18 +220,18 @@ messages! {
         }
     };
 
-    /// k_c of a contact law that has none.
+    /// The contact law in use has no k_c.
     "no-stiffness" NoStiffness {} Quantity::ContactStiffness, |name, words| {
         format!("{name}: the contact law in use has no such constant")
     };
 
-    /// A constant of a layer that the case does not have.
+    /// There is no layer between the surfaces.
     "no-layer" NoLayer {
         /// The parameter.
         quantity: Quantity,
     } *quantity, |name, words| format!("{name}: there is no layer between the surfaces");
 
-    /// A constant of the limit of elasticity of a layer that has none.
+    /// A constant of yielding is to be fitted, but the layer is elastic.
     "no-yield-limit" NoYieldLimit {
         /// The parameter.
         quantity: Quantity,
@@ -240,7 +240,7 @@ messages! {
         words.word(Quantity::LayerYieldStress)
     );
 
-    /// k_c together with the roughness that determines it.
+    /// k_c cannot be fitted together with the roughness that determines it.
     "stiffness-and-roughness" StiffnessAndRoughness {} Quantity::ContactStiffness, |name, words| {
         format!("{name}: it cannot be fitted together with the roughness that determines it")
     };
@@ -332,4 +332,10 @@ fn shown(value: f64, quantity: Quantity) -> String {
     let number =
         if (1e-3..1e5).contains(&value) { value.to_string() } else { format!("{value:e}") };
     format!("{number} {}", quantity.unit()).trim_end().to_owned()
+}
+
+impl From<FitError> for Error {
+    fn from(error: FitError) -> Self {
+        Self::Fit { error }
+    }
 }

@@ -1,12 +1,13 @@
 //! What can be wrong with prescribed forces.
 
+use super::Error;
 use crate::reporting::{Quantity, messages, with_unit};
 
 messages! {
     /// Why no motion has the prescribed forces, or none was found.
     ForceError:
 
-    /// A prescribed force where creepages must be given.
+    /// A force is prescribed where creepages must be given.
     "force-not-possible" NotPossible {
         /// What is prescribed.
         quantity: Quantity,
@@ -14,7 +15,7 @@ messages! {
         format!("{name}: no force can be prescribed here; give the creepage of that direction")
     };
 
-    /// A force and its creepage are prescribed together.
+    /// A force and the creepage of its direction are given together.
     "force-and-creepage" AndCreepage {
         /// The force.
         force: Quantity,
@@ -25,7 +26,7 @@ messages! {
         words.word(*creepage)
     );
 
-    /// A prescribed force that no creepage causes.
+    /// No creepage causes the prescribed force: the text has the largest one.
     "unreachable-force" Unreachable {
         /// What is prescribed.
         quantity: Quantity,
@@ -52,7 +53,7 @@ messages! {
         )
     };
 
-    /// Creepages for prescribed forces were not found.
+    /// The creepage of a prescribed force was not found.
     "force-not-found" NotFound {
         /// What is prescribed.
         quantity: Quantity,
@@ -68,4 +69,10 @@ messages! {
             with_unit(*nearest, unit)
         )
     };
+}
+
+impl From<ForceError> for Error {
+    fn from(error: ForceError) -> Self {
+        Self::Force { error }
+    }
 }

@@ -48,7 +48,7 @@ messages! {
         format!("{name} must be {requirement}, but is {}{}", value.trim_end(), place.text())
     };
 
-    /// The wheel does not roll forwards.
+    /// The wheel is locked or reversed.
     "no-rolling" NoRolling {
         /// Longitudinal creepage, dimensionless.
         creepage_x: f64,
@@ -74,7 +74,7 @@ messages! {
         format!("at {} s, {}", readable(*time), error.text(&OverTime(words)))
     };
 
-    /// Something is listed fewer times than needed.
+    /// A list has fewer entries than needed.
     "too-few" TooFew {
         /// What.
         quantity: Quantity,
@@ -100,7 +100,7 @@ messages! {
         format!("{name} needs at least {fewest} values of {axis}, got {count}")
     };
 
-    /// Another number of values than there are places for.
+    /// The number of values does not match the number of positions.
     "wrong-count" WrongCount {
         /// Of what.
         quantity: Quantity,
@@ -130,7 +130,7 @@ messages! {
         format!("{name} must ascend strictly{of}, but {after} comes after {before}")
     };
 
-    /// Positions of a table are not equidistant.
+    /// The positions of a table are not equidistant.
     "not-equidistant" NotEquidistant {
         /// Which.
         axis: char,
@@ -146,7 +146,7 @@ messages! {
         readable(*spacing)
     );
 
-    /// The pressures of a table are not those of a contact.
+    /// The largest pressure of a table is not that of a contact.
     "table-peak" TablePeak {
         /// Largest pressure, in Pa.
         peak: f64,
@@ -159,12 +159,12 @@ messages! {
         readable(*peak)
     );
 
-    /// A table of the pressure has no area.
+    /// A pressure table covers no area.
     "no-area" NoArea {} Quantity::PressureTable, |name, words| {
         format!("{name} must cover an area, but has none")
     };
 
-    /// More cells than can be solved for.
+    /// The grid has more cells than can be solved for.
     "too-many-cells" TooManyCells {
         /// Cells along rolling.
         columns: usize,
@@ -177,7 +177,7 @@ messages! {
         *columns as u128 * *rows as u128
     );
 
-    /// A reference point that the normal contact does not have.
+    /// The normal contact does not have this reference point.
     "no-origin" NoOrigin {} Quantity::Reference, |name, words| {
         let [file, patch] = ["file", "patch"].map(|point| words.choice(Quantity::Reference, point));
         format!(
@@ -206,7 +206,7 @@ messages! {
         error.text(words)
     );
 
-    /// A patch for which no layer was calibrated.
+    /// No layer is calibrated for the axis ratio of the patch.
     "beyond-calibration" BeyondCalibration {
         /// a/b, dimensionless.
         axis_ratio: f64,
@@ -220,7 +220,7 @@ messages! {
         words.choice(Quantity::Elasticity, "half-space")
     );
 
-    /// A layer with more cells than can be solved for.
+    /// The margin makes the layer larger than can be solved for.
     "layer-too-large" LayerTooLarge {
         /// Its margin, in m.
         margin: f64,
@@ -235,7 +235,7 @@ messages! {
         readable(*cells)
     );
 
-    /// Two laws of a product with different cold coefficients.
+    /// Two laws of a product have different cold coefficients.
     "unequal-friction" UnequalFriction {
         /// That of one, dimensionless.
         one: f64,
@@ -245,7 +245,7 @@ messages! {
         "{name}: both laws of a product must have the same μ0, but one has {one} and the other {other}"
     );
 
-    /// Friction has vanished before the material enters.
+    /// Friction has vanished before material enters.
     "friction-vanishes" FrictionVanishes {
         /// Temperature of the entering material, in degC.
         entry: f64,
@@ -262,7 +262,7 @@ messages! {
         readable(reference + limit)
     );
 
-    /// Friction that varies across rolling is not that of the law in the middle.
+    /// The lateral factor of friction is not 1 at y = 0.
     "off-centre-factor" OffCentreFactor {
         /// What the factors are over.
         over: Quantity,
@@ -277,7 +277,7 @@ messages! {
         )
     };
 
-    /// The second term of friction is larger than what is left for it.
+    /// The second friction term is larger than the total decrease of friction.
     "second-term" SecondTerm {
         /// Its size, dimensionless.
         second: f64,
@@ -291,7 +291,7 @@ messages! {
         words.word(Quantity::KineticCoefficient)
     );
 
-    /// A contact that is a line.
+    /// The contact is too slender for an elliptic patch.
     "line-contact" LineContact {
         /// Sums of curvature along and across rolling, in 1/m.
         curvatures: [f64; 2],
@@ -304,7 +304,7 @@ messages! {
         readable(curvatures[1])
     );
 
-    /// Radii of two bodies that do not touch in a point.
+    /// The bodies do not touch in a point.
     "curvature-sum" CurvatureSum {
         /// The radii of wheel and rail.
         radii: [Quantity; 2],
@@ -323,7 +323,7 @@ messages! {
         format!("{wheel}: the sum of curvatures {plane} rolling ({wheel}, {rail}) {requirement}")
     };
 
-    /// The contact reaches the edge of the distance that is given.
+    /// The contact reaches the edge of the given distance.
     "contact-at-edge" ContactAtEdge {
         /// Load, in N.
         load: f64,
@@ -352,7 +352,7 @@ messages! {
          {residual:.1e}, above {tolerance:.1e}"
     );
 
-    /// The place of the contact was not found.
+    /// The contact could not be located.
     "contact-not-found" ContactNotFound {
         /// Rounds of the search.
         rounds: usize,
@@ -369,7 +369,7 @@ messages! {
         1e3 * y[1]
     );
 
-    /// A load that leaves no pressure that numbers can hold.
+    /// The pressure is beyond the range of floating-point numbers.
     "no-pressure" NoPressure {
         /// Load, in N.
         load: f64,
@@ -389,12 +389,12 @@ messages! {
         error: SurfaceError,
     } error.quantity(), |name, words| error.text(words);
 
-    /// A solution that did not keep the state of the material.
+    /// A solution did not keep the state of the material.
     "no-state" NoState {} Quantity::Method, |_name, _words| "a march that goes on from a \
          solution, and temperatures below the surface, need a solution that keeps the state of the \
          material".to_owned();
 
-    /// A bound of FASTSIM that a pressure does not have.
+    /// The pressure has no paraboloid to bound the traction of FASTSIM.
     "no-paraboloid" NoParaboloid {} Quantity::TractionBound, |name, words| format!(
         "{name}: the pressure of a table or a profile, or that on a layer that flows, is no \
          paraboloid; choose {}, where the pressure itself bounds the traction",
@@ -416,14 +416,14 @@ messages! {
         )
     };
 
-    /// Coulomb's law between rigid bodies.
+    /// Coulomb's law leaves tractions of rigid bodies undetermined.
     "coulomb-of-rigid-bodies" CoulombOfRigidBodies {} Quantity::Elasticity, |name, words| format!(
         "{name}: with Coulomb's law ({}) the bodies must be elastic, because nothing else determines \
          the traction where they stick",
         words.word(Quantity::ContactLaw)
     );
 
-    /// Coulomb's law on cells that are much wider than long.
+    /// Cells are too much wider than long.
     "too-few-across" TooFewAcross {
         /// How many cells are needed across rolling.
         fewest: usize,
@@ -437,7 +437,7 @@ messages! {
          many of them; take more across or fewer along"
     );
 
-    /// A look-up table for bodies with a layer between them.
+    /// Look-up tables hold for surfaces without a layer between them.
     "layer-with-table" LayerWithTable {} Quantity::LookUpTable, |name, words| format!(
         "{name}: a look-up table holds for surfaces without a layer between them; choose another {} \
          or leave out {}",
@@ -445,7 +445,7 @@ messages! {
         words.word(Quantity::LayerThickness)
     );
 
-    /// A history over which the wheel rolls too far.
+    /// The history takes more time steps than allowed.
     "history-too-long" HistoryTooLong {
         /// First and last time, in s.
         span: [f64; 2],
@@ -462,13 +462,13 @@ messages! {
         readable(*most)
     );
 
-    /// A state to start from that cannot be.
+    /// The initial state is inconsistent.
     "impossible-state" ImpossibleState {} Quantity::InitialState, |name, words| format!(
         "{name}: the state has an element outside the grid, two in one cell, one with more traction \
          than friction allows, or one with an impossible slip speed, friction or heat"
     );
 
-    /// A state to start from that was left on another grid.
+    /// The initial state belongs to another grid.
     "state-of-another-grid" StateOfAnotherGrid {
         /// Columns and rows of its grid, and of that of the problem.
         cells: [[usize; 2]; 2],
@@ -483,10 +483,10 @@ messages! {
         format!("{name}: the state was left on a grid of {left}, but this problem has {here}")
     };
 
-    /// The caller stopped it.
+    /// The caller stopped the computation.
     "stopped" Stopped {} Quantity::MaxIterations, |name, words| "stopped before the end".to_owned();
 
-    /// A method without temperatures or fields where they are needed.
+    /// Temperatures are needed, which the method does not compute.
     "method" OtherMethod {
         /// For what.
         purpose: MethodPurpose,
@@ -496,13 +496,13 @@ messages! {
         format!("{name}: {}; {method:?} has none", purpose.text())
     };
 
-    /// No heat where something follows from it.
+    /// Heat is needed, but there is no heat model.
     "no-heat" NoHeat {} Quantity::HeatModel, |name, words| format!(
         "{name}: the wheel is heated by friction only, but {}",
         words.choice(Quantity::HeatModel, "none")
     );
 
-    /// A curve from a creepage to the same.
+    /// Start and end of a creep curve are the same.
     "no-range" NoRange {
         /// The creepage.
         quantity: Quantity,
@@ -514,7 +514,7 @@ messages! {
         with_unit(*value, quantity.unit())
     );
 
-    /// A wheel that locks on a creep curve.
+    /// The wheel locks on a creep curve.
     "locks-on-curve" LocksOnCurve {
         /// The creepage that varies.
         quantity: Quantity,
@@ -528,7 +528,7 @@ messages! {
         )
     };
 
-    /// Motions of a calibration that were not solved.
+    /// Motions of a calibration were not solved.
     "calibration-not-converged" CalibrationNotConverged {
         /// a/b, dimensionless.
         axis_ratio: f64,
@@ -537,16 +537,16 @@ messages! {
         readable(*axis_ratio)
     );
 
-    /// Displacements for which no layer could be set up.
+    /// No layer could be set up for given displacements.
     "no-layer" NoLayer {} Quantity::SampleDisplacement, |name, words| format!("{name}: no layer could be set up on its grid");
 
-    /// Displacements against their load.
+    /// Displacements oppose their load.
     "against-load" AgainstLoad {} Quantity::SampleDisplacement, |name, words| format!(
         "{name}: the displacements oppose their load: tractions must be those on the wheel, \
          displacements those of the wheel minus those of the rail"
     );
 
-    /// Displacements that no layer has.
+    /// No layer has the given displacements.
     "unlike-a-layer" UnlikeALayer {
         /// Those along rolling, or across.
         quantity: Quantity,
@@ -572,24 +572,6 @@ messages! {
 }
 
 impl std::error::Error for Error {}
-
-impl From<ForceError> for Error {
-    fn from(error: ForceError) -> Self {
-        Self::Force { error }
-    }
-}
-
-impl From<SurfaceError> for Error {
-    fn from(error: SurfaceError) -> Self {
-        Self::Surface { error }
-    }
-}
-
-impl From<FitError> for Error {
-    fn from(error: FitError) -> Self {
-        Self::Fit { error }
-    }
-}
 
 impl Error {
     /// Whether the input may be right, but what follows from it was not found.

@@ -1,12 +1,13 @@
 //! What can be wrong with a rough surface.
 
+use super::Error;
 use crate::reporting::{Quantity, messages, readable};
 
 messages! {
     /// Why heights are no rough surface, or none that can be solved for.
     SurfaceError:
 
-    /// A load that the hardness cannot carry.
+    /// The hardness cannot carry the load.
     "beyond-hardness" BeyondHardness {
         /// The load, in N.
         load: f64,
@@ -18,7 +19,7 @@ messages! {
         readable(*load)
     );
 
-    /// Waves that are too short for the cells.
+    /// Waves of a rough surface are too short for the cells.
     "short-waves" ShortWaves {
         /// Shortest wavelength, in m.
         shortest: f64,
@@ -30,7 +31,7 @@ messages! {
         readable(*shortest)
     );
 
-    /// A surface with too many holes.
+    /// More than half of a surface has no height.
     "too-many-holes" TooManyHoles {
         /// Points without a height.
         holes: usize,
@@ -40,7 +41,7 @@ messages! {
         "{name}: at most half of the points may be holes, but {holes} of {count} are"
     );
 
-    /// Holes that were not filled.
+    /// The holes of a surface could not be filled.
     "holes-not-filled" HolesNotFilled {
         /// Iterations that were done.
         iterations: usize,
@@ -48,7 +49,7 @@ messages! {
         format!("{name}: the holes are not filled after {iterations} iterations")
     };
 
-    /// A surface or a profile that is flat.
+    /// A surface or profile is flat.
     "flat" Flat {
         /// The height everywhere (in m); `None` of a profile on a straight line.
         height: Option<f64>,
@@ -59,7 +60,7 @@ messages! {
         None => format!("{name} must not be flat, but its points lie on a straight line"),
     };
 
-    /// Two surfaces on different lattices.
+    /// Two surfaces are on different lattices.
     "lattices-differ" LatticesDiffer {
         /// Columns and rows of both.
         cells: [[usize; 2]; 2],
@@ -74,13 +75,13 @@ messages! {
         format!("{name}: two surfaces must have the same lattice, but have {one} and {other}")
     };
 
-    /// A form that a surface does not have.
+    /// A form does not fit the surface.
     "no-form" NoForm {
         /// Its name.
         form: &'static str,
     } Quantity::Form, |name, words| format!("{name}: no {form} fits the surface");
 
-    /// Approach and pressure that do not grow together.
+    /// Approach and pressure of a rough contact do not increase together.
     "load-curve" LoadCurve {
         /// Points of the curve.
         points: usize,
@@ -89,7 +90,7 @@ messages! {
          but do not over {points} points"
     );
 
-    /// A surface that is in contact everywhere.
+    /// A rough surface is in contact everywhere.
     "full-contact" FullContact {
         /// Mean pressure from which on it is, in Pa.
         pressure: f64,
@@ -114,3 +115,9 @@ messages! {
 }
 
 impl std::error::Error for SurfaceError {}
+
+impl From<SurfaceError> for Error {
+    fn from(error: SurfaceError) -> Self {
+        Self::Surface { error }
+    }
+}

@@ -7,7 +7,7 @@ messages! {
     /// Why two profiles and a position give no contacts.
     WheelRailError:
 
-    /// A profile with too few points.
+    /// A profile of a wheel or a rail has too few points.
     "few-profile-points" FewPoints {
         /// That of the wheel or of the rail.
         profile: Quantity,
@@ -19,7 +19,7 @@ messages! {
         "{name} needs at least {fewest} points that are 0.03 mm apart, got {count}"
     );
 
-    /// A surface through too few sections.
+    /// A profile that changes along the way has too few sections.
     "few-sections" FewSections {
         /// That of the wheel or of the rail.
         profile: Quantity,
@@ -31,7 +31,7 @@ messages! {
         "{name} needs at least {fewest} sections to change along the way, got {count}"
     );
 
-    /// A section that does not fit the others.
+    /// A section does not fit the others.
     "section" Section {
         /// That of the wheel or of the rail.
         profile: Quantity,
@@ -42,7 +42,7 @@ messages! {
          least two of them in a row and ascending, but does not"
     );
 
-    /// A profile that nowhere shows the side on which the bodies touch.
+    /// A profile has no side on which the other body could touch it.
     "no-running-surface" NoRunningSurface {
         /// That of the wheel or of the rail.
         profile: Quantity,
@@ -51,7 +51,28 @@ messages! {
          body to touch"
     );
 
-    /// A wheel that is not above the rail.
+    /// A finite radius of a curve with rails that are rollers.
+    "rollers-in-curve" RollersInCurve {
+        /// Radius of the curve, in m.
+        radius: f64,
+    } Quantity::CurveRadius, |name, words| format!(
+        "{name}: a wheelset on rollers stays where it is and runs in no curve; leave it infinite, got \
+         {} m",
+        readable(*radius)
+    );
+
+    /// Contacts on the curved surface of the rail with an elasticity of plane surfaces.
+    "no-curved-surface" NoCurvedSurface {} Quantity::Elasticity, |name, words| format!(
+        "{name}: contacts on the curved surface of the rail need half-spaces"
+    );
+
+    /// Contacts on the curved surface of a rail with profiles that change along the way.
+    "varying-curved-surface" VaryingCurvedSurface {} Quantity::RailProfile, |name, words| format!(
+        "{name}: contacts on the curved surface of the rail need profiles that do not change along \
+         the way"
+    );
+
+    /// The wheel is nowhere above the rail.
     "wheel-beside-rail" BesideRail {
         /// Lateral positions of the wheel's profile, in m.
         wheel: [f64; 2],
@@ -67,7 +88,7 @@ messages! {
         )
     };
 
-    /// A wheel at a height at which it does not touch.
+    /// At the given height the wheel does not touch the rail.
     "wheel-lifted" Lifted {
         /// Least vertical gap to the rail, in m.
         gap: f64,
@@ -76,7 +97,7 @@ messages! {
         readable(1e3 * gap)
     );
 
-    /// Friction that holds a flange however deep it goes.
+    /// Friction holds the wheel at a steep contact angle, whatever the normal force.
     "jammed" Jammed {
         /// Contact angle, outwards, in rad.
         angle: f64,
@@ -89,7 +110,7 @@ messages! {
         readable(*ratio)
     );
 
-    /// A contact that reaches the end of a profile.
+    /// The contact reaches the end of the named profile.
     "contact-at-profile-end" AtProfileEnd {
         /// That of the wheel or of the rail.
         profile: Quantity,
@@ -104,7 +125,7 @@ messages! {
         1e3 * end
     );
 
-    /// Profiles that lie deep in each other.
+    /// Wheel and rail would overlap by millimetres: wrong units or gauge?
     "deep-overlap" DeepOverlap {
         /// Depth, in m.
         depth: f64,
@@ -114,7 +135,7 @@ messages! {
         readable(1e3 * depth)
     );
 
-    /// A vertical force that no elastic contact of the profiles carries.
+    /// No elastic contact carries the vertical force: wrong units or gauge?
     "load-not-carried" NotCarried {
         /// Depth below first touch at which the search ends, in m.
         deepest: f64,
@@ -126,7 +147,7 @@ messages! {
         readable(1e3 * deepest)
     );
 
-    /// A roll angle that did not settle.
+    /// No roll angle was found at which both wheels rest.
     "roll-not-settled" RollNotSettled {
         /// Rounds that were made.
         rounds: usize,
@@ -137,7 +158,7 @@ messages! {
          forces at one height of the wheelset; the last one changed it by {step:.1e} rad"
     );
 
-    /// No state of the wheel was found.
+    /// No state of the wheel on the rail was found.
     "unsolved-wheel" Unsolved {} Quantity::WheelProfile, |name, words| format!(
         "{name}: no state of the wheel on the rail was found"
     );

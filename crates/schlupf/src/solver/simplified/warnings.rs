@@ -38,6 +38,7 @@ pub(super) fn of_any_motion(
     warnings.extend(of_shape(problem, name));
     let elasticity = &problem.interface.elasticity;
     let unlike = elasticity.pressure_coupling().map(|coupling| coupling.constant);
+    let unlike = unlike.filter(|constant| *constant != 0.0);
     let unlike = unlike.map(|constant| Warning::DissimilarBodies { constant });
     warnings.extend(unlike.or_else(|| elasticity.caveat()));
     warnings.extend(problem.interface.beyond_elastic(normal.peak_pressure));

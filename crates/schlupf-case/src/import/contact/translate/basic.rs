@@ -52,6 +52,10 @@ pub fn write(
     let frame = frame(case, control, rolling, wheel);
     if let Some(elastic) = &basic.elastic {
         laws::elastic(case, elastic, wheel);
+        if elastic.influence.is(4) {
+            laws::refuse_conformal(case, elastic);
+        }
+        laws::unlike_bodies(case, elastic, basic.outer_iterations);
         laws::method(case, control, elastic);
         if control.bound.is(5) {
             let what = "the approximate contact of Kik and Piotrowski (KPEC) needs two profiles";

@@ -34,19 +34,25 @@ pub fn elastic(case: &mut Translation, elastic: &Elastic, wheel: WheelBody) {
     for poisson in elastic.poisson.into_iter().filter(|poisson| !is_possible(poisson)) {
         case.refuse(poisson, "must be 0 to 0.5", "");
     }
-    match elastic.influence.whole() {
-        4 => case.refuse(
-            elastic.influence,
-            "influence coefficients of conformal bodies are not available",
-            "C3 = 2 is the half-space",
-        ),
-        9 => case.refuse(
-            elastic.influence,
-            "influence coefficients from a file are not available",
-            "C3 = 2 is the half-space",
-        ),
-        _ => {}
+    if elastic.influence.is(9) {
+        let what = "influence coefficients from a file are not available";
+        case.refuse(elastic.influence, what, "C3 = 2 is the half-space");
     }
+}
+
+/// Influence coefficients on a curved surface for a contact in a plane.
+pub fn refuse_conformal(case: &mut Translation, elastic: &Elastic) {
+    let what = "influence coefficients of conformal bodies need two profiles and D = 4";
+    case.refuse(elastic.influence, what, "C3 = 2 is the half-space");
+}
+
+/// MAXOUT = 1: the tractions of unlike bodies do not change their pressure.
+pub fn unlike_bodies(case: &mut Translation, elastic: &Elastic, iterations: Option<Given>) {
+    let [one, other] =
+        [0, 1].map(|k| (1.0 - 2.0 * elastic.poisson[k].value) / elastic.shear_modulus[k].value);
+    let Some(iterations) = iterations.filter(|given| given.is(1) && one != other) else { return };
+    case.document.text(field!("elasticity.unlike_bodies"), "one-way");
+    case.stands(field!("elasticity.unlike_bodies"), iterations);
 }
 
 /// What solves the case: digits M and B.

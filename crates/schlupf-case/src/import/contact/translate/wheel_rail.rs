@@ -74,14 +74,19 @@ fn digits(case: &mut Translation, control: &Control) {
 }
 
 fn materials(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
-    // Both modules of a wheel on a rail have the wheel as body 2; the same materials follow from
-    // either order of equal ones.
     if let Some(elastic) = &wheel_rail.elastic {
         laws::elastic(case, elastic, BODY);
+        let is_curved = wheel_rail.search.as_ref().is_some_and(|search| search.method.is(4));
+        match elastic.influence.whole() {
+            4 if !is_curved => laws::refuse_conformal(case, elastic),
+            2 if is_curved => case.notice(Notice::BentHalfSpaces {}, elastic.influence),
+            _ => {}
+        }
         laws::method(case, control, elastic);
         laws::notice_fastsim(case, control, elastic, false);
         if control.bound.is(5) {
             case.document.text(field!("normal.method"), "ellipse-corrected");
+            case.notice(Notice::OtherShares {}, control.bound);
         }
     } else {
         case.miss(control.influence, "the materials");
@@ -136,13 +141,13 @@ fn search(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
             "D = 2 is that of the contact's plane; normal.row_motion = \"surface\" has that of the \
              surfaces, in the directions of every row",
         ),
-        4 => case.refuse(
-            search.method,
-            "contacts on a curved surface are not available",
-            "D = 2 is in a plane; with normal.row_motion = \"surface\" the rows slip as the curved \
-             surface, under the pressure in a plane",
+        4 if control.bound.is(5) => case.refuse(
+            control.bound,
+            "the approximate contact of Kik and Piotrowski (KPEC) is in a plane, not on a curved surface",
+            "B = 0 solves the normal contact",
         ),
-        _ => {}
+        4 => case.document.text(field!("normal.method"), "conformal"),
+        _ => case.document.text(field!("normal.row_motion"), "plane"),
     }
     let angle = search.angle.value.clamp(0.0, FRAC_PI_2);
     case.document.quantity(field!("normal.join_distance"), search.distance.value.max(0.0), "mm");
@@ -152,7 +157,6 @@ fn search(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
     if search.whole_distance.value < search.distance.value {
         case.notice(Notice::WholeContacts {}, search.whole_distance);
     }
-    case.document.text(field!("normal.row_motion"), "plane");
 }
 
 /// Whether the wheel is the left one.

@@ -23,9 +23,14 @@ pub(crate) fn warnings(
 ) -> Vec<Warning> {
     let mut warnings: Vec<Warning> = problem.interface.elasticity.caveat().into_iter().collect();
     let coupling = problem.interface.elasticity.pressure_coupling();
-    warnings.extend(coupling.filter(|coupling| coupling.is_mutual).map(|coupling| {
-        Warning::UnchangedPressure { constant: coupling.constant, in_derivatives: false }
-    }));
+    warnings.extend(
+        coupling.filter(|coupling| coupling.is_mutual && coupling.constant != 0.0).map(
+            |coupling| Warning::UnchangedPressure {
+                constant: coupling.constant,
+                in_derivatives: false,
+            },
+        ),
+    );
     warnings.extend(problem.interface.elasticity.caveat_of_parts(contact.normal.parts));
     warnings.extend(problem.normal.caveat());
     warnings.extend(problem.interface.beyond_elastic(contact.normal.peak_pressure));
