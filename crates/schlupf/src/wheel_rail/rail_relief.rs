@@ -49,7 +49,7 @@ impl RailRelief {
                 let rise = ((rate[1] - slope * rate[0]) * inclination.cos()).atan();
                 Some(Seen { y, z, arc: *arc, extra: [inclination, rise] })
             });
-            across.from_above(line)
+            across.seen_from_above(line)
         };
         let columns = sections.iter().map(column).collect();
         Self { across, x, columns }

@@ -226,7 +226,7 @@ impl Relief {
         let [weight, x, y, inclination, rise] = sums;
         let [x, y, inclination, rise] = [x, y, inclination, rise].map(|sum| sum / weight);
         let end = |stretch: &Stretch| {
-            let middle = (stretch.ends[0] + stretch.ends[1]) / 2;
+            let middle = usize::midpoint(stretch.ends[0], stretch.ends[1]);
             Some([self.across.at(stretch.row), self.point(stretch.row, middle)?.rail[0]])
         };
         let (first, last) = (stretches.first()?, stretches.last()?);

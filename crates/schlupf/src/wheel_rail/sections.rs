@@ -239,10 +239,9 @@ impl Run {
             for k in &others {
                 let scale = self.scale(*k);
                 let point = self.curves[*k].at(self.spans[*k][0] + scale * along);
-                for c in 0..2 {
-                    sum[0][c] += weights[*k] * point.place[c];
-                    sum[1][c] += weights[*k] * point.tangent[c] * scale / self.scale(own);
-                }
+                let by_length = weights[*k] * scale / self.scale(own);
+                sum[0] = [0, 1].map(|c| sum[0][c] + weights[*k] * point.place[c]);
+                sum[1] = [0, 1].map(|c| sum[1][c] + by_length * point.tangent[c]);
             }
             sum
         })

@@ -62,14 +62,14 @@ impl Across {
 
     /// The rail as it is seen from above, with its inclination (in rad).
     pub fn rail(&self, arc: &[f64], points: &[CurvePoint]) -> Vec<Option<Seen>> {
-        self.from_above(arc.iter().zip(points).map(|(arc, point)| {
+        self.seen_from_above(arc.iter().zip(points).map(|(arc, point)| {
             let [y, z] = point.place;
             Some(Seen { y, z, arc: *arc, extra: [point.inclination(), 0.0] })
         }))
     }
 
     /// A rail as it is seen from above.
-    pub fn from_above(&self, line: impl Iterator<Item = Option<Seen>>) -> Vec<Option<Seen>> {
+    pub fn seen_from_above(&self, line: impl Iterator<Item = Option<Seen>>) -> Vec<Option<Seen>> {
         self.seen(line, |one, other| one > other)
     }
 
