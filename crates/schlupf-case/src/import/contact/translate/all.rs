@@ -30,7 +30,7 @@ pub struct Options {
 /// A case file.
 #[derive(Debug, Clone)]
 pub struct ImportedCase {
-    /// Numbers of its cases in the input file, from 1: one, or the steps of transient rolling.
+    /// Numbers of its cases in the input file, from 1: one, or the steps of a history.
     pub numbers: Vec<usize>,
     /// Where the first of them begins.
     pub place: Place,
@@ -151,7 +151,7 @@ fn translate(source: &Arc<Source>, job: &Job, options: &Options, stem: &str) -> 
     let control = &job.first.control;
     match &job.first.module {
         Module::WheelRail(of) => wheel_rail::translate(source, (control, of), &options.folder),
-        Module::Basic(_) if sequence::is_transient(job.first) => {
+        Module::Basic(_) if job.is_history() => {
             sequence::translate(source, job, options.wheel, stem)
         }
         Module::Basic(of) => basic::translate(source, (control, of), options.wheel, stem),

@@ -14,7 +14,6 @@ mod step;
 mod initial_state;
 mod friction_heat;
 mod step_power;
-mod shift;
 mod forces_over_time;
 mod march;
 
