@@ -6,7 +6,7 @@ mod at_rest;
 mod result;
 
 use crate::bodies::Kinematics;
-use crate::normal::VectorField;
+use crate::normal::{NormalContact, VectorField};
 use crate::numerics::vector::norm;
 use crate::problem::{Element, History, Options, Problem, State, Stretch, Transient};
 use crate::reporting::{Error, Quantity, Watch, tell, within};
@@ -49,6 +49,17 @@ use super::time_step::{TimeStepLaw, calibrate};
 /// Whatever [`Transient::check`] and [`Options::check`] reject, a state that does not fit, and
 /// [`Error::Stopped`].
 pub fn march(transient: &Transient, options: &Options, watch: Watch) -> Result<Solution, Error> {
+    march_from(transient, None, options, watch)
+}
+
+/// The same where the initial state was left under another pressure, in the same contact frame; the
+/// grid is that of the state.
+pub(crate) fn march_from(
+    transient: &Transient,
+    before: Option<&NormalContact>,
+    options: &Options,
+    watch: Watch,
+) -> Result<Solution, Error> {
     transient.check()?;
     options.check()?;
     let prescribed = transient.problem.prescribed;
@@ -56,7 +67,7 @@ pub fn march(transient: &Transient, options: &Options, watch: Watch) -> Result<S
     let transient = at.transient(transient);
     transient.check()?;
     let stretches = transient.history.stretches();
-    let mut march = March::new(&transient, options)?;
+    let mut march = March::new(&transient, before, options)?;
     let (forces, normal) = ((&prescribed, stretches.as_slice()), &march.contact.normal);
     march.forces = ForcesOverTime::new(march.problem, forces, (normal, at.place()))?;
     check_length(&transient, march.contact.patch.grid.spacing_x)?;
@@ -116,6 +127,8 @@ struct March<'a> {
     whole: &'a History,
     /// The present part, in which the wheel rolls throughout.
     history: History,
+    /// Whether the pressure is that of before.
+    has_other_pressure: bool,
     options: &'a Options,
     contact: DiscreteContact,
     law: TimeStepLaw,
@@ -166,13 +179,22 @@ struct March<'a> {
 }
 
 impl<'a> March<'a> {
-    fn new(transient: &'a Transient, options: &'a Options) -> Result<Self, Error> {
+    fn new(
+        transient: &'a Transient,
+        before: Option<&NormalContact>,
+        options: &'a Options,
+    ) -> Result<Self, Error> {
         let Transient { problem, history: whole, initial_state } = transient;
         let Stretch { shift, rolling: history } = whole.stretches().swap_remove(0);
         let are_apart = shift.is_some() && initial_state.is_none();
         let [start, _] = history.span();
-        let grid = grid_over_history(transient, options)?;
-        let normal = problem.normal.normal_contact(history.load(start))?;
+        let (grid, normal) = match (before, initial_state) {
+            (Some(before), Some(state)) => (state.grid, before.clone()),
+            _ => {
+                let normal = problem.normal.normal_contact(history.load(start))?;
+                (grid_over_history(transient, options)?, normal)
+            }
+        };
         let mut contact = DiscreteContact::new(problem, &normal, grid)?;
         contact.require_rows()?;
         let law = TimeStepLaw::of(problem, &normal, &mut contact)?;
@@ -188,6 +210,7 @@ impl<'a> March<'a> {
             problem,
             whole,
             history,
+            has_other_pressure: before.is_some(),
             options,
             time,
             distance: 0.0,
@@ -300,13 +323,13 @@ impl<'a> March<'a> {
 
     /// Switches to the patch of a load that changes with time; returns the previous one.
     fn follow_load(&mut self, watch: Watch) -> Result<Option<Former>, Error> {
-        let Some(load) =
-            self.history.load(self.time).filter(|load| *load != self.contact.normal.load)
-        else {
+        let load = self.history.load(self.time);
+        let stays = load.is_none_or(|load| load == self.contact.normal.load);
+        if stays && !std::mem::take(&mut self.has_other_pressure) {
             return Ok(None);
-        };
-        self.problem.normal.prepare(Some(load), &within(watch, self.progress()))?;
-        let normal = self.problem.normal.normal_contact(Some(load))?;
+        }
+        self.problem.normal.prepare(load, &within(watch, self.progress()))?;
+        let normal = self.problem.normal.normal_contact(load)?;
         let former = self.contact.set_normal(&normal)?;
         self.law = TimeStepLaw::of(self.problem, &normal, &mut self.contact)?;
         Ok(Some(former))

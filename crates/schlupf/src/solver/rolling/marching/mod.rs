@@ -17,4 +17,5 @@ mod step_power;
 mod forces_over_time;
 mod march;
 
+pub(crate) use march::march_from;
 pub use march::{march, shift};
