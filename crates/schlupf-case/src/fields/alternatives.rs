@@ -239,6 +239,16 @@ pub const ALTERNATIVES: &[Alternatives] = &[
         reason: "a history comes from a file or stands in the case",
     },
     Alternatives {
+        first: &fields!["history.angular_velocity"],
+        second: &fields!["history.creepage_x"],
+        reason: "the angular velocity determines the longitudinal creepage at a given speed",
+    },
+    Alternatives {
+        first: &fields!["history.height"],
+        second: &fields!["history.load"],
+        reason: "the height determines the load",
+    },
+    Alternatives {
         first: &fields!["history.shift_x", "history.shift_y", "history.turn"],
         second: &fields!["history.shifts_x", "history.shifts_y", "history.turns"],
         reason: "there is one shift, at the first instant, or one for each",

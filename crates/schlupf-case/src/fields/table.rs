@@ -489,6 +489,28 @@ section! {
         "the same across rolling", example("[\"0 mm\", \"0 mm\"]");
     "turns" [HistoryTurn] Kind::Quantities(&Measure::ANGLE), SHIFT, Nothing,
         "turns about z, likewise", example("[\"0 mrad\", \"0.1 mrad\"]");
+    "lateral_position" [] Kind::Quantities(&Measure::LENGTH), Magnitude(1.0), Nothing,
+        "that of the wheelset; likewise the others", shaping(),
+        example("[\"0 mm\", \"3 mm\"]"), with(NORMAL_MODEL, WHEEL_RAIL);
+    "yaw_angle" [] Kind::Quantities(&Measure::ANGLE), wheel_rail::ANGLE, Nothing, "yaw angle", shaping(),
+        example("[\"0 mrad\", \"3 mrad\"]"), with(NORMAL_MODEL, WHEEL_RAIL);
+    "roll_angle" [] Kind::Quantities(&Measure::ANGLE), wheel_rail::ANGLE, Nothing, "roll angle", shaping(),
+        example("[\"0 mrad\", \"-1 mrad\"]"), with(NORMAL_MODEL, WHEEL_RAIL);
+    "height" [] Kind::Quantities(&Measure::LENGTH), Magnitude(1.0), Nothing,
+        "height, in place of load", shaping(),
+        example("[\"-0.1 mm\", \"-0.1 mm\"]"), with(NORMAL_MODEL, WHEEL_RAIL);
+    "lateral_velocity" [] Kind::Quantities(&Measure::SPEED), wheel_rail::SPEED, Nothing, "lateral velocity",
+        shaping(), example("[\"0 m/s\", \"0.1 m/s\"]"), with(NORMAL_MODEL, WHEEL_RAIL);
+    "vertical_velocity" [] Kind::Quantities(&Measure::SPEED), wheel_rail::SPEED, Nothing,
+        "vertical velocity", shaping(), example("[\"0 m/s\", \"0.1 m/s\"]"),
+        with(NORMAL_MODEL, WHEEL_RAIL);
+    "yaw_rate" [] Kind::Quantities(&Measure::ANGULAR_VELOCITY), TURNING, Nothing, "yaw rate",
+        shaping(), example("[\"0 rad/s\", \"0.1 rad/s\"]"), with(NORMAL_MODEL, WHEEL_RAIL);
+    "roll_rate" [] Kind::Quantities(&Measure::ANGULAR_VELOCITY), TURNING, Nothing, "roll rate",
+        shaping(), example("[\"0 rad/s\", \"0.1 rad/s\"]"), with(NORMAL_MODEL, WHEEL_RAIL);
+    "angular_velocity" [] Kind::Quantities(&Measure::ANGULAR_VELOCITY), TURNING, Nothing,
+        "angular velocity of the wheel, in place of creepage_x", shaping(),
+        example("[\"60 rad/s\", \"64.7 rad/s\"]"), with(NORMAL_MODEL, WHEEL_RAIL);
     "file" [] Kind::Path, Finite, Nothing,
         "CSV with a header such as `time [s],creepage_x,load [kN]`, in place of the arrays",
         shaping(), example("history.csv");

@@ -25,7 +25,8 @@ pub struct WheelAt {
     /// In s.
     pub time: f64,
     /// The wheel. Where the time is that of the instant before, the motion is that of a shift at
-    /// rest, which takes one second.
+    /// rest, which takes one second; if rolling follows, it begins with the motion of the next
+    /// instant.
     pub wheel: WheelOnRail,
 }
 
@@ -60,6 +61,7 @@ impl WheelOverTime {
         let wheel = contacts(&first.wheel)?;
         let mut rolling = Rolling::new(wheel, tangential, watch)?;
         rolling.time = first.time;
+        let mut was_at_rest = false;
         for pair in self.instants.windows(2) {
             let [before, after] = [&pair[0], &pair[1]];
             if after.time < before.time {
@@ -69,8 +71,12 @@ impl WheelOverTime {
             if after.time == before.time {
                 let wheel = contacts(&after.wheel)?;
                 rolling.step(wheel, None)?;
+                was_at_rest = true;
                 continue;
             }
+            let motion = if was_at_rest { after.wheel.motion } else { before.wheel.motion };
+            let from = WheelOnRail { motion, ..before.wheel.clone() };
+            was_at_rest = false;
             // Shifts and rolling begin at the end of the step before.
             let start = rolling.time;
             let end = start + after.time - before.time;
@@ -78,7 +84,7 @@ impl WheelOverTime {
             while rolling.time < end - 1e-9 * (end - start) {
                 let at = |time: f64| {
                     let share = ((time - start) / (end - start)).min(1.0);
-                    between([&before.wheel, &after.wheel], share)
+                    between([&from, &after.wheel], share)
                 };
                 let duration = rolling.spacing[0] / at(rolling.time).motion.speed;
                 let wheel = at(rolling.time + duration);

@@ -14,7 +14,7 @@ use crate::import::document::Document;
 use super::case::Translation;
 use super::frame::WheelBody;
 use super::sequence::{self, Job};
-use super::{basic, wheel_rail};
+use super::{basic, wheel_history, wheel_rail};
 
 /// How an input file is imported.
 #[derive(Debug, Clone, Default)]
@@ -150,7 +150,11 @@ fn left_out(cases: &[InputCase]) -> Vec<Message> {
 fn translate(source: &Arc<Source>, job: &Job, options: &Options, stem: &str) -> Translation {
     let control = &job.first.control;
     match &job.first.module {
-        Module::WheelRail(of) => wheel_rail::translate(source, (control, of), &options.folder),
+        Module::WheelRail(of) => {
+            let mut case = wheel_rail::translate(source, (control, of), &options.folder);
+            wheel_history::write(&mut case, job);
+            case
+        }
         Module::Basic(_) if job.is_history() => {
             sequence::translate(source, job, options.wheel, stem)
         }

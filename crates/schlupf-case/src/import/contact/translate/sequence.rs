@@ -52,18 +52,23 @@ pub fn jobs(cases: &[InputCase]) -> Vec<Job<'_>> {
     jobs
 }
 
-/// Whether a case is a shift or a step of transient rolling between given bodies.
-fn is_step(case: &InputCase) -> bool {
-    matches!(case.module, Module::Basic(_)) && matches!(case.control.tangential.whole(), 1 | 2)
+/// Whether a case is a shift or a step of transient rolling.
+pub fn is_step(case: &InputCase) -> bool {
+    matches!(case.control.tangential.whole(), 1 | 2)
+}
+
+/// Refuses what a history does not begin with.
+pub fn check_start(case: &mut Translation, job: &Job) {
+    if let Some(before) = job.before.filter(|before| before.control.tangential.is(3)) {
+        let what = "a step that goes on from steady rolling is not available";
+        case.refuse(before.control.tangential, what, "P = 2 begins without tractions");
+    }
 }
 
 /// Translates a history.
 pub fn translate(source: &Arc<Source>, job: &Job, wheel: WheelBody, stem: &str) -> Translation {
     let mut case = Translation::new(source);
-    if let Some(before) = job.before.filter(|before| before.control.tangential.is(3)) {
-        let what = "a step that goes on from steady rolling is not available";
-        case.refuse(before.control.tangential, what, "P = 2 begins without tractions");
-    }
+    check_start(&mut case, job);
     let Some((largest, of)) = job.largest() else { return case };
     let Some(written) = basic::write(&mut case, (&largest.control, of), wheel, stem) else {
         return case;
@@ -257,7 +262,7 @@ impl Series {
     }
 }
 
-fn changes(values: &[f64]) -> bool {
+pub fn changes(values: &[f64]) -> bool {
     values.windows(2).any(|pair| pair[0] != pair[1])
 }
 
