@@ -196,7 +196,8 @@ fn contradictions_are_told() {
             "history.height must have as many entries as history.time, 2, but has 1",
         ),
         (
-            with(profiles) + "[history]\ntime = [\"0 s\", \"1 s\"]\n[solver]\nmethod = \"polach\"\n",
+            with(profiles)
+                + "[history]\ntime = [\"0 s\", \"1 s\"]\n[solver]\nmethod = \"polach\"\n",
             "solver.method must be \"full\" with history.time",
         ),
         (

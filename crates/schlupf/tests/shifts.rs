@@ -77,8 +77,8 @@ fn mindlin_deresiewicz_1953_unloading() {
     }
 }
 
-/// Forces in place of shifts, along one axis or both: the shift is that of Mindlin 1949 within 0.5 %
-/// of the one at full sliding.
+/// Forces in place of shifts, along one axis or both: the shift is that of Mindlin 1949 within
+/// 0.5 % of the one at full sliding.
 #[test]
 fn mindlin_1949_forces_in_place_of_shifts() {
     let (exact, full) = (exact(), exact().full_sliding_shift());
@@ -129,14 +129,14 @@ fn lubkin(stick: f64) -> [f64; 2] {
         0.75 * FRICTION * LOAD / (PI * modulus * RADIUS.powi(2)) * (first - second)
     };
     let count = 4000;
-    let width = (RADIUS - stick) / count as f64;
-    let middles = (0..count).map(|k| stick + (k as f64 + 0.5) * width);
+    let width = (RADIUS - stick) / f64::from(count);
+    let middles = (0..count).map(|k| stick + (f64::from(k) + 0.5) * width);
     let inner: f64 = middles.map(|r| 3.0 * r * r * twist(r) * width).sum();
     [twist(stick), 16.0 / 3.0 * modulus * (stick.powi(3) * twist(stick) + inner)]
 }
 
 /// A turn of two spheres: M = (16/3) G a³ β without slip, each turning by β (Reissner and Sagoci
-/// 1944), and with slip as Lubkin 1951 has it; both ways round, by turn and by moment; within 0.5 %.
+/// 1944), and with slip as Lubkin 1951 has it: by turn within 0.5 %, by moment within 1 %.
 #[test]
 fn lubkin_1951_turn() {
     let modulus = MATERIAL.shear_modulus();

@@ -370,7 +370,7 @@ fn a_layer_flows_in_shifts() {
         let count = 2000;
         for k in 0..count {
             // Rings of the ellipse.
-            let radius = (k as f64 + 0.5) / f64::from(count);
+            let radius = (f64::from(k) + 0.5) / f64::from(count);
             let bound = FRICTION * PEAK * (1.0 - radius * radius).sqrt();
             let area = 2.0 * std::f64::consts::PI * a * b * radius / f64::from(count);
             let (mut point, mut displacement) = (Sheared::default(), 0.0);

@@ -311,7 +311,7 @@ fn forces_of_module_1() {
     }
 }
 
-/// Steps of module 1 (T = 2) are a history of the wheelset, with a step of DQREL DX; a shift (T = 1)
+/// Steps of module 1 (T = 2) are a history of the wheelset, each over DQREL DX; a shift (T = 1)
 /// takes a second, and rolls if the wheel goes on along the rail.
 #[test]
 fn steps_of_module_1() {
@@ -319,9 +319,7 @@ fn steps_of_module_1() {
     let text = |first: &str, digits: &str, motion: &str| {
         let begin = benchmark(row, 0, "-4.3").replace("2031", first);
         let begin = begin.strip_suffix(" 0\n").unwrap().to_owned();
-        format!(
-            "{begin} 1\n {digits}\n 0111002\n 0100321\n 0.0 1.0 12000. 0 0 0\n {motion}\n 0\n"
-        )
+        format!("{begin} 1\n {digits}\n 0111002\n 0100321\n 0.0 1.0 12000. 0 0 0\n {motion}\n 0\n")
     };
     let import = imported(text("2021", "1002100", "2000. 10. 0 0 0 -4.4"));
     assert!(import.errors.is_empty(), "{:#?}", import.errors);
@@ -332,7 +330,9 @@ fn steps_of_module_1() {
         "angular_velocity = [\"4.3 rad/s\", \"4.3 rad/s\", \"4.4 rad/s\"]",
     ];
     crate::support::has(&import.cases[0].text, &lines);
-    for (forward, times) in [(0.01, "\"0 s\", \"0 s\", \"0 s\""), (0.2, "\"0 s\", \"0 s\", \"1 s\"")] {
+    for (forward, times) in
+        [(0.01, "\"0 s\", \"0 s\", \"0 s\""), (0.2, "\"0 s\", \"0 s\", \"1 s\"")]
+    {
         let import = imported(text("2011", "1001100", &format!("{forward} 0 0 0 0 0")));
         crate::support::has(&import.cases[0].text, &[&format!("time = [{times}]")]);
     }

@@ -36,8 +36,8 @@ settings! {
 
     // Layers between the surfaces that flow.
 
-    /// Limits of elasticity after which the search for that at the end of a shift is given up: each
-    /// reduces the error by about the product of hardening and compliance, or its damped equivalent.
+    /// Limits of elasticity after which the search for that at the end of a shift is given up. Each
+    /// reduces the error by about the damped product of hardening and compliance.
     most_flows: usize = 100;
 
     // Newton's method, the Krylov method and the measure of residuals.

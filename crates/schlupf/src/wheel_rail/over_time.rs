@@ -22,7 +22,7 @@ use crate::solver::march_from;
 /// A wheel at a time.
 #[derive(Debug, Clone)]
 pub struct WheelAt {
-    /// In s.
+    /// The time, in s.
     pub time: f64,
     /// The wheel. Where the time is that of the instant before, the motion is that of a shift at
     /// rest, which takes one second; if rolling follows, it begins with the motion of the next
@@ -61,7 +61,9 @@ impl WheelOverTime {
         let wheel = contacts(&first.wheel)?;
         let mut rolling = Rolling::new(wheel, tangential, watch)?;
         rolling.time = first.time;
-        let mut was_at_rest = false;
+        let mut was_at_rest = true;
+        // Shifts and rolling begin at the end of the step before.
+        let mut delay = 0.0;
         for pair in self.instants.windows(2) {
             let [before, after] = [&pair[0], &pair[1]];
             if after.time < before.time {
@@ -74,16 +76,18 @@ impl WheelOverTime {
                 was_at_rest = true;
                 continue;
             }
-            let motion = if was_at_rest { after.wheel.motion } else { before.wheel.motion };
+            let starts = was_at_rest && rolling.instants.last().is_some();
+            let motion = if starts { after.wheel.motion } else { before.wheel.motion };
             let from = WheelOnRail { motion, ..before.wheel.clone() };
+            if was_at_rest {
+                delay = rolling.time - before.time;
+            }
             was_at_rest = false;
-            // Shifts and rolling begin at the end of the step before.
-            let start = rolling.time;
-            let end = start + after.time - before.time;
+            let [start, end] = [before.time, after.time].map(|time| time + delay);
             let mut last: Option<WheelOnRail> = None;
             while rolling.time < end - 1e-9 * (end - start) {
                 let at = |time: f64| {
-                    let share = ((time - start) / (end - start)).min(1.0);
+                    let share = ((time - start) / (end - start)).clamp(0.0, 1.0);
                     between([&from, &after.wheel], share)
                 };
                 let duration = rolling.spacing[0] / at(rolling.time).motion.speed;
@@ -225,7 +229,8 @@ impl<'a> Rolling<'a> {
         }
         let initial_state = Some(State { grid, time: 0.0, elements });
         let problem = contact.problem.clone();
-        let history = history(&problem.kinematics, duration);
+        let rolled = duration.map(|_| self.spacing[0]);
+        let history = history(&problem.kinematics, rolled);
         let transient = Transient { problem, history, initial_state };
         let options = self.tangential.options;
         let solution = march_from(&transient, Some(&before), options, self.watch)?;
@@ -263,17 +268,17 @@ impl<'a> Rolling<'a> {
     }
 }
 
-/// One step with constant creepages, or the shift that they are within one second.
-fn history(kinematics: &Kinematics, duration: Option<f64>) -> History {
-    match duration {
-        Some(duration) => History { time: vec![0.0, duration], ..History::default() },
-        None => {
-            let Kinematics { speed, creepage_x, creepage_y, spin } = *kinematics;
-            let [shift_x, shift_y, turn] =
-                [creepage_x, creepage_y, spin].map(|part| Some(vec![speed * part]));
-            History { time: vec![0.0], shift_x, shift_y, turn, ..History::default() }
-        }
+/// One step over a distance (in m) with constant creepages, or the shift that they are within one
+/// second.
+fn history(kinematics: &Kinematics, rolled: Option<f64>) -> History {
+    if let Some(rolled) = rolled {
+        // The rolling speed of a contact is not quite that of the wheelset.
+        return History { time: vec![0.0, rolled / kinematics.speed], ..History::default() };
     }
+    let Kinematics { speed, creepage_x, creepage_y, spin } = *kinematics;
+    let [shift_x, shift_y, turn] =
+        [creepage_x, creepage_y, spin].map(|part| Some(vec![speed * part]));
+    History { time: vec![0.0], shift_x, shift_y, turn, ..History::default() }
 }
 
 /// Middle of the patch of a contact on the lattice, in m.

@@ -84,8 +84,9 @@ const VELOCITIES: [Column; 6] = [
     (field!("history.vertical_velocity"), 2, -1.0, "mm/s"),
     (field!("history.roll_rate"), 3, 1.0, "rad/s"),
     (field!("history.yaw_rate"), 4, -1.0, "rad/s"),
-    (field!("history.angular_velocity"), 5, -1.0, "rad/s"),
+    (ANGULAR_VELOCITY, 5, -1.0, "rad/s"),
 ];
+const ANGULAR_VELOCITY: FieldPath = field!("history.angular_velocity");
 
 fn write_rows(case: &mut Translation, rows: &[Row], control: &Control) {
     let mut time = 0.0;
@@ -104,7 +105,7 @@ fn write_rows(case: &mut Translation, rows: &[Row], control: &Control) {
     {
         let of = |row: &Row| if is_velocity { row.velocity[place] } else { row.position[place] };
         let values: Vec<f64> = rows.iter().map(|row| factor * of(row).value).collect();
-        if sequence::changes(&values) {
+        if sequence::changes(&values) || path == ANGULAR_VELOCITY {
             case.document.quantities(path, &values, unit);
         }
     }

@@ -16,7 +16,8 @@ use super::frame::WheelBody;
 use super::friction;
 use super::laws;
 
-/// Translates a steady state, or the first step of a history; `folder` stands before the names of profiles.
+/// Translates a steady state, or the first step of a history; `folder` stands before the names of
+/// profiles.
 pub fn translate(
     source: &Arc<Source>,
     (control, wheel_rail): (&Control, &WheelRail),
@@ -317,6 +318,8 @@ fn wheelset(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
         // The moment of the tractions on the rail about the axle: it balances the torque that
         // drives the wheel, and the axle points the other way there. N mm.
         2 => case.quantity(field!("kinematics.wheel_torque"), pitch, (-1e-3, "N m")),
+        // In a history it is a column.
+        _ if matches!(control.tangential.whole(), 1 | 2) => {}
         _ => case.quantity(field!("kinematics.angular_velocity"), pitch, (-1.0, "rad/s")),
     }
     deviations(case, is_left(control), wheel_rail);

@@ -65,12 +65,11 @@ pub(super) fn keep_in_place(
     for (n, strip) in patch.strips.iter().enumerate() {
         for k in strip.cells.clone() {
             let (cell, here) = (&patch.cells[k], pair(displacement, k));
-            arrivals.push(match &past.cells[cell.index] {
-                Some((element, _)) => Arrival::stays(&elements[*element], here),
-                None => {
-                    let met = motions.get(n).map(|m| m.part_at_rest(cell.x, cell.entry_x()));
-                    Arrival::meets(met.unwrap_or(1.0), here)
-                }
+            arrivals.push(if let Some((element, _)) = &past.cells[cell.index] {
+                Arrival::stays(&elements[*element], here)
+            } else {
+                let met = motions.get(n).map(|m| m.part_at_rest(cell.x, cell.entry_x()));
+                Arrival::meets(met.unwrap_or(1.0), here)
             });
         }
     }

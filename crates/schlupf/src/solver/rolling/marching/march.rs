@@ -188,12 +188,11 @@ impl<'a> March<'a> {
         let Stretch { shift, rolling: history } = whole.stretches().swap_remove(0);
         let are_apart = shift.is_some() && initial_state.is_none();
         let [start, _] = history.span();
-        let (grid, normal) = match (before, initial_state) {
-            (Some(before), Some(state)) => (state.grid, before.clone()),
-            _ => {
-                let normal = problem.normal.normal_contact(history.load(start))?;
-                (grid_over_history(transient, options)?, normal)
-            }
+        let (grid, normal) = if let (Some(before), Some(state)) = (before, initial_state) {
+            (state.grid, before.clone())
+        } else {
+            let normal = problem.normal.normal_contact(history.load(start))?;
+            (grid_over_history(transient, options)?, normal)
         };
         let mut contact = DiscreteContact::new(problem, &normal, grid)?;
         contact.require_rows()?;

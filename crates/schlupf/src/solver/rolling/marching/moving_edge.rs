@@ -43,8 +43,8 @@ impl Motion {
         self.path(x - middle, edge - middle)
     }
 
-    /// Fraction of a step without rolling for which material at x has been in contact, with the edge
-    /// at `edge` at its end, in m; dimensionless.
+    /// Fraction of a step without rolling (dimensionless) for which material at x has been in
+    /// contact, with the edge at `edge` at its end, in m.
     pub fn part_at_rest(&self, x: f64, edge: f64) -> f64 {
         let part = self.path(x - self.middle, edge - self.middle) / self.spacing;
         if self.gain > 0.0 { part.min(1.0) } else { 1.0 }

@@ -38,9 +38,12 @@ impl Known {
     /// Rigid slip of each cell in the step under a motion, or a shift, x and y in turn, in m; rows
     /// that move otherwise than the plane do so in rolling only.
     pub fn rigid(&self, cells: &[Cell], motion: &Kinematics) -> Vec<f64> {
-        let of = |(cell, path): (&Cell, &f64)| match self.is_at_rest {
-            true => motion.rigid_slip(cell.x, cell.y).map(|slip| path * slip),
-            false => rigid_slip(cell, *path, motion),
+        let of = |(cell, path): (&Cell, &f64)| {
+            if self.is_at_rest {
+                motion.rigid_slip(cell.x, cell.y).map(|slip| path * slip)
+            } else {
+                rigid_slip(cell, *path, motion)
+            }
         };
         cells.iter().zip(&self.path).flat_map(of).collect()
     }

@@ -381,8 +381,8 @@ impl MovedEquilibrium for TimeStepEquilibrium<'_> {
     fn change_by_motion(&mut self, change: &Kinematics, of_residual: &mut [f64]) {
         let StepResponse { contact, known, .. } = &self.response;
         let cells = contact.patch.cells.iter().map(Cell::on_plane);
-        let mut back = known.rigid(&cells.collect::<Vec<_>>(), change);
-        back.iter_mut().for_each(|slip| *slip = -*slip);
+        let slips = known.rigid(&cells.collect::<Vec<_>>(), change);
+        let back: Vec<f64> = slips.iter().map(|slip| -slip).collect();
         self.tangent_product(&vec![0.0; back.len()], &back, of_residual);
     }
 }

@@ -3,6 +3,7 @@
 //! Mindlin's problem, for any patch, elasticity, contact law and history.
 
 use crate::bodies::Kinematics;
+use crate::normal::patch::Cell;
 use crate::problem::Shift;
 use crate::reporting::{Error, Watch};
 use crate::solver::rolling::marching::arrival::{Arrival, keep_in_place};
@@ -73,7 +74,7 @@ impl March<'_> {
         let friction = std::mem::take(&mut self.now.friction);
         let start = self.now.traction.clone();
         let pressures: Vec<f64> =
-            self.contact.patch.cells.iter().map(|cell| cell.pressure_where_covered()).collect();
+            self.contact.patch.cells.iter().map(Cell::pressure_where_covered).collect();
         let flow = |k: usize, slip: f64| {
             layer.pass(friction[k] * pressures[k], arrivals[k].plastic_displacement, [slip; 2])
         };
