@@ -140,6 +140,10 @@ fn refuse_in_history(settings: &Settings) -> Result<(), CaseError> {
     if let Some(path) = FORCES.into_iter().find(|path| settings.is_given(*path)) {
         return refuse(path, "be left out");
     }
+    let method = field!("normal.method");
+    if settings.chosen::<NormalSolution>(method)? == NormalSolution::Conformal {
+        return refuse(method, "be that of contacts in planes");
+    }
     if super::method(settings)? != Method::Full {
         return refuse(field!("solver.method"), "be \"full\"");
     }
