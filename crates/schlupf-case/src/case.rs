@@ -386,12 +386,10 @@ impl Case {
     /// # Errors
     /// A history.
     pub fn require_steady(&self, what: &str) -> Result<(), CaseError> {
-        if self.history.is_none() {
-            return Ok(());
-        }
         let field = HISTORY.iter().copied().find(|field| self.file.settings.is_given(*field));
+        let Some(field) = field else { return Ok(()) };
         let reason = format!("{what} of steady rolling, but there is a history");
-        Err(self.contradiction(field.unwrap_or(field!("history.time")), &reason))
+        Err(self.contradiction(field, &reason))
     }
 
     /// The steady state of its contact, by one of its solvers; that of a wheel was found with all

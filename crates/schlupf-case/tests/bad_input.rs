@@ -341,9 +341,9 @@ fn what_the_physics_refuses_is_named_at_its_place() {
         ("[friction]\nminimum_coefficient = 0.5", "friction.minimum_coefficient", &["0.5"]),
         ("[rail]\nradius_y = \"inf\"", "rail.radius_y", &["case.toml:2:12"]),
         (
-            "[history]\ntime = [\"0 s\", \"1 s\", \"1 s\"]\nspin = [\"0 1/m\", \"0 1/m\", \"0 1/m\"]",
+            "[history]\ntime = [\"0 s\", \"1 s\", \"0.5 s\"]\nspin = [\"0 1/m\", \"0 1/m\", \"0 1/m\"]",
             "history.time",
-            &["case.toml:2:8", "time must increase"],
+            &["case.toml:2:8", "time must ascend"],
         ),
         (
             "[history]\ntime = [\"0 s\", \"1 s\"]\ncreepage_x = [0.0]",

@@ -189,7 +189,16 @@ fn contradictions_are_told() {
         ),
         (
             with(profiles) + "[history]\ntime = [\"0 s\", \"1 s\"]\ncreepage_y = [0.0, 0.1]\n",
-            "history.time must be left out with normal.model = \"wheel-rail\"",
+            "history.creepage_y must be left out with normal.model = \"wheel-rail\"",
+        ),
+        (
+            with(profiles) + "[history]\ntime = [\"0 s\", \"1 s\"]\nheight = [\"0 mm\"]\n",
+            "history.height must have as many entries as history.time, 2, but has 1",
+        ),
+        (
+            with(profiles)
+                + "[history]\ntime = [\"0 s\", \"1 s\"]\n[solver]\nmethod = \"polach\"\n",
+            "solver.method must be \"full\" with history.time",
         ),
         (
             with(profiles).replace("angular_velocity = \"4.35 rad/s\"", "creepage_x = 1.5"),

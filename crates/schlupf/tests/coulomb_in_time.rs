@@ -231,7 +231,8 @@ fn powers_of_every_step_balance() {
             rolls.interface.heat =
                 Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
             let history = History {
-                shift: Some([2e-6, -1e-6]),
+                shift_x: Some(vec![2e-6, 0.0, 0.0, 0.0]),
+                shift_y: Some(vec![-1e-6, 0.0, 0.0, 0.0]),
                 time: vec![0.0, 1e-4, 2e-4, 6e-4],
                 speed: Some(vec![20.0, 30.0, 30.0, 25.0]),
                 creepage_x: Some(vec![0.0, 0.004, -0.001, 0.002]),
@@ -257,7 +258,7 @@ fn powers_of_every_step_balance() {
 /// state.
 #[test]
 fn a_history_starts_with_a_shift() {
-    let history = History { shift: Some([0.015e-3, 0.0]), ..constant(60e-3) };
+    let history = History { shift_x: Some(vec![0.015e-3, 0.0]), ..constant(60e-3) };
     let solution = run(history, 40);
     let force = |k: usize| -solution.history[k].force.x / LIMIT;
     assert!((force(0) - 0.6530).abs() < 1e-3, "{}", force(0));

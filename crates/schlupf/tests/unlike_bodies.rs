@@ -423,6 +423,33 @@ fn falling_loads_keep_the_power_balance() {
     }
 }
 
+/// Spence 1975: a soft sphere that is pressed onto a rigid one sticks within a radius c that is a
+/// constant share of that of the patch, ln((1 + c)/(1 − c))/(2c) = (μ/β) K(√(1 − c²)) where the
+/// tractions do not change the pressure: 0.6233 for ν = 0 and μ = 0.2986; within half a cell.
+#[test]
+fn spence_1975_compression_in_steps() {
+    let rigid = elastic(1e12, 0.0);
+    let load = |k: i32| 0.1 * f64::from(k).powi(3);
+    let modulus = 2.0 * CORK.shear_modulus();
+    let hertz = Hertz::new(Radii::along(CROWN), Radii::across(CROWN), modulus, load(1));
+    let pressed = problem([CORK, rigid], UnlikeBodies::OneWay, 0.2986, hertz.unwrap());
+    for count in [30, 50] {
+        let history = History {
+            time: vec![0.0; count],
+            shift_x: Some(vec![0.0; count]),
+            load: Some((1..=count as i32).map(load).collect()),
+            ..History::default()
+        };
+        let transient = Transient { history, ..Transient::to_steady_state(&pressed) };
+        let options = Options { slip_threshold: 0.995, ..cells(count) };
+        let found = march(&transient, &options, &unwatched).unwrap();
+        assert_eq!(found.status, Status::Converged, "{:?}", found.warnings);
+        let share = (found.area.stick.unwrap() / found.area.contact).sqrt();
+        println!("{count}: {share}");
+        assert_relative_eq!(share, 0.6233, epsilon = 1.0 / count as f64);
+    }
+}
+
 /// What is neglected is said: a pressure that is given, and derivatives.
 #[test]
 fn what_is_neglected_is_said() {

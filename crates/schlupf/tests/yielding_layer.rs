@@ -349,3 +349,40 @@ fn methods_without_fields_tell_that_they_do_not_know_the_limit() {
     let warnings = found_by(&Method::Fast(FastMethod::ShenHedrickElkins), &contact, &cells(20));
     assert!(!warnings.warnings.iter().any(|warning| matches!(warning, Warning::NoYield { .. })));
 }
+
+/// Shifts forwards, back and forwards again between rigid bodies: the force is the sum of points
+/// that are sheared one by one; within 0.2 % of the largest.
+#[test]
+fn a_layer_flows_in_shifts() {
+    let [a, b] = SEMI_AXES;
+    let shifts = [3.0, 2.0, -1.0, -6.0, 8.0].map(|share| share * 1e-6);
+    for limit in LIMITS {
+        let problem = contact(limit, Arc::new(Rigid), 0.0);
+        let history = History {
+            time: vec![0.0; shifts.len()],
+            shift_x: Some(shifts.to_vec()),
+            ..History::default()
+        };
+        let transient = Transient { problem, history, initial_state: None };
+        let marched = march(&transient, &cells(40), &unwatched).unwrap();
+        assert_eq!(marched.status, Status::Converged, "{:?}", marched.warnings);
+        let mut expected = vec![0.0; shifts.len()];
+        let count = 2000;
+        for k in 0..count {
+            // Rings of the ellipse.
+            let radius = (f64::from(k) + 0.5) / f64::from(count);
+            let bound = FRICTION * PEAK * (1.0 - radius * radius).sqrt();
+            let area = 2.0 * std::f64::consts::PI * a * b * radius / f64::from(count);
+            let (mut point, mut displacement) = (Sheared::default(), 0.0);
+            for (force, shift) in expected.iter_mut().zip(shifts) {
+                displacement += shift;
+                *force -= point.traction(displacement, limit, bound) * area;
+            }
+        }
+        let largest = expected.iter().fold(0.0, |most: f64, force| most.max(force.abs()));
+        for (instant, expected) in marched.history.iter().zip(&expected) {
+            println!("{limit:?} {} {expected}", instant.force.x);
+            assert!((instant.force.x - expected).abs() < 2e-3 * largest);
+        }
+    }
+}

@@ -84,8 +84,16 @@ pub const ROUGHNESS: &[FieldPath] = &fields![
 ];
 
 /// Fields that make a history, each by itself.
-pub const HISTORY: &[FieldPath] =
-    &fields!["history.file", "history.time", "history.shift_x", "history.shift_y"];
+pub const HISTORY: &[FieldPath] = &fields![
+    "history.file",
+    "history.time",
+    "history.shift_x",
+    "history.shift_y",
+    "history.turn",
+    "history.shifts_x",
+    "history.shifts_y",
+    "history.turns",
+];
 
 /// Fields that prescribe the longitudinal force.
 const LONGITUDINAL_FORCES: &[FieldPath] = &fields![
@@ -118,8 +126,10 @@ pub const ALTERNATIVES: &[Alternatives] = &[
             "kinematics.creepage_x",
             "kinematics.angular_velocity",
             "history.creepage_x",
+            "history.shift_x",
+            "history.shifts_x",
         ],
-        reason: "a longitudinal force determines the longitudinal creepage",
+        reason: "a longitudinal force determines the longitudinal creepage or shift",
     },
     Alternatives {
         first: &fields!["kinematics.force_x", "history.force_x"],
@@ -133,13 +143,19 @@ pub const ALTERNATIVES: &[Alternatives] = &[
     },
     Alternatives {
         first: &fields!["kinematics.force_y", "history.force_y"],
-        second: &fields!["kinematics.creepage_y", "kinematics.yaw_angle", "history.creepage_y"],
-        reason: "the lateral force determines the lateral creepage",
+        second: &fields![
+            "kinematics.creepage_y",
+            "kinematics.yaw_angle",
+            "history.creepage_y",
+            "history.shift_y",
+            "history.shifts_y",
+        ],
+        reason: "the lateral force determines the lateral creepage or shift",
     },
     Alternatives {
         first: &fields!["kinematics.moment_z", "history.moment_z"],
-        second: &fields!["kinematics.spin", "history.spin"],
-        reason: "the moment determines the spin",
+        second: &fields!["kinematics.spin", "history.spin", "history.turn", "history.turns"],
+        reason: "the moment determines the spin or the turn",
     },
     Alternatives {
         first: &fields!["kinematics.yaw_angle"],
@@ -216,8 +232,26 @@ pub const ALTERNATIVES: &[Alternatives] = &[
             "history.force_x",
             "history.force_y",
             "history.moment_z",
+            "history.shifts_x",
+            "history.shifts_y",
+            "history.turns",
         ],
         reason: "a history comes from a file or stands in the case",
+    },
+    Alternatives {
+        first: &fields!["history.angular_velocity"],
+        second: &fields!["history.creepage_x"],
+        reason: "the angular velocity determines the longitudinal creepage at a given speed",
+    },
+    Alternatives {
+        first: &fields!["history.height"],
+        second: &fields!["history.load"],
+        reason: "the height determines the load",
+    },
+    Alternatives {
+        first: &fields!["history.shift_x", "history.shift_y", "history.turn"],
+        second: &fields!["history.shifts_x", "history.shifts_y", "history.turns"],
+        reason: "there is one shift, at the first instant, or one for each",
     },
     Alternatives {
         first: &fields!["friction.variation_file"],

@@ -166,7 +166,8 @@ const COOLED_AREA: Requirement = Between(1e-9, 1e6);
 const INSTANT: Requirement = Magnitude(1e9);
 const SCALE: Requirement = Between(1e-6, 1e6);
 const SMOOTHING: Requirement = Between(0.0, 0.1);
-/// Bodies that are shifted by more than the size of a wheel do not touch where they did.
+/// Bodies that are shifted by more than the size of a wheel, or turned by more than a radian, do
+/// not touch where they did.
 const SHIFT: Requirement = Magnitude(1.0);
 
 /// What numbers are in almost all cases, on track and on test rigs: another one may be in a wrong
@@ -240,10 +241,10 @@ section! {
          profiles in balance with the tractions of all contacts): negative when braking",
         example("-9.2 kN m");
     "force_y" [ForceY] quantity(&Measure::FORCE), TANGENTIAL, Nothing,
-        "Fy on the wheel, in place of creepage_y", example("5 kN"),
+        "Fy on the wheel, in place of creepage_y and shifts_y", example("5 kN"),
         usually(FORCE_OF_WHEEL);
     "moment_z" [MomentZ] quantity(&Measure::TORQUE), TANGENTIAL, Nothing,
-        "Mz on the wheel, in place of spin", example("-20 N m");
+        "Mz on the wheel, in place of spin and turns", example("-20 N m");
     "reference" [Reference] Kind::Choice(Reference::CHOICES), Finite, Text("patch"),
         "where creepages hold (those of a history, too) and about which point the moment is taken",
         idle_with(NORMAL_MODEL, WHEEL_RAIL);
@@ -446,10 +447,10 @@ section! {
 section! {
     History "history"
         "Transient rolling: values over time, linear in between, from arrays or from a CSV file; \
-         before it, or alone, a shift at rest.";
+         and shifts at rest before it, between equal times, or alone.";
 
     "time" [Time] Kind::Quantities(&Measure::TIME), INSTANT, Nothing,
-        "instants, increasing", shaping(), example("[\"0 s\", \"1 ms\"]");
+        "instants, ascending; the wheel is at rest between equal ones", shaping(), example("[\"0 s\", \"1 ms\"]");
     "creepage_x" [HistoryCreepageX] Kind::Numbers, CREEPAGE, Nothing,
         "ξ at these instants; likewise the others", example("[0.0, 0.002]"),
         usually(PART_OF_SPEED);
@@ -465,19 +466,51 @@ section! {
         "N", shaping(), example("[\"80 kN\", \"60 kN\"]"),
         usually(LOAD_OF_WHEEL);
     "force_x" [HistoryForceX] Kind::Quantities(&Measure::FORCE), TANGENTIAL, Nothing,
-        "Fx on the wheel, in place of creepage_x", example("[\"0 kN\", \"-20 kN\"]"),
+        "Fx on the wheel, in place of creepage_x and shifts_x", example("[\"0 kN\", \"-20 kN\"]"),
         usually(FORCE_OF_WHEEL);
     "force_y" [HistoryForceY] Kind::Quantities(&Measure::FORCE), TANGENTIAL, Nothing,
-        "Fy on the wheel, in place of creepage_y", example("[\"0 kN\", \"5 kN\"]"),
+        "Fy on the wheel, in place of creepage_y and shifts_y", example("[\"0 kN\", \"5 kN\"]"),
         usually(FORCE_OF_WHEEL);
     "moment_z" [HistoryMomentZ] Kind::Quantities(&Measure::TORQUE), TANGENTIAL, Nothing,
-        "Mz on the wheel, in place of spin", example("[\"0 N m\", \"-20 N m\"]");
+        "Mz on the wheel, in place of spin and turns", example("[\"0 N m\", \"-20 N m\"]");
     "shift_x" [ShiftX] quantity(&Measure::LENGTH), SHIFT, Nothing,
-        "shift of the wheel over the rail along rolling, at rest, before it rolls; times may be \
-         left out then",
+        "shift of the wheel over the rail along rolling, at rest, at the first instant; times may \
+         be left out then",
         example("0.015 mm");
     "shift_y" [ShiftY] quantity(&Measure::LENGTH), SHIFT, Nothing,
         "the same across rolling", example("0 mm");
+    "turn" [Turn] quantity(&Measure::ANGLE), SHIFT, Nothing,
+        "turn of the wheel over the rail about z, likewise", example("0.1 mrad");
+    "shifts_x" [HistoryShiftX] Kind::Quantities(&Measure::LENGTH), SHIFT, Nothing,
+        "shifts along rolling, each on the way to its instant, which is the first one or equals \
+         the one before; without times all are at rest",
+        example("[\"0.01 mm\", \"-0.02 mm\"]");
+    "shifts_y" [HistoryShiftY] Kind::Quantities(&Measure::LENGTH), SHIFT, Nothing,
+        "the same across rolling", example("[\"0 mm\", \"0 mm\"]");
+    "turns" [HistoryTurn] Kind::Quantities(&Measure::ANGLE), SHIFT, Nothing,
+        "turns about z, likewise", example("[\"0 mrad\", \"0.1 mrad\"]");
+    "lateral_position" [] Kind::Quantities(&Measure::LENGTH), Magnitude(1.0), Nothing,
+        "that of the wheelset; likewise the others", shaping(),
+        example("[\"0 mm\", \"3 mm\"]"), with(NORMAL_MODEL, WHEEL_RAIL);
+    "yaw_angle" [] Kind::Quantities(&Measure::ANGLE), wheel_rail::ANGLE, Nothing, "yaw angle", shaping(),
+        example("[\"0 mrad\", \"3 mrad\"]"), with(NORMAL_MODEL, WHEEL_RAIL);
+    "roll_angle" [] Kind::Quantities(&Measure::ANGLE), wheel_rail::ANGLE, Nothing, "roll angle", shaping(),
+        example("[\"0 mrad\", \"-1 mrad\"]"), with(NORMAL_MODEL, WHEEL_RAIL);
+    "height" [] Kind::Quantities(&Measure::LENGTH), Magnitude(1.0), Nothing,
+        "height, in place of load", shaping(),
+        example("[\"-0.1 mm\", \"-0.1 mm\"]"), with(NORMAL_MODEL, WHEEL_RAIL);
+    "lateral_velocity" [] Kind::Quantities(&Measure::SPEED), wheel_rail::SPEED, Nothing, "lateral velocity",
+        shaping(), example("[\"0 m/s\", \"0.1 m/s\"]"), with(NORMAL_MODEL, WHEEL_RAIL);
+    "vertical_velocity" [] Kind::Quantities(&Measure::SPEED), wheel_rail::SPEED, Nothing,
+        "vertical velocity", shaping(), example("[\"0 m/s\", \"0.1 m/s\"]"),
+        with(NORMAL_MODEL, WHEEL_RAIL);
+    "yaw_rate" [] Kind::Quantities(&Measure::ANGULAR_VELOCITY), TURNING, Nothing, "yaw rate",
+        shaping(), example("[\"0 rad/s\", \"0.1 rad/s\"]"), with(NORMAL_MODEL, WHEEL_RAIL);
+    "roll_rate" [] Kind::Quantities(&Measure::ANGULAR_VELOCITY), TURNING, Nothing, "roll rate",
+        shaping(), example("[\"0 rad/s\", \"0.1 rad/s\"]"), with(NORMAL_MODEL, WHEEL_RAIL);
+    "angular_velocity" [] Kind::Quantities(&Measure::ANGULAR_VELOCITY), TURNING, Nothing,
+        "angular velocity of the wheel, in place of creepage_x", shaping(),
+        example("[\"60 rad/s\", \"64.7 rad/s\"]"), with(NORMAL_MODEL, WHEEL_RAIL);
     "file" [] Kind::Path, Finite, Nothing,
         "CSV with a header such as `time [s],creepage_x,load [kN]`, in place of the arrays",
         shaping(), example("history.csv");

@@ -7,7 +7,10 @@ use crate::notice::Notice;
 use crate::settings::Settings;
 use crate::{FieldPath, tables};
 
-const SERIES: [FieldPath; 8] = fields![
+const SERIES: [FieldPath; 11] = fields![
+    "history.shifts_x",
+    "history.shifts_y",
+    "history.turns",
     "history.speed",
     "history.creepage_x",
     "history.creepage_y",
@@ -18,17 +21,27 @@ const SERIES: [FieldPath; 8] = fields![
     "history.moment_z",
 ];
 
-/// Values over time and the shift before them, where the case has them.
+const SHIFT: [FieldPath; 3] = fields!["history.shift_x", "history.shift_y", "history.turn"];
+
+/// Values over time and shifts, where the case has them.
 pub fn history(settings: &Settings) -> Result<Option<History>, CaseError> {
-    let [x, y] =
-        fields!["history.shift_x", "history.shift_y"].map(|path| settings.optional_number(path));
-    let (x, y) = (x?, y?);
-    let shift = x.or(y).map(|_| [x.unwrap_or(0.0), y.unwrap_or(0.0)]);
-    let over_time = over_time(settings)?;
-    if over_time.is_none() && shift.is_none() {
-        return Ok(None);
+    let Some(mut history) = over_time(settings)? else { return Ok(None) };
+    let count = history.time.len();
+    let tables = [&mut history.shift_x, &mut history.shift_y, &mut history.turn];
+    for (table, path) in tables.into_iter().zip(SHIFT) {
+        let at_start = |shift| {
+            let mut shifts = vec![0.0; count];
+            shifts[0] = shift;
+            shifts
+        };
+        *table = settings.optional_number(path)?.map(at_start).or(table.take());
     }
-    Ok(Some(History { shift, ..over_time.unwrap_or_default() }))
+    match tables::check_history(&history) {
+        Ok(()) => Ok(Some(history)),
+        Err((_, message)) => {
+            Err(settings.error(field!("history.time"), format!("history.time: {message}")))
+        }
+    }
 }
 
 /// Values of a history's file that are far from what they are in almost all cases.
@@ -37,9 +50,12 @@ pub fn unusual(settings: &Settings, history: &History) -> Vec<Notice> {
         return Vec::new();
     }
     let place = settings.place(field!("history.file"));
-    let History { speed, creepage_x, creepage_y, spin, load, force_x, force_y, moment_z, .. } =
-        history;
-    let series = [speed, creepage_x, creepage_y, spin, load, force_x, force_y, moment_z];
+    let History { shift_x, shift_y, turn, speed, creepage_x, creepage_y, spin, .. } = history;
+    let History { load, force_x, force_y, moment_z, .. } = history;
+    let series = [
+        shift_x, shift_y, turn, speed, creepage_x, creepage_y, spin, load, force_x, force_y,
+        moment_z,
+    ];
     let unusual = |(path, values): (FieldPath, &Option<Vec<f64>>)| {
         Notice::of_unusual(path.field(), values.as_deref()?, &place)
     };
@@ -51,17 +67,24 @@ fn over_time(settings: &Settings) -> Result<Option<History>, CaseError> {
         let (name, bytes) = settings.read_file(field!("history.file"))?;
         return tables::history_from_csv(name, bytes).map(Some);
     }
-    let Some(time) = settings.series(field!("history.time")) else {
-        return if settings.any_given(&SERIES) {
-            settings.setting(field!("history.time")).map(|_| None)
-        } else {
-            Ok(None)
-        };
+    let is_shifted = settings.any_given(&SHIFT) || settings.any_given(&SERIES[..3]);
+    let time = match settings.series(field!("history.time")) {
+        Some(time) => time.to_vec(),
+        // Shifts alone.
+        None if is_shifted => {
+            let rows =
+                SERIES.iter().find_map(|path| settings.series(*path)).map_or(1, <[f64]>::len);
+            vec![0.0; rows.max(1)]
+        }
+        None if settings.any_given(&SERIES) => {
+            return settings.setting(field!("history.time")).map(|_| None);
+        }
+        None => return Ok(None),
     };
     inline(settings, time).map(Some)
 }
 
-fn inline(settings: &Settings, time: &[f64]) -> Result<History, CaseError> {
+fn inline(settings: &Settings, time: Vec<f64>) -> Result<History, CaseError> {
     for path in SERIES {
         let Some(series) = settings.series(path) else { continue };
         if series.len() != time.len() {
@@ -73,15 +96,19 @@ fn inline(settings: &Settings, time: &[f64]) -> Result<History, CaseError> {
             return Err(settings.error(path, message));
         }
     }
-    let [speed, creepage_x, creepage_y, spin, load, force_x, force_y, moment_z] =
-        SERIES.map(|path| settings.series(path).map(<[f64]>::to_vec));
-    let (shift, time) = (None, time.to_vec());
-    let motion = History { shift, time, speed, creepage_x, creepage_y, spin, ..History::default() };
-    let history = History { load, force_x, force_y, moment_z, ..motion };
-    match tables::check_history(&history) {
-        Ok(()) => Ok(history),
-        Err((_, message)) => {
-            Err(settings.error(field!("history.time"), format!("history.time: {message}")))
-        }
-    }
+    let of = |path: FieldPath| settings.series(path).map(<[f64]>::to_vec);
+    let [shift_x, shift_y, turn, speed, creepage_x, creepage_y, spin, load, x, y, z] =
+        SERIES.map(of);
+    let motion = History {
+        time,
+        shift_x,
+        shift_y,
+        turn,
+        speed,
+        creepage_x,
+        creepage_y,
+        spin,
+        ..History::default()
+    };
+    Ok(History { load, force_x: x, force_y: y, moment_z: z, ..motion })
 }

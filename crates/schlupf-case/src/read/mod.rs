@@ -124,11 +124,14 @@ impl Parts {
             branch: options::branch(settings)?,
             contact,
             stiffness,
-            history: history::history(settings)?,
+            history: None,
         };
-        if parts.has_wheel() {
-            wheel_rail::refuse_others(settings, &parts.stiffness, parts.history.is_some())?;
-        }
+        let parts = if parts.has_wheel() {
+            wheel_rail::refuse_others(settings, &parts.stiffness)?;
+            parts
+        } else {
+            Self { history: history::history(settings)?, ..parts }
+        };
         parts.check().map_err(|error| settings.explain(&error))?;
         Ok(parts)
     }

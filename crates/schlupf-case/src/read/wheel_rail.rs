@@ -1,20 +1,21 @@
 //! `[wheelset]`: a wheel on a rail, with normal.model = "wheel-rail".
 
+use schlupf::problem::Driver;
 use schlupf::wheel_rail::{
     Along, Drive, Joining, Motion, NormalMethod, Position, RowsMove, Side, Support, Tangential,
-    WheelOnRail, WheelSolution,
+    WheelAt, WheelOnRail, WheelOverTime, WheelSolution,
 };
-use schlupf::{Error, Watch};
+use schlupf::{Error, Method, Options, Watch};
 
 use super::friction;
 use super::pairs::{self, Placed};
 use super::roughness::OfRoughness;
 use crate::FieldPath;
 use crate::error::CaseError;
+use crate::fields::ROUGHNESS;
 use crate::fields::choice::{
     BranchChoice, ForceAxis, NormalModel, NormalSolution, RowMotion, WheelSide,
 };
-use crate::fields::{HISTORY, ROUGHNESS};
 use crate::notice::Notice;
 use crate::profiles::ProfileReading;
 use crate::settings::Settings;
@@ -31,6 +32,8 @@ const CELLS: usize = 64;
 #[derive(Debug, Clone)]
 pub struct WheelRequest {
     wheel: WheelOnRail,
+    /// The same over time, if it changes.
+    over_time: Option<WheelOverTime>,
     /// Whether the roll angle follows from both wheels resting on their rails.
     rests: bool,
     /// What was read of the profiles.
@@ -82,23 +85,22 @@ pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
             .map_or(CELLS, |cells| cells as usize),
     };
     wheel.check().map_err(explain)?;
-    Ok(Some(WheelRequest { wheel, rests: !settings.is_given(ROLL), readings, notices }))
+    let over_time = over_time(settings, &wheel)?;
+    let rests = !settings.is_given(ROLL) && !settings.is_given(field!("history.roll_angle"));
+    Ok(Some(WheelRequest { wheel, over_time, rests, readings, notices }))
 }
 
 /// Refuses what goes with one contact only.
-pub fn refuse_others(
-    settings: &Settings,
-    stiffness: &OfRoughness,
-    has_history: bool,
-) -> Result<(), CaseError> {
-    if has_history {
-        let given = HISTORY.iter().copied().find(|path| settings.is_given(*path));
-        let path = given.unwrap_or(field!("history.time"));
+pub fn refuse_others(settings: &Settings, stiffness: &OfRoughness) -> Result<(), CaseError> {
+    if let Some(path) = OF_ONE_HISTORY.into_iter().find(|path| settings.is_given(*path)) {
         let message = format!(
-            "{path} must be left out with normal.model = \"wheel-rail\", which is steady rolling, but \
-             is given"
+            "{path} must be left out with normal.model = \"wheel-rail\", where a history is of the \
+             wheelset and stands in the case, but is given"
         );
         return Err(settings.error(path, message));
+    }
+    if settings.is_given(TIME) {
+        refuse_in_history(settings)?;
     }
     if let Some(path) = OF_ONE_CONTACT.into_iter().find(|path| settings.is_given(*path)) {
         let message = format!(
@@ -123,6 +125,135 @@ pub fn refuse_others(
 }
 
 const BRANCH: FieldPath = field!("solver.branch");
+
+const TIME: FieldPath = field!("history.time");
+
+/// What a wheelset over time does not have.
+fn refuse_in_history(settings: &Settings) -> Result<(), CaseError> {
+    let refuse = |path: FieldPath, requirement: &str| {
+        let message = format!(
+            "{path} must {requirement} with {TIME} and normal.model = \"wheel-rail\", but is {}",
+            settings.shown(path)
+        );
+        Err(settings.error(path, message))
+    };
+    if let Some(path) = FORCES.into_iter().find(|path| settings.is_given(*path)) {
+        return refuse(path, "be left out");
+    }
+    let method = field!("normal.method");
+    if settings.chosen::<NormalSolution>(method)? == NormalSolution::Conformal {
+        return refuse(method, "be that of contacts in planes");
+    }
+    if super::method(settings)? != Method::Full {
+        return refuse(field!("solver.method"), "be \"full\"");
+    }
+    if super::driver(settings)? == Some(Driver::Steady) {
+        return refuse(field!("solver.driver"), "be \"marching\"");
+    }
+    Ok(())
+}
+
+/// Columns of a history that only one contact has.
+const OF_ONE_HISTORY: [FieldPath; 12] = fields![
+    "history.file",
+    "history.creepage_y",
+    "history.spin",
+    "history.force_x",
+    "history.force_y",
+    "history.moment_z",
+    "history.shift_x",
+    "history.shift_y",
+    "history.turn",
+    "history.shifts_x",
+    "history.shifts_y",
+    "history.turns",
+];
+
+/// Columns of a history of a wheelset.
+const COLUMNS: [FieldPath; 12] = fields![
+    "history.speed",
+    "history.creepage_x",
+    "history.angular_velocity",
+    "history.load",
+    "history.height",
+    "history.lateral_position",
+    "history.yaw_angle",
+    "history.roll_angle",
+    "history.lateral_velocity",
+    "history.vertical_velocity",
+    "history.yaw_rate",
+    "history.roll_rate",
+];
+
+/// The wheel over time, if the case has it.
+fn over_time(settings: &Settings, wheel: &WheelOnRail) -> Result<Option<WheelOverTime>, CaseError> {
+    let Some(times) = settings.series(TIME) else {
+        let given = COLUMNS.iter().any(|path| settings.is_given(*path));
+        return if given { settings.setting(TIME).map(|_| None) } else { Ok(None) };
+    };
+    if let Some(path) = COLUMNS
+        .into_iter()
+        .find(|path| settings.series(*path).is_some_and(|s| s.len() != times.len()))
+    {
+        let count = settings.series(path).map_or(0, <[f64]>::len);
+        let message =
+            format!("{path} must have as many entries as {TIME}, {}, but has {count}", times.len());
+        return Err(settings.error(path, message));
+    }
+    if times.len() < 2 || times.windows(2).any(|pair| pair[1] < pair[0]) {
+        let message = format!("{TIME} must have at least two instants, which must ascend");
+        return Err(settings.error(TIME, message));
+    }
+    let radius = settings.number(field!("kinematics.wheel_radius"))?;
+    let instants = times.iter().enumerate().map(|(row, time)| {
+        let wheel = at(settings, wheel, row, radius);
+        wheel.check().map_err(|error| settings.explain(&error))?;
+        Ok(WheelAt { time: *time, wheel })
+    });
+    Ok(Some(WheelOverTime { instants: instants.collect::<Result<_, CaseError>>()? }))
+}
+
+/// The wheel with the values of a row of its history.
+fn at(settings: &Settings, wheel: &WheelOnRail, row: usize, radius: f64) -> WheelOnRail {
+    let mut wheel = wheel.clone();
+    let creepage = 1.0 - wheel.motion.angular_velocity * radius / wheel.motion.speed;
+    let value = |path: FieldPath| settings.series(path).map(|series| series[row]);
+    let Position { lateral, yaw, roll } = &mut wheel.position;
+    let motion = &mut wheel.motion;
+    for (own, path) in [lateral, yaw, roll, &mut motion.speed].into_iter().zip(fields![
+        "history.lateral_position",
+        "history.yaw_angle",
+        "history.roll_angle",
+        "history.speed",
+    ]) {
+        *own = value(path).unwrap_or(*own);
+    }
+    // A creepage stays what it is at another speed, an angular velocity too.
+    let creepage = value(field!("history.creepage_x")).unwrap_or(creepage);
+    if !settings.is_given(field!("kinematics.angular_velocity")) {
+        motion.angular_velocity = (1.0 - creepage) * motion.speed / radius;
+    }
+    let rates = [
+        &mut motion.angular_velocity,
+        &mut motion.lateral_velocity,
+        &mut motion.vertical_velocity,
+        &mut motion.yaw_rate,
+        &mut motion.roll_rate,
+    ];
+    for (own, path) in rates.into_iter().zip(fields![
+        "history.angular_velocity",
+        "history.lateral_velocity",
+        "history.vertical_velocity",
+        "history.yaw_rate",
+        "history.roll_rate",
+    ]) {
+        *own = value(path).unwrap_or(*own);
+    }
+    let [load, height] = [field!("history.load"), field!("history.height")].map(value);
+    let support = load.map(Support::Force).or(height.map(Support::Height));
+    wheel.support = support.unwrap_or(wheel.support);
+    wheel
+}
 
 /// Forces in place of creepages that a wheelset does not leave open.
 const OF_ONE_CONTACT: [FieldPath; 2] = fields!["kinematics.force_y", "kinematics.moment_z"];
@@ -170,7 +301,9 @@ fn support(settings: &Settings) -> Result<Support, CaseError> {
         return Err(settings.error(APPROACH, message));
     }
     match settings.optional_number(HEIGHT)? {
-        Some(_) if !settings.is_given(ROLL) => Err(settings.missing_beside(ROLL, HEIGHT)),
+        Some(_) if !settings.is_given(ROLL) && !settings.is_given(field!("history.roll_angle")) => {
+            Err(settings.missing_beside(ROLL, HEIGHT))
+        }
         Some(height) => Ok(Support::Height(height)),
         None if settings.is_given(LOAD) => Ok(Support::Force(settings.number(LOAD)?)),
         None => Err(settings.missing_beside(LOAD, field!("normal.model"))),
@@ -258,9 +391,32 @@ impl WheelRequest {
                 both.sort_by_key(|wheel| wheel.side == Side::Right);
                 Ok(Vec::from(both))
             }
+            None if self.over_time.is_some() => Ok(vec![self.march(tangential, watch)?]),
             None if self.rests => self.wheel.solve_resting(tangential, watch).map(Vec::from),
             None => Ok(vec![self.wheel.solve(tangential, watch)?]),
         }
+    }
+
+    /// The wheel at the end of its history, with that as the history of its main contact.
+    fn march(&self, tangential: &Tangential, watch: Watch) -> Result<WheelSolution, Error> {
+        let Some(history) = &self.over_time else {
+            return self.wheel.solve(tangential, watch);
+        };
+        let steady =
+            Options { sensitivity: false, extrapolate: false, ..tangential.options.clone() };
+        let steady = Tangential { driver: Driver::Steady, options: &steady, ..*tangential };
+        let mut contacts = |wheel: &WheelOnRail| {
+            if !self.rests {
+                return wheel.solve(&steady, watch);
+            }
+            let [own, _] = wheel.solve_resting(&steady, watch)?;
+            Ok(own)
+        };
+        let (mut wheel, instants) = history.march(tangential, &mut contacts, watch)?;
+        if let Some(main) = wheel.contacts.first_mut() {
+            main.solution.history = instants;
+        }
+        Ok(wheel)
     }
 
     /// What was read of the profiles.

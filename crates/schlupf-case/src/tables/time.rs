@@ -11,8 +11,11 @@ use crate::units::Measure;
 
 const FILE: FieldPath = field!("history.file");
 
-const COLUMNS: [Column; 9] = [
+const COLUMNS: [Column; 12] = [
     Column { name: "time", measure: Some(&Measure::TIME), required: true, holes: false },
+    Column { name: "shifts_x", measure: Some(&Measure::LENGTH), required: false, holes: false },
+    Column { name: "shifts_y", measure: Some(&Measure::LENGTH), required: false, holes: false },
+    Column { name: "turns", measure: Some(&Measure::ANGLE), required: false, holes: false },
     Column { name: "creepage_x", measure: None, required: false, holes: false },
     Column { name: "creepage_y", measure: None, required: false, holes: false },
     Column { name: "spin", measure: Some(&Measure::SPIN), required: false, holes: false },
@@ -53,30 +56,43 @@ pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<History, CaseError> {
     Ok(history)
 }
 
-/// Time, ξ, η, φ, v0, N, F_x, F_y, M_z to a history.
+/// Time, shifts, ξ, η, φ, v0, N, F_x, F_y, M_z to a history.
 fn history(columns: Vec<Vec<f64>>) -> History {
     let mut columns = columns.into_iter();
     let time = columns.next().unwrap_or_default();
     let mut next = || columns.next().filter(|values| !values.is_empty());
+    let (shift_x, shift_y, turn) = (next(), next(), next());
     let (creepage_x, creepage_y, spin) = (next(), next(), next());
     let (speed, load) = (next(), next());
     let (force_x, force_y, moment_z) = (next(), next(), next());
-    let motion = History { time, speed, creepage_x, creepage_y, spin, ..History::default() };
+    let shifts = History { time, shift_x, shift_y, turn, ..History::default() };
+    let motion = History { speed, creepage_x, creepage_y, spin, ..shifts };
     History { load, force_x, force_y, moment_z, ..motion }
 }
 
-/// Checks that time increases; the error names the row.
+/// Checks that times ascend, and that shifts are at rest; the error names the row.
 pub fn check(history: &History) -> Result<(), (usize, String)> {
-    let time = &history.time;
-    if time.len() < 2 {
-        let message = format!("a history must have at least two instants, but has {}", time.len());
+    let History { time, shift_x, shift_y, turn, .. } = history;
+    let shifts = [shift_x, shift_y, turn].map(Option::as_deref);
+    let fewest = if shifts.iter().any(Option::is_some) { 1 } else { 2 };
+    if time.len() < fewest {
+        let message =
+            format!("a history must have at least {fewest} instants, but has {}", time.len());
         return Err((0, message));
     }
-    let steps_back = time.windows(2).position(|pair| pair[1] <= pair[0]);
-    if let Some(row) = steps_back {
-        let (before, after) = (time[row], time[row + 1]);
-        let message = format!("time must increase, but {after} s comes after {before} s");
-        return Err((row + 1, message));
+    for row in 1..time.len() {
+        let (before, after) = (time[row - 1], time[row]);
+        if after < before {
+            let message = format!("time must ascend, but {after} s comes after {before} s");
+            return Err((row, message));
+        }
+        if after > before && shifts.iter().flatten().any(|shifts| shifts[row] != 0.0) {
+            let message = format!(
+                "the wheel rolls until {after} s: a shift needs a row of its own, with the same \
+                 time as the row before"
+            );
+            return Err((row, message));
+        }
     }
     Ok(())
 }
@@ -103,8 +119,9 @@ mod tests {
     #[test]
     fn each_defect_is_named_with_its_line() {
         let cases = [
-            ("time [s],creepage_x\n0,0\n0,1\n", "h.csv:3:1: time must increase"),
-            ("time [s],creepage_x\n0,0\n", "at least two instants"),
+            ("time [s],creepage_x\n0,0\n-1,1\n", "h.csv:3:1: time must ascend"),
+            ("time [s],creepage_x\n0,0\n", "at least 2 instants"),
+            ("time [s],shifts_x [mm]\n0,1\n1,1\n", "h.csv:3:1: the wheel rolls until 1 s"),
             ("time [s],load [kN]\n0,80\n1,0\n", "h.csv:3:1: load must be between"),
             ("time [s],creepage_x [mm]\n0,80\n1,0\n", "must be dimensionless"),
             ("time [s],creepage_y\n0,0\n1,2\n", "h.csv:3:1: creepage_y must be above -1"),

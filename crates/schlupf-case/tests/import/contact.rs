@@ -382,8 +382,37 @@ fn compression_and_shift() {
     let first = text.replace("201100", " 01100");
     has(&one(&first).text, &lines);
     let second = " 3\n 001100\n 100000\n 0100111\n 52359.878 0.001 0 0\n 0\n";
-    let found = errors(&text.replace(" 0 MODULE\n", second));
-    assert!(found[0].contains("P = 0: a shift that goes on from an earlier one"), "{found:?}");
+    let found = errors(&text.replace(" 0 MODULE\n", &second.replace(" 001100", " 301100")));
+    assert!(found[0].contains("P = 3: a shift that is repeated"), "{found:?}");
+    let case = one(&text.replace(" 0 MODULE\n", second));
+    assert_eq!(case.numbers, [1, 2]);
+    let lines =
+        ["shifts_x = [\"0.001 mm\", \"0.001 mm\"]", "shifts_y = [\"-0.0005 mm\", \"0 mm\"]"];
+    has(&case.text, &lines);
+    assert!(!case.text.contains("shift_x") && !case.text.contains("load = ["), "{}", case.text);
+}
+
+/// Forces over FSTAT FN in place of shifts, constant or not; a turn in rad; loads that change; the
+/// grid is that of the largest load.
+#[test]
+fn forces_and_turns_in_shifts() {
+    let shift = [("203100", "201120"), (" 0.0d 0.25 30000.   CHI, DQ, VELOC\n", "")];
+    let begin = with(BALL, &[&shift[..], &[("0.001 ", "-0.2 "), ("-0.0005 ", "0.1 ")]].concat());
+    let lines =
+        ["force_x = \"-3.14159268 kN\"", "force_y = \"1.57079634 kN\"", "turn = \"0.0002 rad\""];
+    has(&one(&begin).text, &lines);
+    let step = " 3\n 001120\n 100000\n 0100111\n 60000. -0.2 0.2 0\n 0\n";
+    let text = one(&begin.replace(" 0 MODULE\n", step)).text;
+    let lines = [
+        "force_x = [\"-3.14159268 kN\", \"-3.6 kN\"]",
+        "force_y = [\"1.57079634 kN\", \"3.6 kN\"]",
+        "turns = [\"0.0002 rad\", \"0 rad\"]",
+        "load = [\"52.359878 kN\", \"60 kN\"]",
+        "load = \"60 kN\"",
+    ];
+    has(&text, &lines);
+    assert!(!text.contains("shifts_") && !text.contains("time"), "{text}");
+    posed(&one(&begin.replace(" 0 MODULE\n", step)));
 }
 
 /// Later cases keep what they do not give anew: law of friction, material and rolling, grid and
@@ -454,11 +483,16 @@ fn steps_become_a_history() {
     let roll = " 3\n 002100\n 102000\n 0100111\n 52359.878 0.001 0 0\n 0 0.25 30000.\n .28 .28 82031.25 82031.25\n 0\n";
     let import = import(&format!("{shift}{roll}"));
     assert!(import.errors.is_empty(), "{:?}", import.errors);
-    assert_eq!(import.cases.len(), 2);
-    has(&import.cases[1].text, &["shift_x = \"0.001 mm\"", "creepage_x = 0.001"]);
+    assert_eq!(import.cases.len(), 1);
+    let lines = [
+        "time = [\"0 ms\", \"0.008333333333333 ms\"]",
+        "shifts_x = [\"0.001 mm\", \"0 mm\"]",
+        "creepage_x = 0.001",
+    ];
+    has(&import.cases[0].text, &lines);
     let steady = with(BALL, &[(" 0 MODULE\n", "")]);
     let found = errors(&format!("{steady}{} 0\n", step("52359.878", "0.001")));
-    assert!(found[0].contains("T = 3: transient rolling that goes on from steady"), "{found:?}");
+    assert!(found[0].contains("T = 3: a step that goes on from steady rolling"), "{found:?}");
 }
 
 /// What a change of the ball's input must be refused for, and in which line.
@@ -563,11 +597,6 @@ fn values_that_are_not_available_are_named() {
             &[("203100", "203120"), ("0.001 ", "-0.8 "), ("-0.0005", "0.6")],
             9,
             "FXREL = -0.8: the force must be less than 1",
-        ),
-        (
-            &[("203100", "201110"), (" 0.0d 0.25 30000.   CHI, DQ, VELOC\n", "")],
-            5,
-            "F = 1: forces in a shift",
         ),
     ] {
         refused(changes, line, expected);

@@ -311,6 +311,35 @@ fn forces_of_module_1() {
     }
 }
 
+/// Steps of module 1 (T = 2) are a history of the wheelset, each over DQREL DX; a shift (T = 1)
+/// takes a second, and rolls if the wheel goes on along the rail.
+#[test]
+fn steps_of_module_1() {
+    let row = &rows("manchester_a22.csv")[2];
+    let text = |first: &str, digits: &str, motion: &str| {
+        let begin = benchmark(row, 0, "-4.3").replace("2031", first);
+        let begin = begin.strip_suffix(" 0\n").unwrap().to_owned();
+        format!("{begin} 1\n {digits}\n 0111002\n 0100321\n 0.0 1.0 12000. 0 0 0\n {motion}\n 0\n")
+    };
+    let import = imported(text("2021", "1002100", "2000. 10. 0 0 0 -4.4"));
+    assert!(import.errors.is_empty(), "{:#?}", import.errors);
+    let lines = [
+        "time = [\"0 s\", \"0.0001 s\", \"0.0002 s\"]",
+        "load = [\"10 kN\", \"10 kN\", \"12 kN\"]",
+        "lateral_velocity = [\"0 mm/s\", \"0 mm/s\", \"-10 mm/s\"]",
+        "angular_velocity = [\"4.3 rad/s\", \"4.3 rad/s\", \"4.4 rad/s\"]",
+    ];
+    crate::support::has(&import.cases[0].text, &lines);
+    for (forward, times) in
+        [(0.01, "\"0 s\", \"0 s\", \"0 s\""), (0.2, "\"0 s\", \"0 s\", \"1 s\"")]
+    {
+        let import = imported(text("2011", "1001100", &format!("{forward} 0 0 0 0 0")));
+        crate::support::has(&import.cases[0].text, &[&format!("time = [{times}]")]);
+    }
+    let steady = imported(text("2031", "1002100", "2000. 0 0 0 0 -4.4")).errors;
+    assert!(steady[0].to_string().contains("goes on from steady rolling"), "{steady:?}");
+}
+
 /// CONTACT (rev. 2707), T = 2 from a contact without tractions: forty steps over 12 mm with a
 /// creepage of 0.0011 give the forces of its grid of 40 cells, within its error of 0.6 % of μN.
 #[test]

@@ -89,6 +89,39 @@ impl PressureTable {
         table
     }
 
+    /// The same with all pressures multiplied by a factor, dimensionless.
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        let pressure = self.pressure.iter().map(|p| factor * p).collect();
+        Self { pressure, ..self.clone() }
+    }
+
+    /// Separate pressures as one table, in the coordinates that all of them have.
+    ///
+    /// # Errors
+    /// As [`Self::new`], where there is none.
+    pub(crate) fn union(tables: &[Self]) -> Result<Self, Error> {
+        if let [one] = tables {
+            return Ok(one.clone());
+        }
+        let axis = |of: fn(&Self) -> &Axis| {
+            let spacing = tables.iter().map(|t| of(t).spacing).fold(f64::INFINITY, f64::min);
+            let ends = |t: &Self| [of(t).start, of(t).at(of(t).count - 1)];
+            let low = tables.iter().map(|t| ends(t)[0]).fold(f64::INFINITY, f64::min);
+            let high = tables.iter().map(|t| ends(t)[1]).fold(f64::NEG_INFINITY, f64::max);
+            Axis { start: low, spacing, count: ((high - low) / spacing).ceil() as usize + 1 }
+        };
+        let (x, y) = (axis(Self::axis_x), axis(Self::axis_y));
+        let mut pressure = Vec::with_capacity(x.count * y.count);
+        for y in y.positions() {
+            let is_within = |t: &&Self| (t.y.start..=t.y.at(t.y.count - 1)).contains(&y);
+            let lines: Vec<_> =
+                tables.iter().filter(is_within).map(|t| (t.x, t.line_at(y))).collect();
+            let at = |x: f64| lines.iter().map(|(axis, line)| along(axis, line, x)).sum::<f64>();
+            pressure.extend(x.positions().into_iter().map(at));
+        }
+        Self::where_it_is(&x.positions(), &y.positions(), pressure)
+    }
+
     /// Position of the origin of the table in the given coordinates, x and y in m.
     pub fn origin(&self) -> [f64; 2] {
         self.origin
@@ -186,6 +219,17 @@ impl PressureTable {
     fn at(&self, i: usize, j: usize) -> f64 {
         self.pressure[j * self.x.count + i]
     }
+}
+
+/// Pressure along a line (in Pa) at a position in m: its square is linear.
+fn along(axis: &Axis, line: &[f64], x: f64) -> f64 {
+    let position = (x - axis.start) / axis.spacing;
+    let k = position.floor();
+    if !(0.0..=(line.len() - 2) as f64).contains(&k) {
+        return 0.0;
+    }
+    let ends = [k as usize, k as usize + 1].map(|k| line[k].powi(2));
+    mix(ends, position - k).sqrt()
 }
 
 /// A run of positive samples.

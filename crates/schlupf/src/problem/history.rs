@@ -1,14 +1,19 @@
-//! Creepages, speed and load over time: transient rolling, optionally starting with a shift at
-//! rest.
+//! Creepages, speed and load over time: transient rolling, and shifts at rest before, between and
+//! after it.
+
+use std::ops::Range;
 
 use crate::bodies::Kinematics;
 use crate::numerics::interpolation::piecewise_linear;
 use crate::problem::{LongitudinalForce, PrescribedForces};
-use crate::reporting::{
-    Error, ForceError, Place, Quantity, Requirement, require_at, require_finite,
-};
+use crate::reporting::{Error, ForceError, Place, Quantity, Requirement, require_at};
 
 /// Quantities over time, linear between the times and constant outside. `None` means constant.
+///
+/// Where a time is that of the row before it, the bodies do not roll from one row to the next: in
+/// one step everything changes at rest, and the wheel is shifted over the rail. A history with
+/// shifts begins with one, from bodies apart. What follows a shift begins at the end of the time
+/// step that reaches it.
 ///
 /// ```
 /// use schlupf::problem::History;
@@ -21,10 +26,14 @@ use crate::reporting::{
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct History {
-    /// Shift of the wheel over the rail at rest before it rolls, along and across rolling, in m.
-    pub shift: Option<[f64; 2]>,
-    /// Times, strictly ascending, in s; empty for a shift alone, or if nothing changes.
+    /// Times, ascending, in s; empty if nothing changes.
     pub time: Vec<f64>,
+    /// Shift of the wheel over the rail along rolling, on the way to each row, in m.
+    pub shift_x: Option<Vec<f64>>,
+    /// The same across rolling, in m.
+    pub shift_y: Option<Vec<f64>>,
+    /// Turn of the wheel over the rail about the reference point, likewise, in rad.
+    pub turn: Option<Vec<f64>>,
     /// Speed v0, in m/s.
     pub speed: Option<Vec<f64>>,
     /// Longitudinal creepage ξ, dimensionless.
@@ -35,34 +44,81 @@ pub struct History {
     pub spin: Option<Vec<f64>>,
     /// Normal load, in N.
     pub load: Option<Vec<f64>>,
-    /// Longitudinal force on the wheel F_x, in N, in place of ξ.
+    /// Longitudinal force on the wheel F_x, in N, in place of ξ and of the shift.
     pub force_x: Option<Vec<f64>>,
-    /// Lateral force on the wheel F_y, in N, in place of η.
+    /// Lateral force on the wheel F_y, in N, in place of η and of the shift.
     pub force_y: Option<Vec<f64>>,
-    /// Moment on the wheel M_z, in N m, in place of φ.
+    /// Moment on the wheel M_z, in N m, in place of φ and of the turn.
     pub moment_z: Option<Vec<f64>>,
+}
+
+/// A shift: x and y in m, and the turn in rad, as creepages over one metre.
+pub(crate) type Shift = Kinematics;
+
+/// A part of a history in which the wheel rolls throughout, with the shift before it, if any.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Stretch {
+    /// At the first time of the rest.
+    pub shift: Option<Shift>,
+    /// Its times ascend strictly.
+    pub rolling: History,
 }
 
 impl History {
     /// Checks the tables, and that the wheel rolls at every time.
     pub fn check(&self, otherwise: &Kinematics) -> Result<(), Error> {
-        if let Some([x, y]) = self.shift {
-            require_finite(Quantity::ShiftX, x)?;
-            require_finite(Quantity::ShiftY, y)?;
-        }
         let count = self.time.len();
-        let is_over_time = count > 0 || !self.is_constant();
-        if count < 2 && is_over_time {
-            return Err(Error::TooFew { quantity: Quantity::Time, fewest: 2, count });
+        let fewest = if self.has_shifts() { 1 } else { 2 };
+        let is_over_time = count > 0 || self.tables().iter().any(|(_, table)| table.is_some());
+        if count < fewest && is_over_time {
+            return Err(Error::TooFew { quantity: Quantity::Time, fewest, count });
         }
         for (k, time) in self.time.iter().enumerate() {
             require_at(Quantity::Time, Requirement::Finite, *time, Place::Index(k + 1))?;
         }
-        if let Some(pair) = self.time.windows(2).find(|pair| pair[1] <= pair[0]) {
+        if let Some(pair) = self.time.windows(2).find(|pair| pair[1] < pair[0]) {
             let (quantity, before, after) = (Quantity::Time, pair[0], pair[1]);
             return Err(Error::NotAscending { quantity, axis: "", before, after });
         }
-        for (quantity, table) in [
+        for (quantity, table) in self.tables() {
+            let length = table.as_ref().map_or(count, Vec::len);
+            if length != count {
+                return Err(Error::WrongCount { quantity, expected: count, count: length });
+            }
+        }
+        for row in 0..count {
+            self.check_row(row, otherwise)?;
+        }
+        Ok(())
+    }
+
+    fn check_row(&self, row: usize, otherwise: &Kinematics) -> Result<(), Error> {
+        let time = self.time[row];
+        let in_history = |error| Error::AtTime { error: Box::new(error), time };
+        self.in_row(row, otherwise).check().map_err(in_history)?;
+        for (quantity, table) in self.shifts() {
+            let Some(shift) = table.as_ref().map(|shifts| shifts[row]) else { continue };
+            require_at(quantity, Requirement::Magnitude(1.0), shift, Place::Time(time))?;
+            if shift != 0.0 && !self.is_at_rest(row) {
+                return Err(Error::ShiftInRolling { quantity, time });
+            }
+        }
+        if let Some(load) = self.load.as_ref().map(|loads| loads[row]) {
+            require_at(Quantity::HistoryLoad, Requirement::Positive, load, Place::Time(time))?;
+        }
+        Ok(())
+    }
+
+    fn shifts(&self) -> [(Quantity, &Option<Vec<f64>>); 3] {
+        [
+            (Quantity::HistoryShiftX, &self.shift_x),
+            (Quantity::HistoryShiftY, &self.shift_y),
+            (Quantity::HistoryTurn, &self.turn),
+        ]
+    }
+
+    fn tables(&self) -> Vec<(Quantity, &Option<Vec<f64>>)> {
+        let over_time = [
             (Quantity::HistorySpeed, &self.speed),
             (Quantity::HistoryCreepageX, &self.creepage_x),
             (Quantity::HistoryCreepageY, &self.creepage_y),
@@ -71,21 +127,69 @@ impl History {
             (Quantity::HistoryForceX, &self.force_x),
             (Quantity::HistoryForceY, &self.force_y),
             (Quantity::HistoryMomentZ, &self.moment_z),
-        ] {
-            let length = table.as_ref().map_or(count, Vec::len);
-            if length != count {
-                return Err(Error::WrongCount { quantity, expected: count, count: length });
-            }
+        ];
+        over_time.into_iter().chain(self.shifts()).collect()
+    }
+
+    /// Whether a row is reached at rest.
+    fn is_at_rest(&self, row: usize) -> bool {
+        match row.checked_sub(1) {
+            Some(before) => self.time[row] == self.time[before],
+            None => self.has_shifts(),
         }
-        for &time in &self.time {
-            let in_history = |error| Error::AtTime { error: Box::new(error), time };
-            self.kinematics(time, otherwise).check().map_err(in_history)?;
-            if let Some(load) = self.load(time) {
-                let place = Place::Time(time);
-                require_at(Quantity::HistoryLoad, Requirement::Positive, load, place)?;
-            }
+    }
+
+    fn has_shifts(&self) -> bool {
+        self.shifts().iter().any(|(_, table)| table.is_some())
+    }
+
+    /// The parts in which the wheel rolls throughout; at least one.
+    pub(crate) fn stretches(&self) -> Vec<Stretch> {
+        let count = self.time.len();
+        let mut starts: Vec<usize> = (1..count).filter(|row| self.is_at_rest(*row)).collect();
+        starts.insert(0, 0);
+        let ends = starts[1..].iter().copied().chain([count]);
+        let stretch = |(start, end): (usize, usize)| {
+            let is_shifted = count > 0 && self.is_at_rest(start);
+            let shift = is_shifted.then(|| self.shift_to(start));
+            Stretch { shift, rolling: self.rows(start..end) }
+        };
+        starts.iter().copied().zip(ends).map(stretch).collect()
+    }
+
+    /// Shift and turn on the way to a row.
+    fn shift_to(&self, row: usize) -> Shift {
+        let [creepage_x, creepage_y, spin] =
+            self.shifts().map(|(_, table)| table.as_ref().map_or(0.0, |values| values[row]));
+        Shift { creepage_x, creepage_y, spin, ..Shift::free_rolling(1.0) }
+    }
+
+    /// Some rows, without shifts.
+    fn rows(&self, rows: Range<usize>) -> Self {
+        let of = |table: &Option<Vec<f64>>| table.as_ref().map(|all| all[rows.clone()].to_vec());
+        Self {
+            time: self.time[rows.clone()].to_vec(),
+            shift_x: None,
+            shift_y: None,
+            turn: None,
+            speed: of(&self.speed),
+            creepage_x: of(&self.creepage_x),
+            creepage_y: of(&self.creepage_y),
+            spin: of(&self.spin),
+            load: of(&self.load),
+            force_x: of(&self.force_x),
+            force_y: of(&self.force_y),
+            moment_z: of(&self.moment_z),
         }
-        Ok(())
+    }
+
+    /// The same from a time on, in s.
+    pub(crate) fn starting_at(mut self, start: f64) -> Self {
+        let delay = start - self.span()[0];
+        for time in &mut self.time {
+            *time += delay;
+        }
+        self
     }
 
     /// Checks that no creepage over time has its force prescribed, here or in `otherwise`.
@@ -98,8 +202,11 @@ impl History {
         let moment_z = moment_z.or(otherwise.moment_z.map(|_| Quantity::MomentZ));
         for (force, creepage, table) in [
             (x, Quantity::HistoryCreepageX, &self.creepage_x),
+            (x, Quantity::HistoryShiftX, &self.shift_x),
             (y, Quantity::HistoryCreepageY, &self.creepage_y),
+            (y, Quantity::HistoryShiftY, &self.shift_y),
             (moment_z, Quantity::HistorySpin, &self.spin),
+            (moment_z, Quantity::HistoryTurn, &self.turn),
         ] {
             if let (Some(force), Some(_)) = (force, table) {
                 return Err(ForceError::AndCreepage { force, creepage }.into());
@@ -108,20 +215,19 @@ impl History {
         Ok(())
     }
 
-    /// Whether the history is a shift without rolling.
-    pub fn is_shift_only(&self) -> bool {
-        self.shift.is_some() && self.time.is_empty()
+    /// Whether nothing happens but shifts.
+    pub fn is_at_rest_throughout(&self) -> bool {
+        !self.is_endless() && (0..self.time.len()).all(|row| self.is_at_rest(row))
     }
 
     /// Whether only the steady state ends it.
     pub fn is_endless(&self) -> bool {
-        self.shift.is_none() && self.time.is_empty()
+        self.time.is_empty()
     }
 
-    fn is_constant(&self) -> bool {
-        let motion = [&self.speed, &self.creepage_x, &self.creepage_y, &self.spin, &self.load];
-        let mut series = motion.into_iter().chain([&self.force_x, &self.force_y, &self.moment_z]);
-        series.all(Option::is_none)
+    /// Speed and creepages of a row.
+    fn in_row(&self, row: usize, otherwise: &Kinematics) -> Kinematics {
+        self.rows(row..row + 1).kinematics(self.time[row], otherwise)
     }
 
     /// Speed and creepages at a time (in s).
@@ -185,15 +291,22 @@ impl History {
     /// The same motion with the creepages at another point, which lies at `place` (x and y in m)
     /// from the present one.
     pub(crate) fn at(&self, place: [f64; 2], otherwise: &Kinematics) -> Self {
+        let rows = || 0..self.time.len();
+        let turns = self.spin.is_some();
         let moved = |own: &Option<Vec<f64>>, component: fn(&Kinematics) -> f64| {
             // Both are linear between the times, and so is their combination.
-            let there = |time: &f64| component(&self.kinematics(*time, otherwise).at(place));
-            (own.is_some() || self.spin.is_some())
-                .then(|| self.time.iter().map(there).collect::<Vec<f64>>())
+            let there = |row: usize| component(&self.in_row(row, otherwise).at(place));
+            (own.is_some() || turns).then(|| rows().map(there).collect::<Vec<f64>>())
+        };
+        let shifted = |own: &Option<Vec<f64>>, component: fn(&Kinematics) -> f64| {
+            let there = |row: usize| component(&self.shift_to(row).at(place));
+            (own.is_some() || self.turn.is_some()).then(|| rows().map(there).collect::<Vec<f64>>())
         };
         Self {
             creepage_x: moved(&self.creepage_x, |kinematics| kinematics.creepage_x),
             creepage_y: moved(&self.creepage_y, |kinematics| kinematics.creepage_y),
+            shift_x: shifted(&self.shift_x, |shift| shift.creepage_x),
+            shift_y: shifted(&self.shift_y, |shift| shift.creepage_y),
             ..self.clone()
         }
     }
@@ -299,22 +412,51 @@ mod tests {
         assert_relative_eq!(history.duration(2.0, 0.04, &ROLLING), 1e-3, max_relative = 1e-14);
     }
 
-    /// A shift alone needs no times, but changes over time do.
+    /// Rolling for 2 s, two shifts, rolling for 1 s, a shift.
     #[test]
-    fn a_shift_needs_no_times() {
-        let shift = History { shift: Some([1e-5, 0.0]), ..History::default() };
-        shift.check(&ROLLING).unwrap();
-        assert!(shift.is_shift_only());
-        let changing = History { load: Some(vec![]), ..shift.clone() };
-        assert!(
-            changing
-                .check(&ROLLING)
-                .unwrap_err()
-                .to_string()
-                .contains("time needs at least 2 entries, got 0")
-        );
-        let endless = History { shift: Some([0.0, f64::NAN]), ..History::default() };
-        assert!(endless.check(&ROLLING).unwrap_err().to_string().contains("shift_y"));
+    fn shifts_divide_a_history() {
+        let history = History {
+            time: vec![0.0, 2.0, 2.0, 2.0, 3.0, 3.0],
+            load: Some(vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0]),
+            ..History::default()
+        };
+        history.check(&ROLLING).unwrap();
+        let loads = |history: &History| {
+            let of = |stretch: Stretch| (stretch.shift.is_some(), stretch.rolling.load.unwrap());
+            history.stretches().into_iter().map(of).collect::<Vec<_>>()
+        };
+        let later = [(true, vec![3.0]), (true, vec![4.0, 5.0]), (true, vec![6.0])];
+        let mut expected = vec![(false, vec![1.0, 2.0])];
+        expected.extend(later);
+        assert_eq!(loads(&history), expected);
+        // Shifts begin at once.
+        let shifts = Some(vec![1e-3, 0.0, 2e-3, 0.0, 0.0, 3e-3]);
+        let shifted = History { shift_y: shifts, ..history.clone() };
+        shifted.check(&ROLLING).unwrap();
+        expected[0].0 = true;
+        assert_eq!(loads(&shifted), expected);
+        assert_eq!(shifted.stretches()[1].shift.unwrap().creepage_y, 2e-3);
+        assert_eq!(shifted.rows(3..5).starting_at(7.0).time, [7.0, 8.0]);
+        assert!(!shifted.is_at_rest_throughout() && !shifted.rows(1..2).is_at_rest_throughout());
+        let turning = History { turn: Some(vec![0.0, 1e-3, 0.0, 0.0, 0.0, 0.0]), ..history };
+        let message = turning.check(&ROLLING).unwrap_err().to_string();
+        assert!(message.contains("the wheel rolls until 2 s"), "{message}");
+    }
+
+    /// One shift needs one time.
+    #[test]
+    fn a_shift_is_a_history() {
+        let of = |shift: f64| History {
+            time: vec![0.0],
+            shift_y: Some(vec![shift]),
+            ..History::default()
+        };
+        of(1e-5).check(&ROLLING).unwrap();
+        assert!(of(1e-5).is_at_rest_throughout());
+        assert!(of(f64::NAN).check(&ROLLING).unwrap_err().to_string().contains("shift_y"));
+        let none = History { time: vec![], shift_y: Some(vec![]), ..History::default() };
+        let message = none.check(&ROLLING).unwrap_err().to_string();
+        assert!(message.contains("time needs at least 1 entries, got 0"), "{message}");
     }
 
     /// At every time, also between those of the table, the motion is that of the same rigid body.
@@ -346,8 +488,8 @@ mod tests {
         let times = vec![0.0, 1.0];
         let once = History { time: vec![0.0], ..History::default() };
         assert!(refuse(once).contains("time needs at least 2 entries, got 1"));
-        let backwards = History { time: vec![1.0, 1.0], ..History::default() };
-        assert!(refuse(backwards).contains("ascend strictly"));
+        let backwards = History { time: vec![1.0, 0.5], ..History::default() };
+        assert!(refuse(backwards).contains("ascend, but"));
         let short = History { time: times.clone(), spin: Some(vec![0.0]), ..History::default() };
         assert!(refuse(short).contains("spin_history needs 2 values, got 1"));
         let locked =

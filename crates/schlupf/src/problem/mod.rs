@@ -10,6 +10,7 @@ mod transient;
 
 pub use builder::ProblemBuilder;
 pub use history::History;
+pub(crate) use history::{Shift, Stretch};
 pub use method::{
     AreaReduction, Brush, Driver, FastMethod, Flexibilities, Method, SlopeReduction, TractionBound,
 };

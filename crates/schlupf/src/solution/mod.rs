@@ -347,7 +347,7 @@ impl Fields {
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FieldsAt {
-    /// The time step: 1 is the first; 0 stands for a shift before the wheel rolls.
+    /// The step, of rolling or a shift: 1 is the first.
     pub step: usize,
     /// Time, in s.
     pub time: f64,
@@ -365,6 +365,9 @@ pub struct Instant {
     pub distance: f64,
     /// Speed and creepages at the end of the step.
     pub kinematics: Kinematics,
+    /// Shift of the wheel over the rail along and across rolling, in m, and turn, in rad; `None`
+    /// where the wheel rolls.
+    pub shift: Option<[f64; 3]>,
     /// Normal load at the end of the step, in N.
     pub load: f64,
     /// Forces and moment at the end of the step.

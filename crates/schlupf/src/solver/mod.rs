@@ -12,6 +12,7 @@ pub(crate) mod unlike_bodies;
 pub(crate) mod rolling;
 
 pub use rolling::MarchingSolver;
+pub(crate) use rolling::marching::march_from;
 pub use rolling::marching::{march, shift};
 pub use rolling::steady::{SteadySolver, solve};
 

@@ -23,6 +23,11 @@ pub(crate) fn place(reference: ReferencePoint, normal: &NormalSummary) -> Result
     }
 }
 
+/// A shift (in m) and turn (in rad) at another point, at `place` (in m) from the present one.
+fn shift_at([x, y, turn]: [f64; 3], place: [f64; 2]) -> [f64; 3] {
+    [x - turn * place[1], y + turn * place[0], turn]
+}
+
 /// A problem with its creepages at the centre of the patch, and the way back. Every solver takes
 /// its problem through this.
 #[derive(Debug, Clone)]
@@ -98,6 +103,7 @@ impl AtPatch {
         let instant = |instant: Instant| Instant {
             kinematics: instant.kinematics.at(place),
             force: instant.force.about(place),
+            shift: instant.shift.map(|shift| shift_at(shift, place)),
             ..instant
         };
         let extrapolated = |extrapolation: Extrapolation| {

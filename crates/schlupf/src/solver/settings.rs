@@ -34,6 +34,12 @@ settings! {
     /// error by about the product of K and the coefficient of friction.
     most_pressures: usize = 30;
 
+    // Layers between the surfaces that flow.
+
+    /// Limits of elasticity after which the search for that at the end of a shift is given up. Each
+    /// reduces the error by about the damped product of hardening and compliance.
+    most_flows: usize = 100;
+
     // Newton's method, the Krylov method and the measure of residuals.
 
     /// Largest forcing term: linear residual that the Krylov method may leave, relative to that of

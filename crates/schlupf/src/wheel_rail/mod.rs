@@ -50,6 +50,7 @@ mod coupled;
 mod settling;
 mod resultant;
 mod resting;
+mod over_time;
 mod conicity;
 mod columns;
 
@@ -58,6 +59,7 @@ pub use contact_plane::Joining;
 pub use creepage::Motion;
 pub use deviation::Deviation;
 pub use drive::{Along, Drive};
+pub use over_time::{WheelAt, WheelOverTime};
 pub use pair::Pair;
 pub use profile_curve::{CurvePoint, LEAST_SPACING, ProfileCurve};
 pub use resting::resting_roll;

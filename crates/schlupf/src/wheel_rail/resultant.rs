@@ -2,7 +2,9 @@
 
 use super::wheel::{Contact, WheelSolution};
 use crate::bodies::Kinematics;
-use crate::solution::{Area, Fields, Power, Resultant, Solution, TGamma, Temperature, Work};
+use crate::solution::{
+    Area, Fields, Instant, Power, Resultant, Solution, TGamma, Temperature, Work,
+};
 
 impl WheelSolution {
     /// Creepage of the nominal rolling radius R (in m) at a speed v0 (in m/s), 1 − ωR/v0,
@@ -98,4 +100,28 @@ impl WheelSolution {
         }
         Work { cells, ..sum }
     }
+}
+
+/// The last step of a wheel at a time (in s) and after a distance, in m: forces and load in the
+/// track, sums of powers and energies; creepages, or the shift, are those of the contact with the
+/// largest normal force. `None` without contacts.
+pub(super) fn instant(wheel: &WheelSolution, [time, distance]: [f64; 2]) -> Option<Instant> {
+    let last = |contact: &Contact| contact.solution.history.last().copied();
+    let instants = wheel.contacts.iter().map(last).collect::<Option<Vec<Instant>>>()?;
+    let main = *instants.first()?;
+    let sum = |part: fn(&Instant) -> Option<f64>| instants.iter().map(part).sum::<Option<f64>>();
+    let [x, y, load] = wheel.force;
+    Some(Instant {
+        time,
+        distance,
+        load,
+        force: Resultant { x, y, moment_z: None },
+        friction_power: sum(|instant| instant.friction_power),
+        creep_power: sum(|instant| instant.creep_power),
+        stored_energy: sum(|instant| instant.stored_energy),
+        max_rise: instants.iter().filter_map(|instant| instant.max_rise).reduce(f64::max),
+        newton_iterations: instants.iter().map(|instant| instant.newton_iterations).sum(),
+        residual: instants.iter().map(|instant| instant.residual).fold(0.0, f64::max),
+        ..main
+    })
 }

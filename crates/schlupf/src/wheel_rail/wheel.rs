@@ -88,6 +88,8 @@ pub struct Contact {
     pub rise: f64,
     /// Distance outwards from the origin of the rail's profile, in m.
     pub rail_position: f64,
+    /// Arc length along the rail's profile, to the left, in m.
+    pub rail_arc: f64,
     /// Distance outwards from the origin of the wheel's profile, in m.
     pub wheel_position: f64,
     /// Radius of the wheel there, in m.
@@ -496,6 +498,7 @@ impl WheelOnRail {
             angle: -sign * plane.inclination,
             rise: plane.rise,
             rail_position: y - pair.rail_origin[0],
+            rail_arc: sign * plane.arcs[0],
             wheel_position: on_wheel[1] - pair.wheel_offset,
             rolling_radius: on_wheel[0].hypot(on_wheel[2]),
             turn: turn(pair, &pressed),
@@ -503,6 +506,19 @@ impl WheelOnRail {
             solution,
         }
     }
+}
+
+/// Force of contacts in planes on the wheel in the track, in N.
+pub(super) fn total_force(contacts: &[Contact]) -> [f64; 3] {
+    let mut force = [0.0; 3];
+    for contact in contacts {
+        let (sin, cos) = contact.angle.sin_cos();
+        let (normal, along) = (contact.solution.normal.load, contact.solution.force);
+        force[0] += along.x;
+        force[1] += normal * sin + along.y * cos;
+        force[2] += normal * cos - along.y * sin;
+    }
+    force
 }
 
 /// A first guess of the depth: 20 µm under 10 kN, growing as by Hertz.

@@ -8,8 +8,8 @@ use crate::units::Measure;
 use schlupf::reporting::Requirement::{self, Between, Finite, Inside, Magnitude, Radius};
 
 const LENGTH: Requirement = Between(1e-3, 10.0);
-const ANGLE: Requirement = Inside(-1.0, 1.0);
-const SPEED: Requirement = Magnitude(1e4);
+pub(super) const ANGLE: Requirement = Inside(-1.0, 1.0);
+pub(super) const SPEED: Requirement = Magnitude(1e4);
 const TURNING: Requirement = Magnitude(1e6);
 /// What tracks are wide, from scaled test rigs to broad gauges.
 const TRACK_WIDTH: Requirement = Between(0.1, 2.2);

@@ -45,6 +45,8 @@ pub struct Search {
     pub method: Given,
     /// DX and DS, in mm.
     pub element: [Given; 2],
+    /// DQREL: rolled distance in a step over DX, dimensionless.
+    pub step: Given,
     /// A_SEP, in rad.
     pub angle: Given,
     /// D_SEP, in mm.
@@ -199,11 +201,12 @@ impl WheelRail {
 
 impl Search {
     fn read(reader: &mut Reader, control: &Control) -> Reading<Self> {
-        let ([x, s, _, angle, distance, whole_distance], _) = reader.numbers_and(
+        let ([x, s, step, angle, distance, whole_distance], _) = reader.numbers_and(
             [real("DX"), real("DS"), real("DQREL"), angle("A_SEP"), real("D_SEP"), real("D_COMB")],
             [real("D_TURN"), real("G_MISS")],
         )?;
-        Ok(Self { method: control.grid, element: [x, s], angle, distance, whole_distance })
+        let (method, element) = (control.grid, [x, s]);
+        Ok(Self { method, element, step, angle, distance, whole_distance })
     }
 }
 

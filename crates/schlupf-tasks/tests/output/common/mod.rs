@@ -182,6 +182,7 @@ fn history(recipe: Recipe, force: Resultant, hottest: f64) -> Vec<Instant> {
                 time,
                 distance: kinematics(recipe).speed * time,
                 kinematics: kinematics(recipe),
+                shift: None,
                 load: 80e3,
                 force: Resultant::new(force.x * grown, force.y * grown, grown),
                 friction_power: Some(5e3 * grown),

@@ -167,6 +167,11 @@ impl Cell {
         [way, sum(moved, change.at([self.x, self.y]))]
     }
 
+    /// The same cell, moving with the plane.
+    pub(crate) fn on_plane(&self) -> Self {
+        Self { row: StripSlip::default(), ..*self }
+    }
+
     /// Pressure on the covered part, in Pa.
     pub(crate) fn pressure_where_covered(&self) -> f64 {
         self.pressure / self.covered

@@ -127,8 +127,21 @@ messages! {
         let [before, after] = [before, after].map(|value| format!("{value} {unit}"));
         let (before, after) = (before.trim_end(), after.trim_end());
         let of = if axis.is_empty() { String::new() } else { format!(" in {axis}") };
-        format!("{name} must ascend strictly{of}, but {after} comes after {before}")
+        let strictly = if *quantity == Quantity::Time { "" } else { " strictly" };
+        format!("{name} must ascend{strictly}{of}, but {after} comes after {before}")
     };
+
+    /// A shift where the wheel rolls.
+    "shift-in-rolling" ShiftInRolling {
+        /// The shift.
+        quantity: Quantity,
+        /// Until when the wheel rolls, in s.
+        time: f64,
+    } *quantity, |name, words| format!(
+        "{name}: the wheel rolls until {} s; a shift needs a row of its own with the same time as \
+         the row before",
+        readable(*time)
+    );
 
     /// The positions of a table are not equidistant.
     "not-equidistant" NotEquidistant {

@@ -245,6 +245,7 @@ impl FastContact {
             time: 0.0,
             distance: 0.0,
             kinematics: problem.kinematics,
+            shift: None,
             load: normal.load,
             force,
             friction_power: creep_power,

@@ -117,6 +117,7 @@ pub(crate) fn instant(
         time,
         distance,
         kinematics: now.kinematics,
+        shift: None,
         load: normal.load,
         force,
         friction_power: power.map(|power| power.friction),

@@ -14,7 +14,7 @@ use crate::import::document::Document;
 use super::case::Translation;
 use super::frame::WheelBody;
 use super::sequence::{self, Job};
-use super::{basic, wheel_rail};
+use super::{basic, wheel_history, wheel_rail};
 
 /// How an input file is imported.
 #[derive(Debug, Clone, Default)]
@@ -30,7 +30,7 @@ pub struct Options {
 /// A case file.
 #[derive(Debug, Clone)]
 pub struct ImportedCase {
-    /// Numbers of its cases in the input file, from 1: one, or the steps of transient rolling.
+    /// Numbers of its cases in the input file, from 1: one, or the steps of a history.
     pub numbers: Vec<usize>,
     /// Where the first of them begins.
     pub place: Place,
@@ -150,8 +150,12 @@ fn left_out(cases: &[InputCase]) -> Vec<Message> {
 fn translate(source: &Arc<Source>, job: &Job, options: &Options, stem: &str) -> Translation {
     let control = &job.first.control;
     match &job.first.module {
-        Module::WheelRail(of) => wheel_rail::translate(source, (control, of), &options.folder),
-        Module::Basic(_) if sequence::is_transient(job.first) => {
+        Module::WheelRail(of) => {
+            let mut case = wheel_rail::translate(source, (control, of), &options.folder);
+            wheel_history::write(&mut case, job);
+            case
+        }
+        Module::Basic(_) if job.is_history() => {
             sequence::translate(source, job, options.wheel, stem)
         }
         Module::Basic(of) => basic::translate(source, (control, of), options.wheel, stem),

@@ -19,7 +19,7 @@ use super::normal;
 /// Speed of what does not roll, in mm/s: irrelevant there, but every case has one.
 const RESTING: f64 = 1e3;
 
-/// Translates a steady state or a shift; `stem` begins the names of its files.
+/// Translates a steady state or a single shift; `stem` begins the names of its files.
 pub fn translate(
     source: &Arc<Source>,
     (control, basic): (&Control, &Basic),
@@ -27,7 +27,10 @@ pub fn translate(
     stem: &str,
 ) -> Translation {
     let mut case = Translation::new(source);
-    write(&mut case, (control, basic), wheel, stem);
+    let written = write(&mut case, (control, basic), wheel, stem);
+    if let (Some(written), Some(motion)) = (written, &basic.motion) {
+        motion_of(&mut case, control, motion, (written, forces_at(control, basic, written)));
+    }
     case
 }
 
@@ -40,7 +43,7 @@ pub struct Written {
     pub contact: Contact,
 }
 
-/// Writes all but the history of transient rolling.
+/// Writes all but the motion.
 pub fn write(
     case: &mut Translation,
     (control, basic): (&Control, &Basic),
@@ -87,9 +90,7 @@ pub fn write(
         write_friction(case, friction, frame, contact);
     }
     speed(case, rolling);
-    let written = Written { frame, contact };
-    motion_of(case, control, motion, (written, forces_at(control, basic, written)));
-    Some(written)
+    Some(Written { frame, contact })
 }
 
 fn frame(
@@ -126,12 +127,13 @@ fn motion_of(
 ) {
     match control.tangential.whole() {
         0 => case.remark("Without creepage there are no tangential tractions (T = 0)."),
-        1 => write_shift(case, control, motion, written.frame),
+        1 => shift(case, control, motion, (written, forces)),
         _ => creepages(case, control, motion, (written, forces)),
     }
 }
 
-fn creepages(
+/// Creepages, or forces (in kN) in their place.
+pub fn creepages(
     case: &mut Translation,
     control: &Control,
     motion: &Motion,
@@ -218,27 +220,42 @@ fn at_centre(motion: &Motion, centre: [f64; 2]) -> [f64; 2] {
 }
 
 /// A shift from a contact without tractions.
-pub fn write_shift(case: &mut Translation, control: &Control, motion: &Motion, frame: Frame) {
-    if matches!(control.previous.whole(), 0 | 3) {
-        let what = "a shift that goes on from an earlier one is not available";
-        case.refuse(control.previous, what, "P = 2 begins without tractions");
+fn shift(
+    case: &mut Translation,
+    control: &Control,
+    motion: &Motion,
+    (written, [force_x, force_y]): (Written, Forces),
+) {
+    check_shift(case, control, motion);
+    // mm.
+    let [x, y] = creepages_at(motion, written);
+    match force_x {
+        Some(force) => case.document.quantity(field!("kinematics.force_x"), force, "kN"),
+        None => case.document.quantity(field!("history.shift_x"), x, "mm"),
+    }
+    match force_y {
+        Some(force) => case.document.quantity(field!("kinematics.force_y"), force, "kN"),
+        None => case.document.quantity(field!("history.shift_y"), y, "mm"),
+    }
+    if motion.spin.value != 0.0 || force_y.is_some() {
+        case.document.quantity(field!("history.turn"), motion.spin.value, "rad");
+    }
+}
+
+/// Refuses what a shift cannot have.
+pub fn check_shift(case: &mut Translation, control: &Control, motion: &Motion) {
+    if control.previous.is(3) {
+        let what = "a shift that is repeated (P = 3) is not available";
+        case.refuse(control.previous, what, "P = 0 is a new step");
     }
     if !control.force.is(0) {
-        let what = "forces in a shift are not available";
-        case.refuse(control.force, what, "F = 0 gives the shift CKSI, CETA");
-        return;
+        check_forces(case, control, motion);
     }
-    let what = "a turn in a shift is not available";
-    case.refuse_unless_zero(motion.spin, what, "CPHI = 0 shifts without it");
     if matches!(control.friction_law.whole(), 2..=4) {
         let what =
             "friction that depends on the slip speed is not available in a shift, which has none";
         case.refuse(control.friction_law, what, "L = 0 has constant friction");
     }
-    let [x, y] = motion.tangential.map(|given| given.value);
-    // mm.
-    case.document.quantity(field!("history.shift_x"), frame.component_x * x, "mm");
-    case.document.quantity(field!("history.shift_y"), frame.component_y * y, "mm");
 }
 
 /// The law of friction, also one that varies across the contact.

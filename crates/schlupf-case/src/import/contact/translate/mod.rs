@@ -12,6 +12,7 @@ mod friction;
 mod normal;
 mod basic;
 mod wheel_rail;
+mod wheel_history;
 mod sequence;
 mod all;
 mod study;

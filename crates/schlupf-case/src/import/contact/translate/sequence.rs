@@ -1,18 +1,19 @@
-//! Which cases belong together: the steps of transient rolling are cases of CONTACT, and one case
-//! with a history here.
+//! Which cases belong together: the steps of transient rolling and of shifts are cases of CONTACT,
+//! and one case with a history here.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::Source;
 
-use crate::import::contact::basic::{Basic, Motion, Rolling};
+use crate::import::contact::basic::{Basic, Motion};
 use crate::import::contact::control::Control;
 use crate::import::contact::given::Given;
 use crate::import::contact::input::{Element, InputCase, Module};
 
 use super::basic;
 use super::case::Translation;
+use super::contact::Contact;
 use super::frame::WheelBody;
 
 /// What becomes one case file.
@@ -20,9 +21,9 @@ use super::frame::WheelBody;
 pub struct Job<'a> {
     /// The first of its cases, or the only one.
     pub first: &'a InputCase,
-    /// The other steps of transient rolling.
+    /// The other steps of transient rolling and shifts.
     pub steps: Vec<&'a InputCase>,
-    /// What the first step goes on from.
+    /// What the first step goes on from, if that is no step itself.
     pub before: Option<&'a InputCase>,
 }
 
@@ -34,9 +35,9 @@ pub fn jobs(cases: &[InputCase]) -> Vec<Job<'_>> {
     for case in cases.iter().filter(|case| !case.is_skipped) {
         let module = case.module.number();
         let before = last.get(&(module, case.element)).copied();
-        let goes_on = is_transient(case) && case.control.previous.is(0);
+        let goes_on = is_step(case) && case.control.previous.is(0);
         let place = match before {
-            Some((before, place)) if goes_on && is_transient(before) => {
+            Some((before, place)) if goes_on && is_step(before) => {
                 jobs[place].steps.push(case);
                 place
             }
@@ -51,80 +52,58 @@ pub fn jobs(cases: &[InputCase]) -> Vec<Job<'_>> {
     jobs
 }
 
-/// Whether a case is a step of transient rolling between given bodies.
-pub fn is_transient(case: &InputCase) -> bool {
-    matches!(case.module, Module::Basic(_)) && case.control.tangential.is(2)
+/// Whether a case is a shift or a step of transient rolling.
+pub fn is_step(case: &InputCase) -> bool {
+    matches!(case.control.tangential.whole(), 1 | 2)
 }
 
-/// Translates the steps of transient rolling.
+/// Refuses what a history does not begin with.
+pub fn check_start(case: &mut Translation, job: &Job) {
+    if let Some(before) = job.before.filter(|before| before.control.tangential.is(3)) {
+        let what = "a step that goes on from steady rolling is not available";
+        case.refuse(before.control.tangential, what, "P = 2 begins without tractions");
+    }
+}
+
+/// Translates a history.
 pub fn translate(source: &Arc<Source>, job: &Job, wheel: WheelBody, stem: &str) -> Translation {
     let mut case = Translation::new(source);
-    let Module::Basic(of_first) = &job.first.module else { return case };
-    let control = &job.first.control;
-    if let Some(step) = job.all().find(|step| step.control.previous.is(3)) {
-        let what = "a step that is repeated (P = 3) is not available in transient rolling";
-        case.refuse(step.control.previous, what, "P = 0 is a new step");
-    }
-    let Some(written) = basic::write(&mut case, (control, of_first), wheel, stem) else {
+    check_start(&mut case, job);
+    let Some((largest, of)) = job.largest() else { return case };
+    let Some(written) = basic::write(&mut case, (&largest.control, of), wheel, stem) else {
         return case;
     };
-    if let Some(before) = job.before {
-        start(&mut case, before, of_first, |case, shift, of| {
-            basic::write_shift(case, &shift.control, of, written.frame);
-        });
+    if largest.control.tangential.is(2)
+        && let Some(motion) = &of.motion
+    {
+        let forces = basic::forces_at(&largest.control, of, written);
+        basic::creepages(&mut case, &largest.control, motion, (written, forces));
     }
-    let series = job.series(&mut case, wheel, stem);
-    series.write(&mut case);
+    if let Some(series) = job.series(&mut case, (of, written), (wheel, stem)) {
+        series.write(&mut case);
+    }
     case
 }
 
-/// What transient rolling begins with: a contact without tractions, or a shift.
-fn start(
-    case: &mut Translation,
-    before: &InputCase,
-    of_first: &Basic,
-    shift: impl FnOnce(&mut Translation, &InputCase, &Motion),
-) {
-    let Module::Basic(of) = &before.module else { return };
-    match before.control.tangential.whole() {
-        1 => {
-            let same = of.motion.zip(of_first.motion).filter(|(a, b)| a.normal == b.normal);
-            match same {
-                Some((motion, _)) => shift(case, before, &motion),
-                None => case.refuse(
-                    before.control.previous,
-                    "a shift under another normal force than that of the first step is not available",
-                    "",
-                ),
-            }
-        }
-        3 => case.refuse(
-            before.control.tangential,
-            "transient rolling that goes on from steady rolling is not available",
-            "P = 2 begins without tractions",
-        ),
-        // A contact without friction has no tractions.
-        _ => {}
-    }
+/// What a step ends with.
+#[derive(Debug, Clone, Copy)]
+struct Row {
+    /// Duration in ms; nothing in a shift.
+    duration: Option<f64>,
+    /// Creepages, or a shift in mm, where no forces are given.
+    tangential: [f64; 2],
+    /// In 1/m, or of a shift in rad.
+    spin: f64,
+    /// In kN.
+    forces: basic::Forces,
+    /// In m/s.
+    speed: f64,
+    /// In kN.
+    load: f64,
 }
 
 /// Values at the end of every step.
-#[derive(Debug, Default)]
-struct Series {
-    /// In ms.
-    time: Vec<f64>,
-    creepage_x: Vec<f64>,
-    creepage_y: Vec<f64>,
-    /// In 1/m.
-    spin: Vec<f64>,
-    /// In kN; none where the creepages are given.
-    force_x: Vec<f64>,
-    force_y: Vec<f64>,
-    /// In m/s.
-    speed: Vec<f64>,
-    /// In kN.
-    load: Vec<f64>,
-}
+struct Series(Vec<Row>);
 
 impl Job<'_> {
     /// All of its cases.
@@ -132,95 +111,209 @@ impl Job<'_> {
         std::iter::once(self.first).chain(self.steps.iter().copied())
     }
 
-    fn series(&self, case: &mut Translation, wheel: WheelBody, stem: &str) -> Series {
-        let mut series = Series { time: vec![0.0], ..Series::default() };
-        let Module::Basic(of_first) = &self.first.module else { return series };
-        let mut time = 0.0;
-        for (place, step) in self.all().enumerate() {
+    /// Whether it becomes a history.
+    pub fn is_history(&self) -> bool {
+        let rolls = self.first.control.tangential.is(2);
+        is_step(self.first) && (rolls || !self.steps.is_empty() || self.before.is_some())
+    }
+
+    /// The step with the largest load, of those that roll if any do.
+    fn largest(&self) -> Option<(&InputCase, &Basic)> {
+        let rolls = self.all().any(|step| step.control.tangential.is(2));
+        let steps = self.all().filter(|step| !rolls || step.control.tangential.is(2));
+        let loaded = steps.filter_map(|step| match &step.module {
+            Module::Basic(of) => Some((step, of, of.motion?.normal.value)),
+            Module::WheelRail(_) => None,
+        });
+        // The first of equal ones.
+        let larger = |(_, _, one): &(_, _, f64), (_, _, other): &(_, _, f64)| one.total_cmp(other);
+        let all: Vec<_> = loaded.collect();
+        all.into_iter().rev().max_by(larger).map(|(step, of, _)| (step, &**of))
+    }
+
+    /// The series of a job, of which one step is written.
+    fn series(
+        &self,
+        case: &mut Translation,
+        (base, written): (&Basic, basic::Written),
+        (wheel, stem): (WheelBody, &str),
+    ) -> Option<Series> {
+        let mut rows = Vec::new();
+        for step in self.all() {
             let Module::Basic(of) = &step.module else { continue };
-            if let Some(changed) = changed((self.first, of_first), of, step) {
+            if let Some(changed) = changed((self.first, base), of, step) {
                 let what = "a change within a sequence of steps is not available";
-                let may = "only load, creepages or forces, spin, speed and step may change";
+                let may = "only load, creepages, shifts or forces, spin, speed and step may change";
                 case.refuse(changed, what, may);
-                return series;
+                return None;
             }
-            let mut own = Translation::new(case.source());
-            let written = basic::write(&mut own, (&step.control, of), wheel, stem);
-            let (Some(written), Some(rolling)) = (written, of.rolling) else {
+            let motion = of.motion.as_ref()?;
+            let control = &step.control;
+            if control.normal.is(1) && motion.normal.value <= 0.0 {
+                case.refuse(motion.normal, "FN must be positive", "");
+                return None;
+            }
+            let written = if control.normal.is(1) {
+                let contact = Contact { load: motion.normal.value, ..written.contact };
+                basic::Written { contact, ..written }
+            } else {
+                let mut own = Translation::new(case.source());
+                let written = basic::write(&mut own, (control, of), wheel, stem);
                 case.errors.extend(own.errors);
-                return series;
+                written?
             };
-            if place > 0 {
-                case.notices.extend(own.notices);
-                case.errors.extend(own.errors);
-            }
-            time += 1e3 * rolling.step.value / rolling.speed.value;
-            series.time.push(time);
-            let count = if place == 0 { 2 } else { 1 };
-            for _ in 0..count {
-                series.push((&step.control, of), &rolling, written);
-            }
+            rows.push(row(case, (control, of), motion, written)?);
         }
-        series
+        Some(Series(rows))
     }
 }
 
+fn row(
+    case: &mut Translation,
+    (control, of): (&Control, &Basic),
+    motion: &Motion,
+    written: basic::Written,
+) -> Option<Row> {
+    let forces = basic::forces_at(control, of, written);
+    let [x, y] = basic::creepages_at(motion, written);
+    // Those in place of which a force is given count for nothing.
+    let tangential = [0, 1].map(|k| if forces[k].is_some() { 0.0 } else { [x, y][k] });
+    let mut row = Row {
+        duration: None,
+        tangential,
+        spin: motion.spin.value,
+        forces,
+        speed: 0.0,
+        load: written.contact.load / 1e3,
+    };
+    if control.tangential.is(1) {
+        basic::check_shift(case, control, motion);
+        return Some(row);
+    }
+    if control.previous.is(3) {
+        let what = "a step that is repeated (P = 3) is not available in transient rolling";
+        case.refuse(control.previous, what, "P = 0 is a new step");
+    }
+    let rolling = of.rolling?;
+    row.duration = Some(1e3 * rolling.step.value / rolling.speed.value);
+    row.spin *= 1e3;
+    row.speed = rolling.speed.value / 1e3;
+    Some(row)
+}
+
 impl Series {
-    fn push(
-        &mut self,
-        (control, of): (&Control, &Basic),
-        rolling: &Rolling,
-        written: basic::Written,
-    ) {
-        let Some(motion) = &of.motion else { return };
-        let [x, y] = basic::creepages_at(motion, written);
-        let [force_x, force_y] = basic::forces_at(control, of, written);
-        // Those in place of which a force is given count for nothing.
-        self.creepage_x.push(if force_x.is_some() { 0.0 } else { x });
-        self.creepage_y.push(if force_y.is_some() { 0.0 } else { y });
-        self.force_x.extend(force_x);
-        self.force_y.extend(force_y);
-        self.spin.push(1e3 * motion.spin.value);
-        self.speed.push(rolling.speed.value / 1e3);
-        self.load.push(written.contact.load / 1e3);
+    /// Times, shifts, and what changes over the times.
+    fn write(&self, case: &mut Translation) {
+        let Self(steps) = self;
+        let rolls = steps.iter().any(|step| step.duration.is_some());
+        // Rolling begins with the values of its first step.
+        let start = steps.first().filter(|first| first.duration.is_some());
+        let start = start.map(|first| Row { duration: None, ..*first });
+        let rows: Vec<Row> = start.into_iter().chain(steps.iter().copied()).collect();
+        if steps.iter().any(|step| step.duration.is_none()) {
+            self.write_shifts(case, rows.len());
+        }
+        if rolls {
+            write_times(case, &rows);
+            write_motions(case, &rows);
+        }
+        let [force_x, force_y] =
+            [0, 1].map(|k| rows.iter().filter_map(|row| row.forces[k]).collect::<Vec<f64>>());
+        for (values, [constant, over_time]) in [
+            (force_x, fields!["kinematics.force_x", "history.force_x"]),
+            (force_y, fields!["kinematics.force_y", "history.force_y"]),
+        ] {
+            if changes(&values) {
+                case.document.quantities(over_time, &values, "kN");
+            } else if let Some(force) = values.first() {
+                case.document.quantity(constant, *force, "kN");
+            }
+        }
+        let load: Vec<f64> = rows.iter().map(|row| row.load).collect();
+        if changes(&load) {
+            case.document.quantities(field!("history.load"), &load, "kN");
+        }
     }
 
-    /// Times, and what changes over them.
-    fn write(&self, case: &mut Translation) {
-        let changes = |values: &[f64]| values.windows(2).any(|pair| pair[0] != pair[1]);
+    /// Shifts, one for each row.
+    fn write_shifts(&self, case: &mut Translation, count: usize) {
+        let Self(steps) = self;
+        let shifts = |value: fn(&Row) -> f64| {
+            let of = |step: &Row| if step.duration.is_none() { value(step) } else { 0.0 };
+            // None at the start of rolling.
+            let start = std::iter::repeat_n(0.0, count - steps.len());
+            start.chain(steps.iter().map(of)).collect::<Vec<f64>>()
+        };
+        let [has_x, has_y] =
+            [0, 1].map(|k| steps.iter().all(|step: &Row| step.forces[k].is_none()));
         let document = &mut case.document;
-        document.quantities(field!("history.time"), &self.time, "ms");
-        if changes(&self.creepage_x) {
-            document.numbers(field!("history.creepage_x"), &self.creepage_x);
+        if has_x {
+            let along = shifts(|step| step.tangential[0]);
+            document.quantities(field!("history.shifts_x"), &along, "mm");
         }
-        if changes(&self.creepage_y) {
-            document.numbers(field!("history.creepage_y"), &self.creepage_y);
+        if has_y {
+            let across = shifts(|step| step.tangential[1]);
+            document.quantities(field!("history.shifts_y"), &across, "mm");
         }
-        if changes(&self.force_x) {
-            document.quantities(field!("history.force_x"), &self.force_x, "kN");
+        let turns = shifts(|step| step.spin);
+        if turns.iter().any(|turn| *turn != 0.0) || !has_x && !has_y {
+            document.quantities(field!("history.turns"), &turns, "rad");
         }
-        if changes(&self.force_y) {
-            document.quantities(field!("history.force_y"), &self.force_y, "kN");
-        }
-        if changes(&self.spin) {
-            document.quantities(field!("history.spin"), &self.spin, "1/m");
-        }
-        if changes(&self.speed) {
-            document.quantities(field!("history.speed"), &self.speed, "m/s");
-        }
-        if changes(&self.load) {
-            document.quantities(field!("history.load"), &self.load, "kN");
-        }
+    }
+}
+
+pub fn changes(values: &[f64]) -> bool {
+    values.windows(2).any(|pair| pair[0] != pair[1])
+}
+
+fn write_times(case: &mut Translation, rows: &[Row]) {
+    let mut time = 0.0;
+    let times: Vec<f64> = rows
+        .iter()
+        .map(|row| {
+            time += row.duration.unwrap_or(0.0);
+            time
+        })
+        .collect();
+    case.document.quantities(field!("history.time"), &times, "ms");
+}
+
+/// What changes of the rolling motion. In a shift it is that of the next step, with which the wheel
+/// begins to roll.
+fn write_motions(case: &mut Translation, rows: &[Row]) {
+    let of = |value: fn(&Row) -> f64| {
+        let rolling = |row: &&Row| row.duration.is_some();
+        let at = |k: usize| {
+            let next = rows[k..].iter().find(rolling);
+            next.or(rows[..k].iter().rev().find(rolling)).map_or(0.0, value)
+        };
+        (0..rows.len()).map(at).collect::<Vec<f64>>()
+    };
+    let document = &mut case.document;
+    let [x, y] = [of(|row| row.tangential[0]), of(|row| row.tangential[1])];
+    if changes(&x) {
+        document.numbers(field!("history.creepage_x"), &x);
+    }
+    if changes(&y) {
+        document.numbers(field!("history.creepage_y"), &y);
+    }
+    let (spin, speed) = (of(|row| row.spin), of(|row| row.speed));
+    if changes(&spin) {
+        document.quantities(field!("history.spin"), &spin, "1/m");
+    }
+    if changes(&speed) {
+        document.quantities(field!("history.speed"), &speed, "m/s");
     }
 }
 
 /// The digit of what a step has other than the first one, though it may not.
 fn changed((begin, first): (&InputCase, &Basic), of: &Basic, step: &InputCase) -> Option<Given> {
+    let rolls = step.control.is_rolling();
     let direction = |of: &Basic| of.rolling.map(|rolling| rolling.direction);
     [
         (first.friction == of.friction, step.control.friction_law),
         (first.elastic == of.elastic, step.control.influence),
-        (direction(first) == direction(of), step.control.influence),
+        (!rolls || direction(first) == direction(of), step.control.influence),
         (first.heat == of.heat, step.control.heat),
         (first.area == of.area, step.control.grid),
         (first.distance == of.distance, step.control.distance),

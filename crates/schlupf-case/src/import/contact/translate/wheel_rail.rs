@@ -16,7 +16,8 @@ use super::frame::WheelBody;
 use super::friction;
 use super::laws;
 
-/// Translates a steady state; `folder` stands before the names of profiles.
+/// Translates a steady state, or the first step of a history; `folder` stands before the names of
+/// profiles.
 pub fn translate(
     source: &Arc<Source>,
     (control, wheel_rail): (&Control, &WheelRail),
@@ -45,19 +46,6 @@ pub fn translate(
 }
 
 fn digits(case: &mut Translation, control: &Control) {
-    match control.tangential.whole() {
-        1 => case.refuse(
-            control.tangential,
-            "a shift is not available with two profiles",
-            "T = 3 rolls steadily",
-        ),
-        2 => case.refuse(
-            control.tangential,
-            "transient rolling is not available with two profiles",
-            "T = 3 rolls steadily",
-        ),
-        _ => {}
-    }
     let (what, help) = match control.force.whole() {
         1 | 2 if control.tangential.is(0) => (
             "a force in place of VPITCH needs friction, but T = 0 is without",
@@ -67,6 +55,10 @@ fn digits(case: &mut Translation, control: &Control) {
             "a force in place of VPITCH needs the vertical force, but N = 0 gives the height",
             "N = 1 gives FZ",
         ),
+        1 | 2 if matches!(control.tangential.whole(), 1 | 2) => {
+            let what = "a force in place of VPITCH is not available in a history";
+            (what, "F = 0 gives the angular velocity")
+        }
         3 => ("rails that give way are not available", "F = 0 gives positions and velocities"),
         _ => return,
     };
@@ -332,6 +324,8 @@ fn wheelset(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
         // The moment of the tractions on the rail about the axle: it balances the torque that
         // drives the wheel, and the axle points the other way there. N mm.
         2 => case.quantity(field!("kinematics.wheel_torque"), pitch, (-1e-3, "N m")),
+        // In a history it is a column.
+        _ if matches!(control.tangential.whole(), 1 | 2) => {}
         _ => case.quantity(field!("kinematics.angular_velocity"), pitch, (-1.0, "rad/s")),
     }
     deviations(case, is_left(control), wheel_rail);

@@ -36,7 +36,8 @@ pub(super) struct Arrival {
     pub places: Places,
     /// The known part of the displacement with which A p of its new cell is compared, in m.
     pub displacement: [f64; 2],
-    /// Length of its path in contact within the step, in m.
+    /// Length of its path in contact within the step, in m; in a shift the part of one metre, over
+    /// which it is given.
     pub path: f64,
     /// λ: fraction of the step that it has spent in contact, dimensionless.
     pub in_contact: f64,
@@ -48,6 +49,55 @@ pub(super) struct Arrival {
     pub friction: Option<f64>,
     /// Plastic displacement of the layer between the surfaces, in m.
     pub plastic_displacement: f64,
+}
+
+/// Keeps all elements in place in a shift, with the displacement at the cells before it (in m). If
+/// the load changes (`moves`), the patch is already the new one.
+pub(super) fn keep_in_place(
+    patch: &Patch,
+    displacement: &[f64],
+    past: &Past,
+    moves: bool,
+    elements: &[Element],
+) -> Vec<Arrival> {
+    let motions = if moves { motions(patch, past, 0.0) } else { Vec::new() };
+    let mut arrivals = Vec::with_capacity(patch.len());
+    for (n, strip) in patch.strips.iter().enumerate() {
+        for k in strip.cells.clone() {
+            let (cell, here) = (&patch.cells[k], pair(displacement, k));
+            arrivals.push(if let Some((element, _)) = &past.cells[cell.index] {
+                Arrival::stays(&elements[*element], here)
+            } else {
+                let met = motions.get(n).map(|m| m.part_at_rest(cell.x, cell.entry_x()));
+                Arrival::meets(met.unwrap_or(1.0), here)
+            });
+        }
+    }
+    arrivals
+}
+
+impl Arrival {
+    /// Material that stays where it is in a shift.
+    fn stays(element: &Element, displacement: [f64; 2]) -> Self {
+        Self {
+            sliding: element.sliding,
+            saturation: element.saturation,
+            displacement,
+            path: 1.0,
+            in_contact: 1.0,
+            heat: element.heat.clone(),
+            friction: element.friction_on_leaving,
+            plastic_displacement: element.plastic_displacement,
+            ..Self::default()
+        }
+    }
+
+    /// Material that meets the other body within a shift, in contact for a part of it; `here` is
+    /// A p of the previous instant, in m.
+    fn meets(in_contact: f64, here: [f64; 2]) -> Self {
+        let displacement = here.map(|u| in_contact * u);
+        Self { displacement, path: in_contact, in_contact, in_place: true, ..Self::default() }
+    }
 }
 
 /// Moves all elements on by one cell. If the load changes (`moves`), the contact already has its
@@ -62,7 +112,8 @@ pub(super) fn carry_over(
     let patch = &contact.patch;
     let mut at_cells = vec![0.0; 2 * patch.len()];
     contact.interpolation.gather(displacement, &mut at_cells);
-    let motions = if moves { motions(patch, past) } else { Vec::new() };
+    let spacing = patch.grid.spacing_x;
+    let motions = if moves { motions(patch, past, spacing) } else { Vec::new() };
     let mut arrivals = Vec::with_capacity(patch.len());
     for (n, strip) in patch.strips.iter().enumerate() {
         let nearest = strip.cells.clone().find_map(|k| past.at(patch.cells[k].index));

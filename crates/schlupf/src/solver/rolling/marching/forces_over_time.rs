@@ -5,7 +5,7 @@ use nalgebra::DVector;
 
 use crate::bodies::Kinematics;
 use crate::normal::NormalSummary;
-use crate::problem::{History, PrescribedForces, Problem};
+use crate::problem::{History, PrescribedForces, Problem, Stretch};
 use crate::reporting::Error;
 use crate::solver::prescribed::ForceGoal;
 
@@ -37,15 +37,20 @@ impl ForcesOverTime {
     /// Forces beyond friction, if that is the same everywhere, and those of Kalker's coefficients.
     pub fn new(
         problem: &Problem,
-        (prescribed, history): (&PrescribedForces, &History),
+        (prescribed, stretches): (&PrescribedForces, &[Stretch]),
         (normal, place): (&NormalSummary, [f64; 2]),
     ) -> Result<Self, Error> {
-        let prescribed = history.prescribed(history.span()[0], prescribed);
+        let prescribed = stretches.first().map_or(*prescribed, |Stretch { rolling, .. }| {
+            rolling.prescribed(rolling.span()[0], prescribed)
+        });
         let goal = ForceGoal::new(problem, &prescribed, (normal, place))?;
         let [reached, trend] = [(); 2].map(|()| DVector::zeros(goal.count()));
         let mut forces = Self { goal, reached, trend, has_reached: false };
         let has_limit = problem.uniform_friction(normal.semi_axis_y).is_some();
-        for time in history.time.iter().filter(|_| has_limit && !prescribed.is_none()) {
+        let instants = stretches.iter().flat_map(|Stretch { rolling, .. }| {
+            rolling.time.iter().map(move |time| (rolling, time))
+        });
+        for (history, time) in instants.filter(|_| has_limit && !prescribed.is_none()) {
             forces.begin(history, *time, history.load(*time).unwrap_or(normal.load));
             let at_time = |error| Error::AtTime { error: Box::new(error), time: *time };
             forces.goal.refuse_beyond_friction().map_err(at_time)?;
@@ -74,6 +79,13 @@ impl ForcesOverTime {
         let at_rest = start(&self.goal, &(&self.reached * 0.0), false);
         let without = start(&ForceGoal::default(), &self.reached, false);
         vec![ahead, at_rest, without]
+    }
+
+    /// Forgets the free creepages: those of rolling are not those of shifts.
+    pub fn forget(&mut self) {
+        self.reached.fill(0.0);
+        self.trend.fill(0.0);
+        self.has_reached = false;
     }
 
     /// Notes the motion of a step at the centre of the patch, whether it has missed its forces, and

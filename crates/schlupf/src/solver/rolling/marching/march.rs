@@ -2,13 +2,14 @@
 
 mod records;
 mod equilibrium;
+mod at_rest;
 mod result;
 
 use crate::bodies::Kinematics;
-use crate::normal::VectorField;
+use crate::normal::{NormalContact, VectorField};
 use crate::numerics::vector::norm;
-use crate::problem::{Element, History, Options, Problem, State, Transient};
-use crate::reporting::{Error, Quantity, Watch, require_finite, tell, within};
+use crate::problem::{Element, History, Options, Problem, State, Stretch, Transient};
+use crate::reporting::{Error, Quantity, Watch, tell, within};
 use crate::solution::{FieldsAt, Instant, Solution, Strategy, Work};
 use crate::solver::equilibrium::{Newton, Outcome, measure};
 use crate::solver::reference_point::AtPatch;
@@ -24,7 +25,6 @@ use super::friction_heat::{FrictionPoint, remember, set_temperatures};
 use super::initial_state::{check_length, fitting, grid_over_history, on_patch};
 use super::moved::Moved;
 use super::past::Past;
-use super::shift::{AT_REST, Shift};
 use super::step_power::{Start, StepPower};
 use super::time_step::{TimeStepLaw, calibrate};
 
@@ -49,32 +49,44 @@ use super::time_step::{TimeStepLaw, calibrate};
 /// Whatever [`Transient::check`] and [`Options::check`] reject, a state that does not fit, and
 /// [`Error::Stopped`].
 pub fn march(transient: &Transient, options: &Options, watch: Watch) -> Result<Solution, Error> {
+    march_from(transient, None, options, watch)
+}
+
+/// The same where the initial state was left under another pressure, in the same contact frame; the
+/// grid is that of the state.
+pub(crate) fn march_from(
+    transient: &Transient,
+    before: Option<&NormalContact>,
+    options: &Options,
+    watch: Watch,
+) -> Result<Solution, Error> {
     transient.check()?;
     options.check()?;
     let prescribed = transient.problem.prescribed;
     let at = AtPatch::new(&transient.problem.without_forces(), watch)?;
     let transient = at.transient(transient);
     transient.check()?;
-    let mut march = March::new(&transient, options)?;
-    let (forces, normal) = ((&prescribed, march.history), &march.contact.normal);
+    let stretches = transient.history.stretches();
+    let mut march = March::new(&transient, before, options)?;
+    let (forces, normal) = ((&prescribed, stretches.as_slice()), &march.contact.normal);
     march.forces = ForcesOverTime::new(march.problem, forces, (normal, at.place()))?;
     check_length(&transient, march.contact.patch.grid.spacing_x)?;
-    if let Some(shift) = transient.history.shift {
-        march.shift(shift, watch)?;
-    }
-    while !march.is_finished() {
-        let mut start = Start::of(&march.displacement, &march.contact, &march.now);
-        let arrivals = march.move_on(&mut start, watch)?;
-        march.find_equilibrium(&arrivals, watch)?;
-        march.heat_up(&arrivals, &start);
-        march.note();
-        tell(watch, march.progress())?;
+    for stretch in stretches {
+        march.begin(&stretch);
+        if let Some(shift) = &stretch.shift {
+            march.shift(shift, watch)?;
+            tell(watch, march.progress())?;
+        }
+        while !march.is_finished() {
+            march.roll(watch)?;
+            tell(watch, march.progress())?;
+        }
     }
     Ok(at.back(march.into_solution()))
 }
 
 /// Presses the two bodies of a problem together and shifts the wheel over the rail by `shift`
-/// (along and across rolling, in m), in one step: a history that consists of a shift alone.
+/// (along and across rolling, in m), in one step: a history of one row.
 ///
 /// The bodies do not roll: creepages and spin of the problem are ignored, and those of the solution
 /// are zero, as is its speed. As a shift has no duration, there is no slip velocity, no friction
@@ -102,9 +114,8 @@ pub fn shift(
     options: &Options,
     watch: Watch,
 ) -> Result<Solution, Error> {
-    require_finite(Quantity::ShiftX, shift[0])?;
-    require_finite(Quantity::ShiftY, shift[1])?;
-    let history = History { shift: Some(shift), ..History::default() };
+    let [shift_x, shift_y] = shift.map(|shift| Some(vec![shift]));
+    let history = History { time: vec![0.0], shift_x, shift_y, ..History::default() };
     let transient = Transient { history, ..Transient::to_steady_state(problem) };
     march(&transient, options, watch)
 }
@@ -112,7 +123,12 @@ pub fn shift(
 /// Everything that changes from step to step.
 struct March<'a> {
     problem: &'a Problem,
-    history: &'a History,
+    /// The whole history.
+    whole: &'a History,
+    /// The present part, in which the wheel rolls throughout.
+    history: History,
+    /// Whether the pressure is that of before.
+    has_other_pressure: bool,
     options: &'a Options,
     contact: DiscreteContact,
     law: TimeStepLaw,
@@ -126,6 +142,8 @@ struct March<'a> {
     /// That of the bodies alone: how the material is displaced that enters.
     displacement_of_bodies: VectorField,
     time: f64,
+    /// Rolled since the start, in m.
+    distance: f64,
     now: Snapshot,
     /// Mean motion over the step before.
     motion_before: Kinematics,
@@ -161,11 +179,21 @@ struct March<'a> {
 }
 
 impl<'a> March<'a> {
-    fn new(transient: &'a Transient, options: &'a Options) -> Result<Self, Error> {
-        let Transient { problem, history, initial_state } = transient;
+    fn new(
+        transient: &'a Transient,
+        before: Option<&NormalContact>,
+        options: &'a Options,
+    ) -> Result<Self, Error> {
+        let Transient { problem, history: whole, initial_state } = transient;
+        let Stretch { shift, rolling: history } = whole.stretches().swap_remove(0);
+        let are_apart = shift.is_some() && initial_state.is_none();
         let [start, _] = history.span();
-        let grid = grid_over_history(transient, options)?;
-        let normal = problem.normal.normal_contact(history.load(start))?;
+        let (grid, normal) = if let (Some(before), Some(state)) = (before, initial_state) {
+            (state.grid, before.clone())
+        } else {
+            let normal = problem.normal.normal_contact(history.load(start))?;
+            (grid_over_history(transient, options)?, normal)
+        };
         let mut contact = DiscreteContact::new(problem, &normal, grid)?;
         contact.require_rows()?;
         let law = TimeStepLaw::of(problem, &normal, &mut contact)?;
@@ -179,9 +207,12 @@ impl<'a> March<'a> {
         let elements = on_patch(&contact.patch, &state.elements);
         let mut march = Self {
             problem,
+            whole,
             history,
+            has_other_pressure: before.is_some(),
             options,
             time,
+            distance: 0.0,
             now: Snapshot::blank(kinematics, conduction, contact.patch.len()),
             trend: vec![0.0; 2 * elements.len()],
             elements,
@@ -213,16 +244,35 @@ impl<'a> March<'a> {
         march.now.traction = march.elements.iter().flat_map(|e| e.traction).collect();
         march.now.scaled_rise = march.elements.iter().map(|e| e.scaled_rise).collect();
         march.largest_traction = norm(&march.now.traction);
-        march.displace();
+        if !are_apart {
+            march.displace();
+        }
         march.past = march.record();
         Ok(march)
+    }
+
+    /// Goes on to the next part of the history, which begins now.
+    fn begin(&mut self, stretch: &Stretch) {
+        self.history = stretch.rolling.clone();
+        if self.work.steps > 0 {
+            self.history = std::mem::take(&mut self.history).starting_at(self.time);
+        }
+    }
+
+    /// A step in which the wheel rolls over one cell.
+    fn roll(&mut self, watch: Watch) -> Result<(), Error> {
+        let mut start = Start::of(&self.displacement, &self.contact, &self.now);
+        let arrivals = self.move_on(&mut start, watch)?;
+        self.find_equilibrium(&arrivals, false, watch)?;
+        self.heat_up(&arrivals, &start);
+        self.note(None);
+        Ok(())
     }
 
     fn is_finished(&self) -> bool {
         if !self.history.is_endless() {
             let [start, end] = self.history.span();
-            let is_over = self.time >= end - 1e-9 * (end - start);
-            return is_over || self.history.is_shift_only();
+            return self.time >= end - 1e-9 * (end - start);
         }
         let is_steady = self.passage_change <= self.options.tolerance;
         is_steady
@@ -250,78 +300,43 @@ impl<'a> March<'a> {
         self.passage_start = [self.now.traction.clone(), self.now.scaled_rise.clone()];
     }
 
-    /// Shifts the wheel at rest (in m), with the friction at the temperature of the material.
-    fn shift(&mut self, distance: [f64; 2], watch: Watch) -> Result<(), Error> {
-        let at_rest = Kinematics { speed: self.problem.kinematics.speed, ..AT_REST };
-        self.now.conduction = self.problem.interface.conduction(&at_rest);
-        let patch = &self.contact.patch;
-        for (k, cell) in patch.cells.iter().enumerate() {
-            let scaled_rise = self.now.scaled_rise[k];
-            let friction = self.problem.interface.friction_response(
-                &self.now.conduction,
-                scaled_rise,
-                0.0,
-                cell.y,
-            );
-            self.now.friction[k] = self.problem.interface.at_entry(friction.coefficient, cell);
-        }
-        let bound = self.now.bound(patch);
-        let limits = self.limits();
-        let shift = Shift {
-            distance,
-            contact: &mut self.contact,
-            displacement: &self.displacement,
-            law: &mut self.law,
-            bound: &bound,
-            elements: &mut self.elements,
-        };
-        self.outcome = shift.find(&mut self.newton, &mut self.now.traction, &limits, watch)?;
-        self.largest_traction = self.largest_traction.max(norm(&self.now.traction));
-        self.displace();
-        self.past = self.record();
-        self.work.newton_iterations += self.outcome.iterations;
-        self.work.operator_products += self.outcome.products as f64;
-        (self.now.kinematics, self.now.over_step) = (AT_REST, AT_REST);
-        self.keep_instant();
-        Ok(())
-    }
-
     /// Carries every element over into the next cell; Eqs. (9)–(12).
     fn move_on(&mut self, start: &mut Start, watch: Watch) -> Result<Vec<Arrival>, Error> {
         let spacing = self.contact.patch.grid.spacing_x;
-        let (history, otherwise) = (self.history, &self.problem.kinematics);
+        let (history, otherwise) = (&self.history, &self.problem.kinematics);
         let duration = history.duration(self.time, spacing, otherwise);
         self.motion_before = self.now.over_step;
         self.now.over_step = history.mean(self.time, self.time + duration, otherwise);
         self.time += duration;
+        self.distance += spacing;
         self.now.kinematics = history.kinematics(self.time, otherwise);
         self.now.conduction = self.problem.interface.conduction(&self.now.over_step);
         start.former = self.follow_load(watch)?;
         let moves = start.former.is_some();
         let (contact, displacement) = (&self.contact, &self.displacement);
         let arrivals = carry_over(contact, displacement, &self.past, moves, &self.elements);
-        self.stay_in_place(&arrivals);
+        self.stay_in_place();
+        self.set_friction(&arrivals);
         Ok(arrivals)
     }
 
     /// Switches to the patch of a load that changes with time; returns the previous one.
     fn follow_load(&mut self, watch: Watch) -> Result<Option<Former>, Error> {
-        let Some(load) =
-            self.history.load(self.time).filter(|load| *load != self.contact.normal.load)
-        else {
+        let load = self.history.load(self.time);
+        let stays = load.is_none_or(|load| load == self.contact.normal.load);
+        if stays && !std::mem::take(&mut self.has_other_pressure) {
             return Ok(None);
-        };
-        self.problem.normal.prepare(Some(load), &within(watch, self.progress()))?;
-        let normal = self.problem.normal.normal_contact(Some(load))?;
+        }
+        self.problem.normal.prepare(load, &within(watch, self.progress()))?;
+        let normal = self.problem.normal.normal_contact(load)?;
         let former = self.contact.set_normal(&normal)?;
         self.law = TimeStepLaw::of(self.problem, &normal, &mut self.contact)?;
         Ok(Some(former))
     }
 
     /// Quantities that stay in place while the material moves: the previous traction is the initial
-    /// guess. Friction, Eq. (23), follows the temperature of the arriving element, including the
-    /// heat that friction itself generates here now: both are found together.
-    fn stay_in_place(&mut self, arrivals: &[Arrival]) {
+    /// guess, and friction begins with the power and the slip there.
+    fn stay_in_place(&mut self) {
         let patch = &self.contact.patch;
         let at = positions(patch, &self.elements);
         let blank = Snapshot {
@@ -330,29 +345,38 @@ impl<'a> March<'a> {
         };
         let old = std::mem::replace(&mut self.now, blank);
         let mut trend = vec![0.0; 2 * patch.len()];
+        for (k, cell) in patch.cells.iter().enumerate() {
+            let Some(e) = at[cell.index] else { continue };
+            self.now.traction[2 * k..2 * k + 2].copy_from_slice(&old.traction_at(e));
+            trend[2 * k..2 * k + 2].copy_from_slice(&self.trend[2 * e..2 * e + 2]);
+            self.now.scaled_rise[k] = old.scaled_rise[e];
+            self.now.friction[k] = old.friction.get(e).copied().unwrap_or(0.0);
+            self.now.friction_power[k] = old.friction_power.get(e).copied().unwrap_or(0.0);
+        }
+        self.trend = trend;
+    }
+
+    /// Friction, Eq. (23), follows the temperature of the arriving element, including the heat that
+    /// friction itself generates here now: both are found together.
+    fn set_friction(&mut self, arrivals: &[Arrival]) {
+        let patch = &self.contact.patch;
+        let at = positions(patch, &self.elements);
         for strip in &patch.strips {
             for k in strip.cells.clone() {
                 let cell = &patch.cells[k];
-                let mut point = FrictionPoint::default();
-                if let Some(e) = at[cell.index] {
-                    self.now.traction[2 * k..2 * k + 2].copy_from_slice(&old.traction_at(e));
-                    trend[2 * k..2 * k + 2].copy_from_slice(&self.trend[2 * e..2 * e + 2]);
-                    self.now.scaled_rise[k] = old.scaled_rise[e];
-                    point = FrictionPoint {
-                        friction: old.friction.get(e).copied().unwrap_or(0.0),
-                        power: old.friction_power.get(e).copied().unwrap_or(0.0),
-                        bound_power: cell.pressure * self.elements[e].slip_speed,
-                        slip_speed: self.elements[e].slip_speed,
-                    };
-                }
-                let passage = Passage::of(patch, strip, k);
-                self.now.friction[k] = {
-                    let pressure = cell.pressure_where_covered();
-                    point.coefficient(self.problem, &self.now, &passage, &arrivals[k], pressure)
+                let slip_speed = at[cell.index].map_or(0.0, |e| self.elements[e].slip_speed);
+                let point = FrictionPoint {
+                    friction: self.now.friction[k],
+                    power: self.now.friction_power[k],
+                    bound_power: cell.pressure * slip_speed,
+                    slip_speed,
                 };
+                let (passage, pressure) =
+                    (Passage::of(patch, strip, k), cell.pressure_where_covered());
+                self.now.friction[k] =
+                    point.coefficient(self.problem, &self.now, &passage, &arrivals[k], pressure);
             }
         }
-        self.trend = trend;
     }
 
     /// The record of the present instant.

@@ -14,8 +14,8 @@ mod step;
 mod initial_state;
 mod friction_heat;
 mod step_power;
-mod shift;
 mod forces_over_time;
 mod march;
 
+pub(crate) use march::march_from;
 pub use march::{march, shift};

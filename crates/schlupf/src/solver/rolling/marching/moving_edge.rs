@@ -21,7 +21,7 @@ use super::past::{Past, Reach};
 pub(super) struct Motion {
     /// Middle of the strip at the end of the step, in m.
     middle: f64,
-    /// s: displacement of the material relative to the middle, in m.
+    /// s: displacement of the material relative to the middle, in m; without rolling −Δc.
     passed: f64,
     /// G: increase of the square of the half-length, in m².
     gain: f64,
@@ -41,6 +41,13 @@ impl Motion {
     pub fn path_until_start(&self, x: f64, edge: f64) -> f64 {
         let middle = self.middle - (self.passed - self.spacing);
         self.path(x - middle, edge - middle)
+    }
+
+    /// Fraction of a step without rolling (dimensionless) for which material at x has been in
+    /// contact, with the edge at `edge` at its end, in m.
+    pub fn part_at_rest(&self, x: f64, edge: f64) -> f64 {
+        let part = self.path(x - self.middle, edge - self.middle) / self.spacing;
+        if self.gain > 0.0 { part.min(1.0) } else { 1.0 }
     }
 
     /// Whether material at x (in m), in contact over a path (in m), has entered over the leading
@@ -63,14 +70,15 @@ impl Motion {
     }
 }
 
-/// The motion of every strip, from the past of the same cells. If a row is not covered over its
+/// The motion of every strip in a step in which the wheel has rolled over a cell, or not at all (in
+/// m), from the past of the same cells. If a row is not covered over its
 /// full width, its mean edges describe how it fills, not how they move: such a strip takes G from
 /// the nearest strip that is.
-pub(super) fn motions(patch: &Patch, past: &Past) -> Vec<Motion> {
+pub(super) fn motions(patch: &Patch, past: &Past, rolled: f64) -> Vec<Motion> {
     let spacing = patch.grid.spacing_x;
     let reaches: Vec<Reach> = patch.strips.iter().map(|s| Reach::of(patch, s)).collect();
     let measured: Vec<Option<Motion>> = (patch.strips.iter().zip(&reaches))
-        .map(|(strip, reach)| measured(patch, &strip.cells, reach, past))
+        .map(|(strip, reach)| measured(patch, (&strip.cells, reach), past, rolled))
         .collect();
     let is_sound = |n: usize| {
         let reach = &reaches[n];
@@ -90,7 +98,7 @@ pub(super) fn motions(patch: &Patch, past: &Past) -> Vec<Motion> {
             (None, None) => {
                 // A new isolated strip: it starts at its middle, at the start of the step.
                 let half = patch.cells[patch.strips[n].cells.start].entry_x() - middle;
-                Motion { middle, passed: spacing, gain: half * half, spacing }
+                Motion { middle, passed: rolled, gain: half * half, spacing }
             }
         }
     };
@@ -99,7 +107,12 @@ pub(super) fn motions(patch: &Patch, past: &Past) -> Vec<Motion> {
 
 /// Measured at the cell next to the middle of the strip that was in contact before, whose entry is
 /// the mean of the edge over the row.
-fn measured(patch: &Patch, cells: &Range<usize>, reach: &Reach, past: &Past) -> Option<Motion> {
+fn measured(
+    patch: &Patch,
+    (cells, reach): (&Range<usize>, &Reach),
+    past: &Past,
+    rolled: f64,
+) -> Option<Motion> {
     let center = usize::midpoint(cells.start, cells.end);
     let known = |k: &usize| past.at(patch.cells[*k].index).is_some();
     let k = cells.clone().filter(known).min_by_key(|k| k.abs_diff(center))?;
@@ -109,7 +122,7 @@ fn measured(patch: &Patch, cells: &Range<usize>, reach: &Reach, past: &Past) -> 
     let spacing = patch.grid.spacing_x;
     Some(Motion {
         middle: reach.middle,
-        passed: spacing + reach.middle - before.middle,
+        passed: rolled + reach.middle - before.middle,
         gain: (half - half_before) * (half + half_before),
         spacing,
     })

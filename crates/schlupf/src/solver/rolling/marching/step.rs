@@ -1,4 +1,4 @@
-//! The equilibrium at the end of a time step, or after a shift, with whatever contact law.
+//! The equilibrium at the end of a time step, or of a shift, with whatever contact law.
 
 use crate::bodies::Kinematics;
 use crate::reporting::{Error, Watch};
@@ -16,7 +16,7 @@ pub(super) struct Step<'a> {
     pub law: &'a mut TimeStepLaw,
     /// μ pₙ of each cell, in Pa.
     pub bound: &'a [f64],
-    pub known: Known,
+    pub known: &'a Known,
     /// History of the material of each cell.
     pub tracks: Vec<Track>,
     /// Measures residuals relative to a traction (‖p‖₂ in Pa) if that of this step is smaller: a
@@ -35,7 +35,7 @@ impl Step<'_> {
         (limits, watch): (&Limits, Watch),
     ) -> Result<(Outcome, Vec<Moved>), Error> {
         let Self { contact, law, bound, known, tracks, largest } = self;
-        let response = StepResponse::new(contact, &known);
+        let response = StepResponse::new(contact, known);
         law.admit(p, bound);
         let mut step = TimeStepEquilibrium::new(response, law, bound, tracks, largest);
         step.set_motion(motion);

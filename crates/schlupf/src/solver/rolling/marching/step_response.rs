@@ -1,9 +1,11 @@
 //! The linear response of the bodies in a time step.
 
+use crate::bodies::Kinematics;
+use crate::normal::patch::Cell;
 use crate::solver::rolling::shared::contact::DiscreteContact;
 use crate::solver::rolling::shared::strip::Calibration;
 
-use super::arrival::Arrival;
+use super::arrival::{Arrival, rigid_slip};
 
 /// Known data of a time step, cell by cell.
 #[derive(Debug, Clone, Default)]
@@ -17,17 +19,33 @@ pub(super) struct Known {
     pub in_contact: Vec<f64>,
     /// Whether its material came into contact in place, not over the leading edge.
     pub in_place: Vec<bool>,
+    /// Whether the wheel does not roll.
+    pub is_at_rest: bool,
 }
 
 impl Known {
     /// What is known when the elements have arrived.
-    pub fn of(arrivals: &[Arrival]) -> Self {
+    pub fn of(arrivals: &[Arrival], is_at_rest: bool) -> Self {
         Self {
+            is_at_rest,
             displacement: arrivals.iter().flat_map(|arrival| arrival.displacement).collect(),
             path: arrivals.iter().map(|arrival| arrival.path).collect(),
             in_contact: arrivals.iter().map(|arrival| arrival.in_contact).collect(),
             in_place: arrivals.iter().map(|arrival| arrival.in_place).collect(),
         }
+    }
+
+    /// Rigid slip of each cell in the step under a motion, or a shift, x and y in turn, in m; rows
+    /// that move otherwise than the plane do so in rolling only.
+    pub fn rigid(&self, cells: &[Cell], motion: &Kinematics) -> Vec<f64> {
+        let of = |(cell, path): (&Cell, &f64)| {
+            if self.is_at_rest {
+                motion.rigid_slip(cell.x, cell.y).map(|slip| path * slip)
+            } else {
+                rigid_slip(cell, *path, motion)
+            }
+        };
+        cells.iter().zip(&self.path).flat_map(of).collect()
     }
 }
 

@@ -23,7 +23,7 @@ use crate::solver::rolling::shared::strip::{
     reduced, saturation, through,
 };
 
-use super::arrival::{Arrival, rigid_slip};
+use super::arrival::Arrival;
 use super::moved::Moved;
 use super::past::Past;
 use super::step_response::{Known, StepResponse};
@@ -372,9 +372,7 @@ impl MovedEquilibrium for TimeStepEquilibrium<'_> {
 
     fn set_motion(&mut self, motion: &Kinematics) {
         let StepResponse { contact, known, .. } = &self.response;
-        let cells = contact.patch.cells.iter().zip(&known.path);
-        let rigid = cells.flat_map(|(cell, path)| rigid_slip(cell, *path, motion));
-        self.rigid = rigid.collect();
+        self.rigid = known.rigid(&contact.patch.cells, motion);
         if let Some(pressed) = self.response.pressed() {
             add_scaled(&mut self.rigid, -1.0, &pressed);
         }
@@ -382,11 +380,9 @@ impl MovedEquilibrium for TimeStepEquilibrium<'_> {
 
     fn change_by_motion(&mut self, change: &Kinematics, of_residual: &mut [f64]) {
         let StepResponse { contact, known, .. } = &self.response;
-        let cells = contact.patch.cells.iter().zip(&known.path);
-        let back = cells.flat_map(|(Cell { path_in, .. }, path)| {
-            path_in.rigid_slip(change).map(|slip| -path / path_in.distance * slip)
-        });
-        let back: Vec<f64> = back.collect();
+        let cells = contact.patch.cells.iter().map(Cell::on_plane);
+        let slips = known.rigid(&cells.collect::<Vec<_>>(), change);
+        let back: Vec<f64> = slips.iter().map(|slip| -slip).collect();
         self.tangent_product(&vec![0.0; back.len()], &back, of_residual);
     }
 }

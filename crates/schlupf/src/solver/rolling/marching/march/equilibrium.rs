@@ -17,17 +17,19 @@ use crate::solver::summary;
 use super::March;
 
 impl March<'_> {
-    /// The equilibrium at the end of the step, with the creepages that prescribed forces cause.
+    /// The equilibrium at the end of a step of rolling, or of a shift, with the creepages that
+    /// prescribed forces cause.
     pub(super) fn find_equilibrium(
         &mut self,
         arrivals: &[Arrival],
+        is_at_rest: bool,
         watch: Watch,
     ) -> Result<(), Error> {
         let bound = self.now.bound(&self.contact.patch);
         let old_traction = self.now.traction.clone();
         self.outcome = Outcome::default();
         let mut forces = std::mem::take(&mut self.forces);
-        forces.begin(self.history, self.time, self.contact.normal.load);
+        forces.begin(&self.history, self.time, self.contact.normal.load);
         let mut moved = Vec::new();
         let mut is_missed = false;
         let mut tried = None;
@@ -42,7 +44,8 @@ impl March<'_> {
             }
             tried = start;
             (self.now.traction, self.now.over_step) = (traction, motion);
-            moved = self.balance(arrivals, (&bound, &goal), watch)?;
+            let known = Known::of(arrivals, is_at_rest);
+            moved = self.balance((arrivals, &known), (&bound, &goal), watch)?;
             is_missed = goal.is_none() && !forces.goal.is_none();
             if self.outcome.converged {
                 break;
@@ -87,19 +90,19 @@ impl March<'_> {
     /// Newton–Raphson on Eq. (13).
     fn balance(
         &mut self,
-        arrivals: &[Arrival],
+        (arrivals, known): (&[Arrival], &Known),
         (bound, goal): (&[f64], &ForceGoal),
         watch: Watch,
     ) -> Result<Vec<Moved>, Error> {
         let places = self.places(arrivals);
-        let moved = self.step(arrivals, &places, (bound, goal), watch)?;
+        let moved = self.step((arrivals, known), &places, (bound, goal), watch)?;
         let found = self.places(arrivals);
         let is_same = places.iter().map(|of| of.len()).eq(found.iter().map(|of| of.len()));
         if is_same || !self.outcome.converged {
             return Ok(moved);
         }
         // With the creepages that were found other places count.
-        self.step(arrivals, &found, (bound, goal), watch)
+        self.step((arrivals, known), &found, (bound, goal), watch)
     }
 
     /// The places of the material that count with the present motion.
@@ -110,7 +113,7 @@ impl March<'_> {
 
     fn step(
         &mut self,
-        arrivals: &[Arrival],
+        (arrivals, known): (&[Arrival], &Known),
         places: &[Places],
         (bound, goal): (&[f64], &ForceGoal),
         watch: Watch,
@@ -120,7 +123,7 @@ impl March<'_> {
             contact: &mut self.contact,
             law: &mut self.law,
             bound,
-            known: Known::of(arrivals),
+            known,
             tracks: arrivals.iter().zip(places.iter().copied()).map(Track::of).collect(),
             largest: self.largest_traction,
         };

@@ -8,8 +8,8 @@ use crate::solver::summary::snapshot::View;
 use super::March;
 
 impl March<'_> {
-    /// Adds up the work and records the forces of the step.
-    pub(super) fn note(&mut self) {
+    /// Adds up the work and records the forces of the step, and the shift if it is one.
+    pub(super) fn note(&mut self, shift: Option<[f64; 3]>) {
         self.work.steps += 1;
         self.work.cells = self.contact.patch.len();
         self.work.newton_iterations += self.outcome.iterations;
@@ -21,19 +21,19 @@ impl March<'_> {
         }
         let has_failed = self.outcome.residual > self.options.tolerance;
         self.failures = if has_failed { self.failures + 1 } else { 0 };
-        self.keep_instant();
+        self.keep_instant(shift);
     }
 
-    pub(super) fn keep_instant(&mut self) {
+    fn keep_instant(&mut self, shift: Option<[f64; 3]>) {
         self.worst_residual = self.worst_residual.max(self.outcome.residual);
         let length = self.contact.patch.strips.iter().map(|strip| strip.cells.len()).max();
         let ([fewest, most], length) = (self.strip_lengths, length.unwrap_or(0));
         self.strip_lengths = [fewest.min(length), most.max(length)];
         self.largest_pressure = self.largest_pressure.max(self.contact.normal.peak_pressure);
-        let distance = self.work.steps as f64 * self.contact.patch.grid.spacing_x;
         let view =
             View { normal: &self.contact.normal, patch: &self.contact.patch, now: &self.now };
-        let instant = summary::instant(view, [self.time, distance], &self.outcome);
+        let instant = summary::instant(view, [self.time, self.distance], &self.outcome);
+        let instant = Instant { shift, ..instant };
         self.instants.push(self.powers.map_or(instant, |powers| Instant {
             friction_power: Some(powers.friction),
             creep_power: powers.creep,
@@ -53,7 +53,7 @@ impl March<'_> {
     }
 
     pub(super) fn progress(&self) -> Progress {
-        let [start, end] = self.history.span();
+        let [start, end] = self.whole.span();
         let total = (end > start).then(|| {
             let done = ((self.time - start) / (end - start)).clamp(1e-9, 1.0);
             (self.work.steps as f64 / done).round() as usize

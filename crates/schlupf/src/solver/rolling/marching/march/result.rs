@@ -23,7 +23,7 @@ impl March<'_> {
     }
 
     pub(super) fn into_solution(mut self) -> Solution {
-        let transient = !self.history.is_endless();
+        let transient = !self.whole.is_endless();
         let passed = self.passage_change.is_finite();
         let residual = match (transient, passed) {
             (true, _) => self.worst_residual,
@@ -66,12 +66,13 @@ impl March<'_> {
         let (steps, change) = (self.work.steps, self.passage_change);
         if let Some((force, time)) = self.missed {
             Unconverged::MissedForce { force, time }
-        } else if residual > tolerance && self.history.is_shift_only() {
+        } else if residual > tolerance && self.whole.is_at_rest_throughout() && self.work.steps == 1
+        {
             let newton_steps = self.outcome.iterations;
             Unconverged::Equilibrium { newton_steps, residual, tolerance }
         } else if residual > tolerance {
             Unconverged::TimeStep { residual, tolerance }
-        } else if change.is_infinite() && self.history.is_endless() {
+        } else if change.is_infinite() && self.whole.is_endless() {
             Unconverged::ShortMarch { steps }
         } else {
             Unconverged::UnsteadyMarch { steps, change, tolerance }

@@ -1,0 +1,204 @@
+//! A wheel on a rail whose position and motion change with time: contacts that go on from each
+//! other, move, split and merge.
+
+use std::sync::Arc;
+
+use approx::assert_relative_eq;
+use schlupf::bodies::{Body, Material};
+use schlupf::elasticity::HalfSpace;
+use schlupf::interface::ContactLaw;
+use schlupf::interface::friction::Constant;
+use schlupf::problem::History;
+use schlupf::solution::Instant;
+use schlupf::solver::{march, shift};
+use schlupf::wheel_rail::{
+    Deviation, Drive, Joining, Motion, NormalMethod, Pair, Position, ProfileCurve, RailShape,
+    RowsMove, Side, Sides, Support, Tangential, Track, WheelAt, WheelOnRail, WheelOverTime,
+    WheelShape, WheelSolution,
+};
+use schlupf::{Options, Problem, Quantity, Status, Transient, unwatched};
+
+const STEEL: Material =
+    Material { young_modulus: 2.0 * 82e9 * 1.28, poisson_ratio: 0.28, ..Body::STEEL.material };
+const RADIUS: f64 = 0.46;
+const SPEED: f64 = 2.0;
+
+fn points(name: &str) -> Vec<[f64; 2]> {
+    let path = format!("{}/../../data/{name}", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(path).unwrap();
+    let lines = text.lines().filter(|line| !line.starts_with('#')).skip(1);
+    let number = |text: &str| text.parse::<f64>().unwrap();
+    let point = |line: &str| {
+        let cells: Vec<&str> = line.split(',').collect();
+        [1e-3 * number(cells[0]), -1e-3 * number(cells[1])]
+    };
+    lines.map(point).collect()
+}
+
+fn pair(wheel: &[[f64; 2]], rail: &[[f64; 2]], track: &Track) -> Arc<Pair> {
+    let curve = |points, quantity| ProfileCurve::new(points, 0.0, quantity).unwrap();
+    let wheel = WheelShape {
+        profile: curve(wheel, Quantity::WheelProfile).into(),
+        nominal_radius: RADIUS,
+        flange_back_position: -70e-3,
+        deviation: Deviation::default(),
+    };
+    let rail = RailShape::new(curve(rail, Quantity::RailProfile), 0.0);
+    Arc::new(Pair::new(&wheel, &rail, track).unwrap())
+}
+
+fn benchmark() -> Arc<Pair> {
+    let [wheel, rail] = ["profile_s1002.csv", "profile_uic60_canted.csv"].map(points);
+    pair(&wheel, &rail, &Track { gauge: 1.435, ..Track::default() })
+}
+
+/// A wheel of the benchmark at a lateral position (in m), which turns faster than it rolls freely.
+fn wheel(pair: &Arc<Pair>, lateral: f64, creepage: f64) -> WheelOnRail {
+    WheelOnRail {
+        pairs: Sides::both(Arc::clone(pair)),
+        side: Side::Left,
+        position: Position { lateral, yaw: 0.0, roll: 0.0 },
+        motion: Motion {
+            speed: SPEED,
+            lateral_velocity: 0.0,
+            vertical_velocity: 0.0,
+            angular_velocity: (1.0 - creepage) * SPEED / RADIUS,
+            roll_rate: 0.0,
+            yaw_rate: 0.0,
+            curve_radius: f64::INFINITY,
+        },
+        drive: Drive::AngularVelocity,
+        support: Support::Force(10e3),
+        joining: Joining::default(),
+        rows: RowsMove::default(),
+        friction_variation: None,
+        normal_method: NormalMethod::HalfSpaces,
+        cells: 48,
+    }
+}
+
+fn solve_with<R>(options: &Options, work: impl FnOnce(&Tangential) -> R) -> R {
+    let body = Body { material: STEEL, ..Body::STEEL };
+    let builder = Problem::builder()
+        .wheel(body)
+        .rail(body)
+        .contact_law(ContactLaw::Coulomb)
+        .friction(Constant::new(0.3).unwrap())
+        .heat(schlupf::interface::heat::Heat::none())
+        .elasticity(HalfSpace::new(&STEEL, &STEEL).unwrap());
+    let interface = &builder.build().unwrap().interface;
+    work(&Tangential::new(interface, options))
+}
+
+fn options(cells: usize) -> Options {
+    Options { cells_x: cells, cells_y: cells, ..Options::default() }
+}
+
+/// Of instants at which it has rolled so far, in m.
+fn over_time(wheels: Vec<(f64, WheelOnRail)>, cells: usize) -> (WheelSolution, Vec<Instant>) {
+    let at = |(distance, wheel): (f64, WheelOnRail)| WheelAt { time: distance / SPEED, wheel };
+    let history = WheelOverTime { instants: wheels.into_iter().map(at).collect() };
+    let found = solve_with(&options(cells), |tangential| {
+        let mut contacts = |wheel: &WheelOnRail| wheel.solve(tangential, &unwatched);
+        history.march(tangential, &mut contacts, &unwatched).unwrap()
+    });
+    assert_eq!(found.0.status(), Status::Converged);
+    assert!(found.1.iter().all(|instant| instant.residual <= 1e-6));
+    found
+}
+
+fn steady(wheel: &WheelOnRail, cells: usize) -> WheelSolution {
+    solve_with(&options(cells), |tangential| wheel.solve(tangential, &unwatched).unwrap())
+}
+
+fn assert_ends_as(last: &WheelSolution, expected: &WheelSolution, tolerance: f64) {
+    for k in 0..3 {
+        println!("{k}: {} {}", last.force[k], expected.force[k]);
+        assert_relative_eq!(last.force[k], expected.force[k], epsilon = tolerance * 3e3);
+    }
+}
+
+/// Rolling from rest grows into steady rolling, step by step as the contact alone does on a grid of
+/// its own; within 0.3 % of μN.
+#[test]
+fn rolling_from_rest_becomes_steady() {
+    // In driving, where the rolling speed is above that of the wheelset.
+    let wheel = wheel(&benchmark(), 0.0, -0.001);
+    let expected = steady(&wheel, 20);
+    let (last, instants) = over_time(vec![(0.0, wheel.clone()), (0.03, wheel)], 20);
+    assert_ends_as(&last, &expected, 2e-3);
+    let problem = expected.contacts[0].problem.clone();
+    let history = History { time: vec![0.0, 0.03 / SPEED], ..History::default() };
+    let transient = Transient { history, ..Transient::to_steady_state(&problem) };
+    let alone = march(&transient, &options(20), &unwatched).unwrap().history;
+    assert_eq!(alone.len(), instants.len());
+    for (instant, alone) in instants.iter().zip(&alone) {
+        assert_relative_eq!(instant.force.x, alone.force.x, epsilon = 3e-3 * 3e3);
+        assert_relative_eq!(instant.distance, alone.distance, max_relative = 1e-6);
+        let creep = instant.creep_power.unwrap();
+        assert!(creep > 0.0 && instant.load > 9.9e3);
+    }
+}
+
+/// A shift at rest is that of the contact: the same force within 0.3 % of μN.
+#[test]
+fn a_shift_of_the_wheel_is_one_of_the_contact() {
+    let rests = wheel(&benchmark(), 0.0, 0.0);
+    // In one second 10 µm along the track, of which it turns 8 µm.
+    let mut shifted = rests.clone();
+    shifted.motion.speed = 1e-5;
+    shifted.motion.angular_velocity = 8e-6 / RADIUS;
+    let (last, instants) = over_time(vec![(0.0, rests), (0.0, shifted.clone())], 20);
+    assert_eq!(instants.len(), 1);
+    let [x, y, turn] = instants[0].shift.unwrap();
+    let contact = &steady(&shifted, 20).contacts[0];
+    let motion = contact.problem.kinematics;
+    assert_relative_eq!(x, motion.speed * motion.creepage_x, max_relative = 1e-9);
+    assert_relative_eq!(y, motion.speed * motion.creepage_y, epsilon = 1e-12);
+    let alone = shift(&contact.problem, [x, y], &options(20), &unwatched).unwrap();
+    assert!((x - 2e-6).abs() < 1e-7 && turn.abs() < 1e-6, "{x} {turn}");
+    assert_relative_eq!(last.force[0], alone.force.x, epsilon = 3e-3 * 3e3);
+}
+
+/// A wheel that moves across the rail and stays: at the end it rolls steadily where it is.
+#[test]
+fn contacts_move_across_the_rail() {
+    let pair = benchmark();
+    let moves = |lateral: f64| {
+        let still = wheel(&pair, lateral, 0.001);
+        let motion = Motion { lateral_velocity: -0.003 / 0.02 * SPEED, ..still.motion };
+        WheelOnRail { motion, ..still }
+    };
+    let (start, end) = (moves(0.0), moves(-0.003));
+    let stays = wheel(&pair, -0.003, 0.001);
+    let wheels = vec![(0.0, start), (0.02, end), (0.0201, stays.clone()), (0.05, stays.clone())];
+    let (last, instants) = over_time(wheels, 16);
+    let most = instants.iter().map(|instant| instant.force.y.abs()).fold(0.0, f64::max);
+    println!("{most}");
+    assert_ends_as(&last, &steady(&stays, 16), 5e-3);
+}
+
+/// One contact becomes two and one again as the wheel moves to the flange of the benchmark (where
+/// its case "right, 5 mm" has two) and back: it ends in the state in which it rolls steadily there,
+/// as if it had been there from the start.
+#[test]
+fn contacts_split_and_merge() {
+    let pair = benchmark();
+    // Position, yaw and roll of the benchmark's cases at 4, 5 and 6 mm, to the right.
+    let at = |lateral: f64, yaw: f64, roll: f64| {
+        let still = wheel(&pair, 0.0, 0.001);
+        let position = Position { lateral: -1e-3 * lateral, yaw: -yaw, roll };
+        let joining = Joining { distance: 5e-4, angle: 0.1 };
+        WheelOnRail { side: Side::Right, position, joining, ..still }
+    };
+    let [inner, double] = [at(4.0, 0.0096, -0.0002), at(5.0, 0.012, -0.000_355_4)];
+    let [alone, both] = [&inner, &double].map(|wheel| steady(wheel, 12));
+    assert_eq!([alone.contacts.len(), both.contacts.len()], [1, 2]);
+    let wheels = vec![(0.0, inner.clone()), (5e-3, double.clone()), (0.02, double)];
+    let (last, _) = over_time(wheels.clone(), 12);
+    assert_eq!(last.contacts.len(), 2);
+    assert_ends_as(&last, &both, 5e-3);
+    let back = vec![(0.025, inner.clone()), (0.04, inner)];
+    let (last, _) = over_time([wheels, back].concat(), 12);
+    assert_ends_as(&last, &alone, 5e-3);
+}
