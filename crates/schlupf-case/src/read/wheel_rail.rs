@@ -204,6 +204,13 @@ fn over_time(settings: &Settings, wheel: &WheelOnRail) -> Result<Option<WheelOve
         let message = format!("{TIME} must have at least two instants, which must ascend");
         return Err(settings.error(TIME, message));
     }
+    if wheel.pair().wheel().is_varying() || wheel.pair().rail().is_varying() {
+        let message = format!(
+            "{TIME} must be left out with profiles that change along the way, which have steady \
+             states at every place only, but is given"
+        );
+        return Err(settings.error(TIME, message));
+    }
     let radius = settings.number(field!("kinematics.wheel_radius"))?;
     let instants = times.iter().enumerate().map(|(row, time)| {
         let wheel = at(settings, wheel, row, radius);
