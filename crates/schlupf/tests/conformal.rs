@@ -104,8 +104,8 @@ fn solved(wheel: &WheelOnRail) -> WheelSolution {
 
 /// A ball of 10 mm that rolls freely in grooves (Li 2002) under 10 kN, with the influence functions
 /// of Blanco-Lorenzo et al. 2016: the largest pressure, the approach, the integral of the pressure
-/// and ω R/v0 of CONTACT (grid of 0.1 × 0.25 mm, whose slip is that of the undeformed wheel). Planes
-/// have 25 % more pressure in the closest groove.
+/// and ω R/v0 of CONTACT (grid of 0.1 × 0.25 mm, whose slip is that of the undeformed wheel).
+/// Planes have 25 % more pressure in the closest groove.
 #[test]
 fn blanco_lorenzo_2016_balls_in_grooves() {
     for (groove_radius, [pressure, approach, load, turning]) in [

@@ -34,6 +34,7 @@ use reading::millimetres;
 
 pub use built_in::is_name as is_built_in;
 pub use reading::ProfileReading;
+pub use slices::is_one as has_slices;
 
 /// Paths of the fields of a profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -142,18 +143,15 @@ pub fn read(settings: &Settings, fields: &ProfileFields) -> Result<Profile, Case
     let name = settings.text(fields.profile)?;
     let built_in = built_in::points(&name, fields.is_wheel());
     let is_built_in = built_in.is_some();
-    let content = match built_in {
-        Some(points) => {
-            let rows = points.into_iter().map(|place| Row { place, line: 0 }).collect();
-            Content::of("built in", rows)
+    let content = if let Some(points) = built_in {
+        let rows = points.into_iter().map(|place| Row { place, line: 0 }).collect();
+        Content::of("built in", rows)
+    } else {
+        let (name, bytes) = file_bytes(settings, fields)?;
+        if slices::is_one(&name) {
+            return slices::read(settings, fields, (name, &bytes));
         }
-        None => {
-            let (name, bytes) = file_bytes(settings, fields)?;
-            if slices::is_one(&name) {
-                return slices::read(settings, fields, (name, &bytes));
-            }
-            file_content(name, &bytes, fields)?
-        }
+        file_content(name, &bytes, fields)?
     };
     let mut reader = Reader { settings, fields, notices: Vec::new() };
     let content = reader.in_metres(content)?;
@@ -162,7 +160,7 @@ pub fn read(settings: &Settings, fields: &ProfileFields) -> Result<Profile, Case
     } else {
         reader.outline(&content)?
     };
-    reader.profile(name, &content, outline)
+    reader.profile(name, &content, &outline)
 }
 
 /// Name and bytes of the file of a profile.
@@ -374,18 +372,18 @@ impl Reader<'_> {
         mut self,
         name: String,
         content: &Content,
-        outline: Outline,
+        outline: &Outline,
     ) -> Result<Profile, CaseError> {
         let fields = self.fields;
         for setting in &content.left_out {
             let (field, setting) = (fields.profile, setting.clone());
             self.notices.push(Notice::ProfileSetting { field, setting });
         }
-        let Oriented { points, y, z } = self.oriented(content, &outline, None)?;
+        let Oriented { points, y, z } = self.oriented(content, outline, None)?;
         let running = outline::running_part(&points, outline.is_closed, fields.is_wheel());
         let curve = self.curve(&running)?;
         let flange_back = self.flange_back(content, &places(&running))?;
-        let reading = self.reading((name, content), [&y, &z], (&outline, &running), flange_back);
+        let reading = self.reading((name, content), [&y, &z], (outline, &running), flange_back);
         Ok(Profile { shape: Shape::Uniform(curve), flange_back, reading, notices: self.notices })
     }
 

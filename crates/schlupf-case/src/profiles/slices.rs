@@ -1,6 +1,7 @@
 //! Slices along a rail (`.slcs`) or around a wheel (`.slcw`), as CONTACT has them: a list of
 //! profiles and their places, with breaks between parts that belong together.
 
+use std::path::Path;
 use std::sync::{Arc, Mutex};
 
 use schlupf::reporting::{quoted, quoted_path};
@@ -24,8 +25,8 @@ const SAME: f64 = 1e-6;
 
 /// Whether a file has slices, by its name.
 pub fn is_one(name: &str) -> bool {
-    let name = name.to_ascii_lowercase();
-    name.ends_with(".slcs") || name.ends_with(".slcw")
+    let extension = Path::new(name).extension().unwrap_or_default();
+    ["slcs", "slcw"].into_iter().any(|own| extension.eq_ignore_ascii_case(own))
 }
 
 /// A profile and its place.

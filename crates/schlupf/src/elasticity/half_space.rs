@@ -39,8 +39,8 @@ use crate::reporting::{Error, Quantity, Warning, require_positive};
 ///
 /// and pressure displaces tangentially ([`PressureCoupling`]). In plane strain this is a disc in a
 /// hole, apart from what is uniform in them; elsewhere it is the estimate of J. Blanco-Lorenzo et
-/// al., Tribology International 103 (2016), in the symmetric form of E. A. H. Vollebregt, User guide
-/// for CONTACT, §4.2. κ = 0 is the plane.
+/// al., Tribology International 103 (2016), in the symmetric form of E. A. H. Vollebregt, User
+/// guide for CONTACT, §4.2. κ = 0 is the plane.
 ///
 /// The mean over the cell is removed from its influence to second order (`Influences`), which makes
 /// forces some four times as accurate and keeps A positive definite. Both components share one
@@ -179,7 +179,9 @@ impl Influences {
         if bodies.curvature != 0.0 {
             for (j, row) in quadrant.chunks_exact_mut(columns).enumerate() {
                 let across = j as f64 * grid.spacing_y;
-                row.iter_mut().for_each(|influence| *influence = bodies.turned(*influence, across));
+                for influence in row {
+                    *influence = bodies.turned(*influence, across);
+                }
             }
         }
         Self { quadrant, columns }

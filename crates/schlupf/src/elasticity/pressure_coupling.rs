@@ -35,7 +35,8 @@ pub enum UnlikeBodies {
 ///
 /// On a surface with a curvature κ across rolling ([`HalfSpace`](super::HalfSpace)) there is also
 /// what the tangential displacement of one place and the pressure at another have in common as
-/// these are inclined to each other: K **r**/(πG r²) → K **r**/(πG r²) + (A_xy sin ½κΔy, A₊ sin κΔy).
+/// these are inclined to each other: K **r**/(πG r²) → K **r**/(πG r²) + (A_xy sin ½κΔy, A₊ sin
+/// κΔy).
 ///
 /// u is the tangential displacement, wheel minus rail, and h how far the tractions move the
 /// surfaces apart. Both are constant in a cell, for which ∫∫ x/r² = Y ln r + X atan(Y/X) in sums
@@ -100,8 +101,8 @@ impl PressureCoupling {
         lines.flat_map(|line| &line[..grid.columns]).copied().collect()
     }
 
-    /// x + i y of what couples the cell at the origin with all cells; those beyond half the size are
-    /// behind it.
+    /// x + i y of what couples the cell at the origin with all cells; those beyond half the size
+    /// are behind it.
     fn kernel(&self, grid: &Grid, [nx, ny]: [usize; 2]) -> Vec<Complex<f64>> {
         let reach = [nx / 2 + 1, ny / 2 + 1];
         let over = (PI * self.shear_modulus).recip();
@@ -189,7 +190,8 @@ mod tests {
     }
 
     /// Betti 1872: the work of one state on the displacements of the other is the same both ways;
-    /// displacement rail minus wheel is paired with the traction on the rail. On a curved surface, too.
+    /// displacement rail minus wheel is paired with the traction on the rail. On a curved surface,
+    /// too.
     #[test]
     fn betti_1872_both_couplings_are_one() {
         let (grid, coupling) = (grid(), PressureCoupling { curvature: 80.0, ..coupling() });

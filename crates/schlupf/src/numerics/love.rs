@@ -11,8 +11,8 @@ pub(crate) fn corner([x, y]: [f64; 2]) -> [f64; 2] {
     [times_asinh(x, y), times_asinh(y, x)]
 }
 
-/// ½ (A_yy − A_nn) and ½ (A_yy + A_nn) of half-spaces, in their unit, from A_xx and A_yy: A_nn = (1 − ν)/(2 − ν)
-/// (A_xx + A_yy).
+/// ½ (A_yy − A_nn) and ½ (A_yy + A_nn) of half-spaces, in their unit, from A_xx and A_yy: A_nn = (1
+/// − ν)/(2 − ν) (A_xx + A_yy).
 pub(crate) fn halves(poisson_ratio: f64, [xx, yy]: [f64; 2]) -> [f64; 2] {
     let normal = (1.0 - poisson_ratio) / (2.0 - poisson_ratio) * (xx + yy);
     [0.5 * (yy - normal), 0.5 * (yy + normal)]

@@ -12,7 +12,7 @@ use crate::solver::unlike_bodies::opening_under;
 #[derive(Debug)]
 pub(super) struct Opening {
     /// Over the contact frame of the tractions, in m.
-    opening: UndeformedDistance,
+    distance: UndeformedDistance,
     /// Origin of that frame in the contact's, in m.
     origin: [f64; 2],
     side: Side,
@@ -34,19 +34,21 @@ impl Opening {
         let origin = solution.normal.origin.unwrap_or_default();
         let [x, mut y] = in_frame(side, origin, [&pressed.x, &pressed.s]);
         y.sort_by(f64::total_cmp);
-        let opening = opening_under(&solution.fields, &coupling, [&x, &y])?;
-        Ok(Some(Self { opening, origin, side }))
+        let distance = opening_under(&solution.fields, &coupling, [&x, &y])?;
+        Ok(Some(Self { distance, origin, side }))
     }
 
     /// At the positions `x` × `s` (in m) relative to the contact's origin, rows along x, in m;
     /// beyond what is known as at its edge.
     pub fn sample(&self, x: &[f64], s: &[f64]) -> Vec<f64> {
-        let bounds = self.opening.bounds();
+        let bounds = self.distance.bounds();
         let mut lines = in_frame(self.side, self.origin, [x, s]);
         for (line, [from, to]) in lines.iter_mut().zip(bounds) {
-            line.iter_mut().for_each(|at| *at = at.clamp(from, to));
+            for at in line {
+                *at = at.clamp(from, to);
+            }
         }
-        self.opening.sample(&lines[0], &lines[1])
+        self.distance.sample(&lines[0], &lines[1])
     }
 }
 

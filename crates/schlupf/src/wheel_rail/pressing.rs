@@ -69,7 +69,8 @@ pub(super) struct Pressing<'a> {
 }
 
 impl Pressing<'_> {
-    /// The contact in a plane in which the surfaces have been moved apart already; `None` where the bodies do not touch.
+    /// The contact in a plane in which the surfaces have been moved apart already; `None` where the
+    /// bodies do not touch.
     pub fn solve(
         &self,
         plane: &ContactPlane,

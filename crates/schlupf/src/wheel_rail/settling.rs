@@ -7,7 +7,7 @@
 //! G, so that G jumps where a row of cells comes into contact, and where contacts join a plane. A
 //! bracket that closes on a jump ends with the state that is nearer to the load.
 
-use super::coupled::{Coupled, Coupling};
+use super::coupled::{Coupled, change};
 use super::equilibrium::{DEEPEST, Guess, Lowered, Lowering, Tractions};
 use super::pressed::Pressed;
 use super::pressing::Accuracy;
@@ -15,7 +15,8 @@ use super::sliding::Tangential;
 use super::wheel::{Found, NEARLY_SETTLED, SETTLED, WheelOnRail, WheelSolution, first_guess};
 use crate::numerics::root::Bracket;
 use crate::problem::Options;
-use crate::reporting::{Error, Watch};
+use crate::reporting::{Error, Unconverged, Watch, WheelRailError};
+use crate::solver::settings;
 
 /// Share of the tolerance with which a depth is found at given friction, dimensionless.
 const SHARE: f64 = 0.2;
@@ -48,8 +49,6 @@ pub(super) struct Start {
 pub(super) struct Settling<'a> {
     pub wheel: &'a WheelOnRail,
     pub lowering: &'a Lowering<'a>,
-    /// Vertical force, in N.
-    pub force: f64,
     pub accuracy: Accuracy,
     /// Of the vertical force, dimensionless.
     pub tolerance: f64,
@@ -76,6 +75,26 @@ const FEWEST_CELLS: usize = 8;
 const ESTIMATE: f64 = 1e-3;
 
 impl WheelOnRail {
+    /// The contacts at a height, in m.
+    pub(super) fn solve_at(
+        &self,
+        lowering: &Lowering,
+        (height, near): (f64, Option<&WheelSolution>),
+        tangential: &Tangential,
+        watch: Watch,
+    ) -> Result<Found, Error> {
+        let depth = lowering.touch() - height;
+        if depth <= 0.0 {
+            return Err(WheelRailError::Lifted { gap: -depth }.into());
+        }
+        let (accuracy, options) = (Accuracy::Cells(self.cells), tangential.searching());
+        let how = (tangential, &options);
+        let settling = Settling { wheel: self, lowering, accuracy, tolerance: SETTLED, how, watch };
+        let lowered = lowering.lowered(Guess::smooth(depth), &[], accuracy)?;
+        let coupled = settling.coupled(lowered, near.map(|near| near.angular_velocity))?;
+        Ok(self.found(lowering, coupled, 1))
+    }
+
     /// Height and friction in turns, first with coarse cells unless there is a solution nearby.
     pub(super) fn settle(
         &self,
@@ -94,7 +113,6 @@ impl WheelOnRail {
         let settling = |accuracy: Accuracy, tolerance: f64, options| Settling {
             wheel: self,
             lowering,
-            force,
             accuracy,
             tolerance,
             how: (tangential, options),
@@ -106,12 +124,12 @@ impl WheelOnRail {
         } else {
             let guess = first_guess(lowering, force);
             let from = Start { tractions: Vec::new(), guess, turned: None };
-            let coarse = settling(Accuracy::Coarse, NEARLY_SETTLED, &coarse).find(from)?;
+            let coarse = settling(Accuracy::Coarse, NEARLY_SETTLED, &coarse).find(force, from)?;
             (coarse.start, coarse.rounds)
         };
         let searching = tangential.searching();
         let fine = settling(Accuracy::Cells(self.cells), SETTLED, &searching);
-        let Settled { mut coupled, residual, rounds: more, .. } = fine.find(from)?;
+        let Settled { mut coupled, residual, rounds: more, .. } = fine.find(force, from)?;
         if let Some(missed) = coupled.turning.missed.take() {
             return Err(missed.into());
         }
@@ -122,21 +140,21 @@ impl WheelOnRail {
 }
 
 impl Settling<'_> {
-    /// The depth at which the wheel carries the force.
+    /// The depth at which the wheel carries a vertical force, in N.
     ///
     /// # Errors
     /// A wheel that is jammed: that carries less at all depths, down to one at which it cannot be.
-    pub fn find(&self, mut start: Start) -> Result<Settled, Error> {
+    pub fn find(&self, force: f64, mut start: Start) -> Result<Settled, Error> {
         let mut bracket = Bracket::new([0.0, f64::INFINITY]);
         let mut best: Option<Settled> = None;
         let mut rounds = 0;
         loop {
-            let coupled = self.next(&start, (&bracket, rounds))?;
+            let coupled = self.next((force, &start), (&bracket, rounds))?;
             let Coupled { lowered, turning, tractions } = &coupled;
             rounds += 1;
             let (tractions, guess, turned) = (tractions.clone(), lowered.at, turning.nearby());
             start = Start { tractions, guess, turned };
-            let residual = lowered.vertical_force(&start.tractions) / self.force - 1.0;
+            let residual = lowered.vertical_force(&start.tractions) / force - 1.0;
             let depth = lowered.at.depth;
             bracket.note(depth, residual < 0.0);
             // Coarse cells tell how much friction carries; where it hardly does, once is enough.
@@ -157,9 +175,13 @@ impl Settling<'_> {
     }
 
     /// The wheel at the next depth.
-    fn next(&self, start: &Start, (bracket, rounds): (&Bracket, usize)) -> Result<Coupled, Error> {
+    fn next(
+        &self,
+        (force, start): (f64, &Start),
+        (bracket, rounds): (&Bracket, usize),
+    ) -> Result<Coupled, Error> {
         let how = (self.accuracy, SHARE * self.tolerance);
-        let carrying = self.lowering.carrying(self.force, &start.tractions, start.guess, how);
+        let carrying = self.lowering.carrying(force, &start.tractions, start.guess, how);
         let [low, high] = bracket.ends();
         let error = match carrying {
             Ok(lowered) => {
@@ -198,8 +220,29 @@ impl Settling<'_> {
     }
 
     fn solved(&self, lowered: Lowered, start: &Start) -> Result<Coupled, Error> {
-        let Self { wheel, lowering, accuracy, tolerance, how, watch, .. } = *self;
-        Coupling { wheel, lowering, how, accuracy, tolerance, watch }.solve(lowered, start.turned)
+        self.coupled(lowered, start.turned)
+    }
+
+    /// Pressure and tractions in turns (Panagiotopoulos 1975) at the height of contacts that are
+    /// lowered; the angular velocity of a driven wheel is sought from `turned`, in rad/s.
+    fn coupled(&self, mut lowered: Lowered, mut turned: Option<f64>) -> Result<Coupled, Error> {
+        let tolerance = self.tolerance;
+        let mut iterations = 0;
+        loop {
+            iterations += 1;
+            let sliding = self.wheel.sliding((self.lowering, &lowered), self.how, self.watch);
+            let mut turning = sliding.solve(turned)?;
+            let tractions = self.wheel.tractions(&turning.contacts)?;
+            let change = change(&lowered, &tractions);
+            let is_found = change <= tolerance;
+            if is_found || iterations == settings::most_pressures() {
+                let missed = Unconverged::Pressure { iterations, change, tolerance };
+                turning.told((!is_found).then_some(&missed));
+                return Ok(Coupled { lowered, turning, tractions });
+            }
+            turned = turning.nearby();
+            lowered = self.lowering.lowered(lowered.at, &tractions, self.accuracy)?;
+        }
     }
 }
 

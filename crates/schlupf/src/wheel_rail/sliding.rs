@@ -120,7 +120,7 @@ impl ContactSolver {
                 reference: ReferencePoint::File,
                 branch: sliding.tangential.branch,
                 normal,
-                interface: Interface { friction, elasticity, ..interface },
+                interface: Interface { elasticity, friction, ..interface },
             }
         };
         problem.check()?;

@@ -80,7 +80,7 @@ struct Row {
 /// The distance over a plane, in rows at equal steps.
 struct Rows {
     s: Vec<f64>,
-    rows: Vec<Row>,
+    lines: Vec<Row>,
     /// Whether a profile ends at the first and at the last row.
     ends: [bool; 2],
 }
@@ -123,7 +123,7 @@ impl Rows {
         let ends = [is_missing(rows.first()), is_missing(rows.last())];
         let found = s.into_iter().zip(rows).filter_map(|(s, row)| Some((s, row?)));
         let (s, rows): (Vec<_>, Vec<_>) = found.unzip();
-        (s.len() >= 3).then_some(Self { s, rows, ends })
+        (s.len() >= 3).then_some(Self { s, lines: rows, ends })
     }
 
     /// The first and the last row, in m.
@@ -134,7 +134,7 @@ impl Rows {
     fn at(&self, s: f64) -> Row {
         let next = self.s.partition_point(|at| *at < s).clamp(1, self.s.len() - 1);
         let part = (s - self.s[next - 1]) / (self.s[next] - self.s[next - 1]);
-        Row::between(&self.rows[next - 1], &self.rows[next], part.clamp(0.0, 1.0))
+        Row::between(&self.lines[next - 1], &self.lines[next], part.clamp(0.0, 1.0))
     }
 
     /// The first place from a middle towards a bound (in m) that is no longer inside, if one is.
@@ -153,7 +153,7 @@ impl Rows {
     /// Places at which the distance is least (in m) and the surfaces overlap, the deepest first,
     /// each with its depth, in m.
     fn deepest(&self) -> Vec<[f64; 2]> {
-        let least = |k: usize| self.rows[k].least;
+        let least = |k: usize| self.lines[k].least;
         let last = self.s.len() - 1;
         // At a bound that is no end the other plane has the contact.
         let below = |k: usize, beside: Option<usize>, is_end: bool| match beside {
@@ -174,11 +174,11 @@ impl Rows {
 
     /// Place (in m) and depth (in m) of the least distance next to a row, through three rows.
     fn through(&self, k: usize) -> [f64; 2] {
-        let own = [self.s[k], -self.rows[k].least];
-        let (Some(before), Some(after)) = (k.checked_sub(1), self.rows.get(k + 1)) else {
+        let own = [self.s[k], -self.lines[k].least];
+        let (Some(before), Some(after)) = (k.checked_sub(1), self.lines.get(k + 1)) else {
             return own;
         };
-        let three = [self.rows[before].least, self.rows[k].least, after.least];
+        let three = [self.lines[before].least, self.lines[k].least, after.least];
         let vertex = Row::through(three, self.s[k], self.s[k + 1] - self.s[k]);
         vertex.map_or(own, |vertex| [vertex.x, -vertex.least])
     }
@@ -360,7 +360,7 @@ pub(super) fn pressed(
     let row = |s: &f64| {
         let part = parts.iter().find(|part| part.covers(*s))?;
         let [middle, square] = part.row(*s);
-        (square > 0.0).then(|| (part.level, middle, square))
+        (square > 0.0).then_some((part.level, middle, square))
     };
     let lines: Vec<Option<(f64, f64, f64)>> = s.iter().map(row).collect();
     let ends = lines.iter().flatten();

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::contact_plane::Joining;
-use super::coupled::{Coupled, Coupling};
+use super::coupled::Coupled;
 use super::creepage::Motion;
 use super::drive::Drive;
 use super::equilibrium::{Guess, Lowered, Lowering, Tractions};
@@ -321,24 +321,7 @@ impl WheelOnRail {
         let gap = Gap::new(self.pair(), &self.attitude())?;
         let lowering = self.lowering(&gap, tangential, watch);
         match self.support {
-            Support::Height(height) => {
-                let depth = lowering.touch() - height;
-                if depth <= 0.0 {
-                    return Err(WheelRailError::Lifted { gap: -depth }.into());
-                }
-                let (accuracy, options) = (Accuracy::Cells(self.cells), tangential.searching());
-                let lowered = lowering.lowered(Guess::smooth(depth), &[], accuracy)?;
-                let turned = near.map(|near| near.angular_velocity);
-                let how = Coupling {
-                    wheel: self,
-                    lowering: &lowering,
-                    how: (tangential, &options),
-                    accuracy,
-                    tolerance: SETTLED,
-                    watch,
-                };
-                Ok(self.found(&lowering, how.solve(lowered, turned)?, 1))
-            }
+            Support::Height(height) => self.solve_at(&lowering, (height, near), tangential, watch),
             Support::Force(force) => self.settle(&lowering, (force, near), tangential, watch),
         }
     }

@@ -24,7 +24,7 @@ use crate::surface::Lattice;
 /// How a surface is curved across.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Curved {
-    /// In 1/m.
+    /// Curvature, in 1/m.
     pub curvature: f64,
     /// Combined Poisson's ratio, dimensionless.
     pub poisson_ratio: f64,
@@ -153,10 +153,10 @@ mod tests {
         }
     }
 
-    /// Vollebregt 2018, Vehicle System Dynamics 56, 1622: flange root of 10.2 mm on a gauge corner of
-    /// 10 mm at 45°, approach 90.89 µm, with influence functions by finite elements: 99.32 kN and
-    /// 1034 MPa; half-spaces that are not bent have 91.84 kN and 1012 MPa. Here the distance is that of
-    /// circles, which differs by up to 0.4 µm.
+    /// Vollebregt 2018, Vehicle System Dynamics 56, 1622: flange root of 10.2 mm on a gauge corner
+    /// of 10 mm at 45°, approach 90.89 µm, with influence functions by finite elements: 99.32 kN
+    /// and 1034 MPa; half-spaces that are not bent have 91.84 kN and 1012 MPa. Here the distance is
+    /// that of circles, which differs by up to 0.4 µm.
     #[test]
     fn vollebregt_2018_flange_root() {
         let lattice = Lattice { columns: 51, rows: 39, spacing_x: 4e-4, spacing_y: 4e-4 };

@@ -213,8 +213,7 @@ const WHEEL: ProfilePaths = ProfilePaths {
 
 /// Whether a file has profiles that change along the way.
 fn has_slices(profile: Option<&Profile>) -> bool {
-    let name = profile.map(|profile| profile.file.text.trim().to_ascii_lowercase());
-    name.is_some_and(|name| name.ends_with(".slcs") || name.ends_with(".slcw"))
+    profile.is_some_and(|profile| crate::profiles::has_slices(profile.file.text.trim()))
 }
 
 fn write_profile(case: &mut Translation, profile: &Profile, paths: &ProfilePaths, folder: &str) {
