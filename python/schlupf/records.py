@@ -45,6 +45,9 @@ InstantColumn = Literal[
     "creepage_x",
     "creepage_y",
     "spin",
+    "shift_x",
+    "shift_y",
+    "turn",
     "load",
     "force_x",
     "force_y",
@@ -342,7 +345,7 @@ class Wheelset(Record):
     side: Found[WheelsetSide] = Found()
     lateral_position: Found[float] = Found()
     height: Found[float] = Found()
-    """height of the wheelset above the one with nominal radii on the tops of the rails (m)."""
+    """height of the axle above the nominal radius over z = 0 of the track (m)."""
     yaw_angle: Found[float] = Found()
     roll_angle: Found[float] = Found()
     """roll angle of the wheelset (rad)."""
@@ -358,7 +361,7 @@ class ContactPosition(Record):
     y: Found[float] = Found()
     """position in the track, to the left of its middle (m)."""
     z: Found[float] = Found()
-    """position in the track, above the tops of the rails (m)."""
+    """position in the track, upwards (m)."""
 
 
 class ContactNormal(Record):
@@ -428,6 +431,8 @@ class Contact(Record):
     angle: Found[float] = Found()
     """angle of the contact plane, positive where the rail's outward normal leans to the left
     (rad)."""
+    rise_angle: Found[float] = Found()
+    """angle by which the contact plane rises forwards, with the rail (rad)."""
     rail_position: Found[float] = Found()
     """position of the contact on the rail's profile, outwards (m)."""
     wheel_position: Found[float] = Found()

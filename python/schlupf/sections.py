@@ -59,6 +59,7 @@ NormalRowMotion = Literal[
 ]
 NormalMethod = Literal[
     "half-spaces",
+    "conformal",
     "kik-piotrowski",
     "ellipse-corrected",
     "equivalent-ellipse",
@@ -253,6 +254,8 @@ FieldPath = Literal[
     "track.curve_radius",
     "track.flange_back_distance",
     "wheelset.side",
+    "wheelset.track_position",
+    "wheelset.pitch_angle",
     "wheelset.lateral_position",
     "wheelset.yaw_angle",
     "wheelset.roll_angle",
@@ -437,6 +440,19 @@ FieldPath = Literal[
     "history.moment_z",
     "history.shift_x",
     "history.shift_y",
+    "history.turn",
+    "history.shifts_x",
+    "history.shifts_y",
+    "history.turns",
+    "history.lateral_position",
+    "history.yaw_angle",
+    "history.roll_angle",
+    "history.height",
+    "history.lateral_velocity",
+    "history.vertical_velocity",
+    "history.yaw_rate",
+    "history.roll_rate",
+    "history.angular_velocity",
     "history.file",
 ]
 
@@ -469,9 +485,9 @@ class KinematicsFields(TypedDict, total=False):
     """T on the wheel about its axle, in place of creepage_x, with Fx = T/wheel_radius (of two
     profiles in balance with the tractions of all contacts): negative when braking (N m)."""
     force_y: Number | None
-    """Fy on the wheel, in place of creepage_y (N)."""
+    """Fy on the wheel, in place of creepage_y and shifts_y (N)."""
     moment_z: Number | None
-    """Mz on the wheel, in place of spin (N m)."""
+    """Mz on the wheel, in place of spin and turns (N m)."""
     reference: KinematicsReference | None
     """where creepages hold (those of a history, too) and about which point the moment is taken;
     default: patch ("patch": the middle of the patch; "file": the origin of the positions in
@@ -507,9 +523,9 @@ class Kinematics(Section, path="kinematics"):
     """T on the wheel about its axle, in place of creepage_x, with Fx = T/wheel_radius (of two
     profiles in balance with the tractions of all contacts): negative when braking (N m)."""
     force_y: Entry[float | None, Number | None] = Entry()
-    """Fy on the wheel, in place of creepage_y (N)."""
+    """Fy on the wheel, in place of creepage_y and shifts_y (N)."""
     moment_z: Entry[float | None, Number | None] = Entry()
-    """Mz on the wheel, in place of spin (N m)."""
+    """Mz on the wheel, in place of spin and turns (N m)."""
     reference: Entry[KinematicsReference, KinematicsReference | None] = Entry()
     """where creepages hold (those of a history, too) and about which point the moment is taken;
     default: patch ("patch": the middle of the patch; "file": the origin of the positions in
@@ -733,10 +749,11 @@ class NormalFields(TypedDict, total=False):
     contact)."""
     method: NormalMethod | None
     """how the contacts of two profiles are found; default: half-spaces ("half-spaces": the
-    pressure of two elastic half-spaces; "kik-piotrowski": patch and pressure from the overlap at
-    0.55 of the approach (virtual penetration); "ellipse-corrected": the same with shares of the
-    approach from Hertz's theory, exact for ellipses; "equivalent-ellipse": Hertz's ellipse with
-    the curvatures of the distance)."""
+    pressure of two elastic half-spaces; "conformal": the same on the curved surface of the rail,
+    for contacts that turn by more than 0.3 rad; "kik-piotrowski": patch and pressure from the
+    overlap at 0.55 of the approach (virtual penetration); "ellipse-corrected": the same with
+    shares of the approach from Hertz's theory, exact for ellipses; "equivalent-ellipse": Hertz's
+    ellipse with the curvatures of the distance)."""
 
 
 class Normal(Section, path="normal"):
@@ -785,10 +802,11 @@ class Normal(Section, path="normal"):
     contact)."""
     method: Entry[NormalMethod, NormalMethod | None] = Entry()
     """how the contacts of two profiles are found; default: half-spaces ("half-spaces": the
-    pressure of two elastic half-spaces; "kik-piotrowski": patch and pressure from the overlap at
-    0.55 of the approach (virtual penetration); "ellipse-corrected": the same with shares of the
-    approach from Hertz's theory, exact for ellipses; "equivalent-ellipse": Hertz's ellipse with
-    the curvatures of the distance)."""
+    pressure of two elastic half-spaces; "conformal": the same on the curved surface of the rail,
+    for contacts that turn by more than 0.3 rad; "kik-piotrowski": patch and pressure from the
+    overlap at 0.55 of the approach (virtual penetration); "ellipse-corrected": the same with
+    shares of the approach from Hertz's theory, exact for ellipses; "equivalent-ellipse": Hertz's
+    ellipse with the curvatures of the distance)."""
 
 
 class TrackFields(TypedDict, total=False):
@@ -826,6 +844,11 @@ class WheelsetFields(TypedDict, total=False):
     side: WheelsetSide | None
     """which wheel is solved; default: right ("right": the wheel at negative y; "left": the wheel
     at positive y)."""
+    track_position: Number | None
+    """place along the track, of a rail whose profile changes (m); default: 0 m."""
+    pitch_angle: Number | None
+    """angle around the wheel that is below the axle, of one whose profile changes: it grows in
+    rolling forwards (rad); default: 0 rad."""
     lateral_position: Number | None
     """lateral position of the middle of the axle (m); default: 0 mm."""
     yaw_angle: Number | None
@@ -833,8 +856,8 @@ class WheelsetFields(TypedDict, total=False):
     roll_angle: Number | None
     """roll angle about x (rad); default: both wheels rest on their rails."""
     height: Number | None
-    """height of the middle of the axle above the nominal radius over the tops of the rails, in
-    place of normal.load (m)."""
+    """height of the middle of the axle above the nominal radius over z = 0 of the track, in place
+    of normal.load (m)."""
     lateral_velocity: Number | None
     """lateral velocity of the middle of the axle (m/s); default: 0 m/s."""
     vertical_velocity: Number | None
@@ -856,6 +879,11 @@ class Wheelset(Section, path="wheelset"):
     side: Entry[WheelsetSide, WheelsetSide | None] = Entry()
     """which wheel is solved; default: right ("right": the wheel at negative y; "left": the wheel
     at positive y)."""
+    track_position: Entry[float, Number | None] = Entry()
+    """place along the track, of a rail whose profile changes (m); default: 0 m."""
+    pitch_angle: Entry[float, Number | None] = Entry()
+    """angle around the wheel that is below the axle, of one whose profile changes: it grows in
+    rolling forwards (rad); default: 0 rad."""
     lateral_position: Entry[float, Number | None] = Entry()
     """lateral position of the middle of the axle (m); default: 0 mm."""
     yaw_angle: Entry[float, Number | None] = Entry()
@@ -863,8 +891,8 @@ class Wheelset(Section, path="wheelset"):
     roll_angle: Entry[float | None, Number | None] = Entry()
     """roll angle about x (rad); default: both wheels rest on their rails."""
     height: Entry[float | None, Number | None] = Entry()
-    """height of the middle of the axle above the nominal radius over the tops of the rails, in
-    place of normal.load (m)."""
+    """height of the middle of the axle above the nominal radius over z = 0 of the track, in place
+    of normal.load (m)."""
     lateral_velocity: Entry[float, Number | None] = Entry()
     """lateral velocity of the middle of the axle (m/s); default: 0 m/s."""
     vertical_velocity: Entry[float, Number | None] = Entry()
@@ -912,7 +940,7 @@ class LeftWheelFields(TypedDict, total=False):
     """turn of the wheel about x through that origin, relative to the wheelset (rad); default: 0
     mrad."""
     yaw_angle: Number | None
-    """turn of the wheel about z, after that about x (rad); default: 0 mrad."""
+    """turn of the wheel about the z that has turned about x (rad); default: 0 mrad."""
     longitudinal_velocity: Number | None
     """velocity of that origin forwards, relative to the wheelset and along its axes (m/s);
     default: 0 m/s."""
@@ -921,12 +949,13 @@ class LeftWheelFields(TypedDict, total=False):
     vertical_velocity: Number | None
     """velocity of that origin upwards (m/s); default: 0 m/s."""
     roll_rate: Number | None
-    """angular velocity about x, relative to the wheelset and about its axes (rad/s); default: 0
-    rad/s."""
+    """angular velocity about x relative to the wheelset; −ω yaw_angle if it turns about its own
+    axis (rad/s); default: 0 rad/s."""
     pitch_rate: Number | None
     """angular velocity about y beyond that of the wheelset (rad/s); default: 0 rad/s."""
     yaw_rate: Number | None
-    """angular velocity about z (rad/s); default: 0 rad/s."""
+    """angular velocity about z relative to the wheelset; ω roll_angle if it turns about its own
+    axis (rad/s); default: 0 rad/s."""
 
 
 class LeftWheel(Section, path="left_wheel"):
@@ -964,7 +993,7 @@ class LeftWheel(Section, path="left_wheel"):
     """turn of the wheel about x through that origin, relative to the wheelset (rad); default: 0
     mrad."""
     yaw_angle: Entry[float | None, Number | None] = Entry()
-    """turn of the wheel about z, after that about x (rad); default: 0 mrad."""
+    """turn of the wheel about the z that has turned about x (rad); default: 0 mrad."""
     longitudinal_velocity: Entry[float | None, Number | None] = Entry()
     """velocity of that origin forwards, relative to the wheelset and along its axes (m/s);
     default: 0 m/s."""
@@ -973,12 +1002,13 @@ class LeftWheel(Section, path="left_wheel"):
     vertical_velocity: Entry[float | None, Number | None] = Entry()
     """velocity of that origin upwards (m/s); default: 0 m/s."""
     roll_rate: Entry[float | None, Number | None] = Entry()
-    """angular velocity about x, relative to the wheelset and about its axes (rad/s); default: 0
-    rad/s."""
+    """angular velocity about x relative to the wheelset; −ω yaw_angle if it turns about its own
+    axis (rad/s); default: 0 rad/s."""
     pitch_rate: Entry[float | None, Number | None] = Entry()
     """angular velocity about y beyond that of the wheelset (rad/s); default: 0 rad/s."""
     yaw_rate: Entry[float | None, Number | None] = Entry()
-    """angular velocity about z (rad/s); default: 0 rad/s."""
+    """angular velocity about z relative to the wheelset; ω roll_angle if it turns about its own
+    axis (rad/s); default: 0 rad/s."""
 
 
 class RightWheelFields(TypedDict, total=False):
@@ -1015,7 +1045,7 @@ class RightWheelFields(TypedDict, total=False):
     """turn of the wheel about x through that origin, relative to the wheelset (rad); default: 0
     mrad."""
     yaw_angle: Number | None
-    """turn of the wheel about z, after that about x (rad); default: 0 mrad."""
+    """turn of the wheel about the z that has turned about x (rad); default: 0 mrad."""
     longitudinal_velocity: Number | None
     """velocity of that origin forwards, relative to the wheelset and along its axes (m/s);
     default: 0 m/s."""
@@ -1024,12 +1054,13 @@ class RightWheelFields(TypedDict, total=False):
     vertical_velocity: Number | None
     """velocity of that origin upwards (m/s); default: 0 m/s."""
     roll_rate: Number | None
-    """angular velocity about x, relative to the wheelset and about its axes (rad/s); default: 0
-    rad/s."""
+    """angular velocity about x relative to the wheelset; −ω yaw_angle if it turns about its own
+    axis (rad/s); default: 0 rad/s."""
     pitch_rate: Number | None
     """angular velocity about y beyond that of the wheelset (rad/s); default: 0 rad/s."""
     yaw_rate: Number | None
-    """angular velocity about z (rad/s); default: 0 rad/s."""
+    """angular velocity about z relative to the wheelset; ω roll_angle if it turns about its own
+    axis (rad/s); default: 0 rad/s."""
 
 
 class RightWheel(Section, path="right_wheel"):
@@ -1067,7 +1098,7 @@ class RightWheel(Section, path="right_wheel"):
     """turn of the wheel about x through that origin, relative to the wheelset (rad); default: 0
     mrad."""
     yaw_angle: Entry[float | None, Number | None] = Entry()
-    """turn of the wheel about z, after that about x (rad); default: 0 mrad."""
+    """turn of the wheel about the z that has turned about x (rad); default: 0 mrad."""
     longitudinal_velocity: Entry[float | None, Number | None] = Entry()
     """velocity of that origin forwards, relative to the wheelset and along its axes (m/s);
     default: 0 m/s."""
@@ -1076,12 +1107,13 @@ class RightWheel(Section, path="right_wheel"):
     vertical_velocity: Entry[float | None, Number | None] = Entry()
     """velocity of that origin upwards (m/s); default: 0 m/s."""
     roll_rate: Entry[float | None, Number | None] = Entry()
-    """angular velocity about x, relative to the wheelset and about its axes (rad/s); default: 0
-    rad/s."""
+    """angular velocity about x relative to the wheelset; −ω yaw_angle if it turns about its own
+    axis (rad/s); default: 0 rad/s."""
     pitch_rate: Entry[float | None, Number | None] = Entry()
     """angular velocity about y beyond that of the wheelset (rad/s); default: 0 rad/s."""
     yaw_rate: Entry[float | None, Number | None] = Entry()
-    """angular velocity about z (rad/s); default: 0 rad/s."""
+    """angular velocity about z relative to the wheelset; ω roll_angle if it turns about its own
+    axis (rad/s); default: 0 rad/s."""
 
 
 class LeftRailFields(TypedDict, total=False):
@@ -1111,7 +1143,7 @@ class LeftRailFields(TypedDict, total=False):
     lateral_displacement: Number | None
     """irregularity: displacement to the left from its place in the track (m); default: 0 mm."""
     vertical_displacement: Number | None
-    """irregularity: displacement upwards (m); default: 0 mm."""
+    """irregularity: displacement upwards, of a roller's profile on its axle (m); default: 0 mm."""
     roll_angle: Number | None
     """irregularity: turn about x through the origin of its profile (rad); default: 0 mrad."""
     lateral_velocity: Number | None
@@ -1150,7 +1182,7 @@ class LeftRail(Section, path="left_rail"):
     lateral_displacement: Entry[float | None, Number | None] = Entry()
     """irregularity: displacement to the left from its place in the track (m); default: 0 mm."""
     vertical_displacement: Entry[float | None, Number | None] = Entry()
-    """irregularity: displacement upwards (m); default: 0 mm."""
+    """irregularity: displacement upwards, of a roller's profile on its axle (m); default: 0 mm."""
     roll_angle: Entry[float | None, Number | None] = Entry()
     """irregularity: turn about x through the origin of its profile (rad); default: 0 mrad."""
     lateral_velocity: Entry[float | None, Number | None] = Entry()
@@ -1188,7 +1220,7 @@ class RightRailFields(TypedDict, total=False):
     lateral_displacement: Number | None
     """irregularity: displacement to the left from its place in the track (m); default: 0 mm."""
     vertical_displacement: Number | None
-    """irregularity: displacement upwards (m); default: 0 mm."""
+    """irregularity: displacement upwards, of a roller's profile on its axle (m); default: 0 mm."""
     roll_angle: Number | None
     """irregularity: turn about x through the origin of its profile (rad); default: 0 mrad."""
     lateral_velocity: Number | None
@@ -1227,7 +1259,7 @@ class RightRail(Section, path="right_rail"):
     lateral_displacement: Entry[float | None, Number | None] = Entry()
     """irregularity: displacement to the left from its place in the track (m); default: 0 mm."""
     vertical_displacement: Entry[float | None, Number | None] = Entry()
-    """irregularity: displacement upwards (m); default: 0 mm."""
+    """irregularity: displacement upwards, of a roller's profile on its axle (m); default: 0 mm."""
     roll_angle: Entry[float | None, Number | None] = Entry()
     """irregularity: turn about x through the origin of its profile (rad); default: 0 mrad."""
     lateral_velocity: Entry[float | None, Number | None] = Entry()
@@ -1885,7 +1917,7 @@ class HistoryFields(TypedDict, total=False):
     """Fields of the section `history`."""
 
     time: Series | None
-    """instants, increasing (s)."""
+    """instants, ascending; the wheel is at rest between equal ones (s)."""
     creepage_x: Series | None
     """ξ at these instants; likewise the others."""
     creepage_y: Series | None
@@ -1897,27 +1929,54 @@ class HistoryFields(TypedDict, total=False):
     load: Series | None
     """N (N)."""
     force_x: Series | None
-    """Fx on the wheel, in place of creepage_x (N)."""
+    """Fx on the wheel, in place of creepage_x and shifts_x (N)."""
     force_y: Series | None
-    """Fy on the wheel, in place of creepage_y (N)."""
+    """Fy on the wheel, in place of creepage_y and shifts_y (N)."""
     moment_z: Series | None
-    """Mz on the wheel, in place of spin (N m)."""
+    """Mz on the wheel, in place of spin and turns (N m)."""
     shift_x: Number | None
-    """shift of the wheel over the rail along rolling, at rest, before it rolls; times may be left
-    out then (m)."""
+    """shift of the wheel over the rail along rolling, at rest, at the first instant; times may be
+    left out then (m)."""
     shift_y: Number | None
     """the same across rolling (m)."""
+    turn: Number | None
+    """turn of the wheel over the rail about z, likewise (rad)."""
+    shifts_x: Series | None
+    """shifts along rolling, each on the way to its instant, which is the first one or equals the
+    one before; without times all are at rest (m)."""
+    shifts_y: Series | None
+    """the same across rolling (m)."""
+    turns: Series | None
+    """turns about z, likewise (rad)."""
+    lateral_position: Series | None
+    """that of the wheelset; likewise the others (m)."""
+    yaw_angle: Series | None
+    """yaw angle (rad)."""
+    roll_angle: Series | None
+    """roll angle (rad)."""
+    height: Series | None
+    """height, in place of load (m)."""
+    lateral_velocity: Series | None
+    """lateral velocity (m/s)."""
+    vertical_velocity: Series | None
+    """vertical velocity (m/s)."""
+    yaw_rate: Series | None
+    """yaw rate (rad/s)."""
+    roll_rate: Series | None
+    """roll rate (rad/s)."""
+    angular_velocity: Series | None
+    """angular velocity of the wheel, in place of creepage_x (rad/s)."""
     file: File | None
     """CSV with a header such as `time [s],creepage_x,load [kN]`, in place of the arrays."""
 
 
 class History(Section, path="history"):
-    """Transient rolling: values over time, linear in between, from arrays or from a CSV file;
-    before it, or alone, a shift at rest."""
+    """Transient rolling: values over time, linear in between, from arrays or from a CSV file; and
+    shifts at rest before it, between equal times, or alone."""
 
     __slots__ = ()
     time: Entry[list[float] | None, Series | None] = Entry()
-    """instants, increasing (s)."""
+    """instants, ascending; the wheel is at rest between equal ones (s)."""
     creepage_x: Entry[list[float] | None, Series | None] = Entry()
     """ξ at these instants; likewise the others."""
     creepage_y: Entry[list[float] | None, Series | None] = Entry()
@@ -1929,16 +1988,43 @@ class History(Section, path="history"):
     load: Entry[list[float] | None, Series | None] = Entry()
     """N (N)."""
     force_x: Entry[list[float] | None, Series | None] = Entry()
-    """Fx on the wheel, in place of creepage_x (N)."""
+    """Fx on the wheel, in place of creepage_x and shifts_x (N)."""
     force_y: Entry[list[float] | None, Series | None] = Entry()
-    """Fy on the wheel, in place of creepage_y (N)."""
+    """Fy on the wheel, in place of creepage_y and shifts_y (N)."""
     moment_z: Entry[list[float] | None, Series | None] = Entry()
-    """Mz on the wheel, in place of spin (N m)."""
+    """Mz on the wheel, in place of spin and turns (N m)."""
     shift_x: Entry[float | None, Number | None] = Entry()
-    """shift of the wheel over the rail along rolling, at rest, before it rolls; times may be left
-    out then (m)."""
+    """shift of the wheel over the rail along rolling, at rest, at the first instant; times may be
+    left out then (m)."""
     shift_y: Entry[float | None, Number | None] = Entry()
     """the same across rolling (m)."""
+    turn: Entry[float | None, Number | None] = Entry()
+    """turn of the wheel over the rail about z, likewise (rad)."""
+    shifts_x: Entry[list[float] | None, Series | None] = Entry()
+    """shifts along rolling, each on the way to its instant, which is the first one or equals the
+    one before; without times all are at rest (m)."""
+    shifts_y: Entry[list[float] | None, Series | None] = Entry()
+    """the same across rolling (m)."""
+    turns: Entry[list[float] | None, Series | None] = Entry()
+    """turns about z, likewise (rad)."""
+    lateral_position: Entry[list[float] | None, Series | None] = Entry()
+    """that of the wheelset; likewise the others (m)."""
+    yaw_angle: Entry[list[float] | None, Series | None] = Entry()
+    """yaw angle (rad)."""
+    roll_angle: Entry[list[float] | None, Series | None] = Entry()
+    """roll angle (rad)."""
+    height: Entry[list[float] | None, Series | None] = Entry()
+    """height, in place of load (m)."""
+    lateral_velocity: Entry[list[float] | None, Series | None] = Entry()
+    """lateral velocity (m/s)."""
+    vertical_velocity: Entry[list[float] | None, Series | None] = Entry()
+    """vertical velocity (m/s)."""
+    yaw_rate: Entry[list[float] | None, Series | None] = Entry()
+    """yaw rate (rad/s)."""
+    roll_rate: Entry[list[float] | None, Series | None] = Entry()
+    """roll rate (rad/s)."""
+    angular_velocity: Entry[list[float] | None, Series | None] = Entry()
+    """angular velocity of the wheel, in place of creepage_x (rad/s)."""
     file: Entry[str | None, File | None] = Entry()
     """CSV with a header such as `time [s],creepage_x,load [kN]`, in place of the arrays."""
 
@@ -1991,8 +2077,8 @@ class SectionFields(TypedDict, total=False):
     fastsim: FastsimFields | Fastsim | Preset[FastsimFields] | None
     """The bristles of FASTSIM, plain and modified."""
     history: HistoryFields | History | Preset[HistoryFields] | None
-    """Transient rolling: values over time, linear in between, from arrays or from a CSV file;
-    before it, or alone, a shift at rest."""
+    """Transient rolling: values over time, linear in between, from arrays or from a CSV file; and
+    shifts at rest before it, between equal times, or alone."""
 
 
 class CaseFields(SectionFields, total=False):
@@ -2060,8 +2146,8 @@ class Sections:
     fastsim: Entry[Fastsim, FastsimFields | Fastsim | Preset[FastsimFields] | None] = Entry()
     """The bristles of FASTSIM, plain and modified."""
     history: Entry[History, HistoryFields | History | Preset[HistoryFields] | None] = Entry()
-    """Transient rolling: values over time, linear in between, from arrays or from a CSV file;
-    before it, or alone, a shift at rest."""
+    """Transient rolling: values over time, linear in between, from arrays or from a CSV file; and
+    shifts at rest before it, between equal times, or alone."""
 
 
 class Conditions(TypedDict, Generic[V], total=False):
@@ -2101,9 +2187,9 @@ class Conditions(TypedDict, Generic[V], total=False):
     """T on the wheel about its axle, in place of creepage_x, with Fx = T/wheel_radius (of two
     profiles in balance with the tractions of all contacts): negative when braking."""
     kinematics__force_y: V
-    """Fy on the wheel, in place of creepage_y."""
+    """Fy on the wheel, in place of creepage_y and shifts_y."""
     kinematics__moment_z: V
-    """Mz on the wheel, in place of spin."""
+    """Mz on the wheel, in place of spin and turns."""
     wheel__young_modulus: V
     """E, Young's modulus."""
     wheel__poisson_ratio: V
@@ -2187,6 +2273,11 @@ class Conditions(TypedDict, Generic[V], total=False):
     """radius of the curve: positive where the track turns to the left, negative to the right."""
     track__flange_back_distance: V
     """distance of the flange backs of the wheelset."""
+    wheelset__track_position: V
+    """place along the track, of a rail whose profile changes."""
+    wheelset__pitch_angle: V
+    """angle around the wheel that is below the axle, of one whose profile changes: it grows in
+    rolling forwards."""
     wheelset__lateral_position: V
     """lateral position of the middle of the axle."""
     wheelset__yaw_angle: V
@@ -2194,8 +2285,8 @@ class Conditions(TypedDict, Generic[V], total=False):
     wheelset__roll_angle: V
     """roll angle about x."""
     wheelset__height: V
-    """height of the middle of the axle above the nominal radius over the tops of the rails, in
-    place of normal.load."""
+    """height of the middle of the axle above the nominal radius over z = 0 of the track, in place
+    of normal.load."""
     wheelset__lateral_velocity: V
     """lateral velocity of the middle of the axle."""
     wheelset__vertical_velocity: V
@@ -2223,7 +2314,7 @@ class Conditions(TypedDict, Generic[V], total=False):
     left_wheel__roll_angle: V
     """turn of the wheel about x through that origin, relative to the wheelset."""
     left_wheel__yaw_angle: V
-    """turn of the wheel about z, after that about x."""
+    """turn of the wheel about the z that has turned about x."""
     left_wheel__longitudinal_velocity: V
     """velocity of that origin forwards, relative to the wheelset and along its axes."""
     left_wheel__lateral_velocity: V
@@ -2231,11 +2322,13 @@ class Conditions(TypedDict, Generic[V], total=False):
     left_wheel__vertical_velocity: V
     """velocity of that origin upwards."""
     left_wheel__roll_rate: V
-    """angular velocity about x, relative to the wheelset and about its axes."""
+    """angular velocity about x relative to the wheelset; −ω yaw_angle if it turns about its own
+    axis."""
     left_wheel__pitch_rate: V
     """angular velocity about y beyond that of the wheelset."""
     left_wheel__yaw_rate: V
-    """angular velocity about z."""
+    """angular velocity about z relative to the wheelset; ω roll_angle if it turns about its own
+    axis."""
     right_wheel__profile_scale: V
     """factor of y and z in the file."""
     right_wheel__profile_smoothing: V
@@ -2255,7 +2348,7 @@ class Conditions(TypedDict, Generic[V], total=False):
     right_wheel__roll_angle: V
     """turn of the wheel about x through that origin, relative to the wheelset."""
     right_wheel__yaw_angle: V
-    """turn of the wheel about z, after that about x."""
+    """turn of the wheel about the z that has turned about x."""
     right_wheel__longitudinal_velocity: V
     """velocity of that origin forwards, relative to the wheelset and along its axes."""
     right_wheel__lateral_velocity: V
@@ -2263,11 +2356,13 @@ class Conditions(TypedDict, Generic[V], total=False):
     right_wheel__vertical_velocity: V
     """velocity of that origin upwards."""
     right_wheel__roll_rate: V
-    """angular velocity about x, relative to the wheelset and about its axes."""
+    """angular velocity about x relative to the wheelset; −ω yaw_angle if it turns about its own
+    axis."""
     right_wheel__pitch_rate: V
     """angular velocity about y beyond that of the wheelset."""
     right_wheel__yaw_rate: V
-    """angular velocity about z."""
+    """angular velocity about z relative to the wheelset; ω roll_angle if it turns about its own
+    axis."""
     left_rail__profile_scale: V
     """factor of y and z in the file."""
     left_rail__profile_smoothing: V
@@ -2281,7 +2376,7 @@ class Conditions(TypedDict, Generic[V], total=False):
     left_rail__lateral_displacement: V
     """irregularity: displacement to the left from its place in the track."""
     left_rail__vertical_displacement: V
-    """irregularity: displacement upwards."""
+    """irregularity: displacement upwards, of a roller's profile on its axle."""
     left_rail__roll_angle: V
     """irregularity: turn about x through the origin of its profile."""
     left_rail__lateral_velocity: V
@@ -2303,7 +2398,7 @@ class Conditions(TypedDict, Generic[V], total=False):
     right_rail__lateral_displacement: V
     """irregularity: displacement to the left from its place in the track."""
     right_rail__vertical_displacement: V
-    """irregularity: displacement upwards."""
+    """irregularity: displacement upwards, of a roller's profile on its axle."""
     right_rail__roll_angle: V
     """irregularity: turn about x through the origin of its profile."""
     right_rail__lateral_velocity: V
@@ -2453,7 +2548,9 @@ class Conditions(TypedDict, Generic[V], total=False):
     fastsim__reduction_decay: V
     """β, rate at which the slope falls with the creepage."""
     history__shift_x: V
-    """shift of the wheel over the rail along rolling, at rest, before it rolls; times may be left
-    out then."""
+    """shift of the wheel over the rail along rolling, at rest, at the first instant; times may be
+    left out then."""
     history__shift_y: V
     """the same across rolling."""
+    history__turn: V
+    """turn of the wheel over the rail about z, likewise."""

@@ -107,6 +107,8 @@ fn refused(from: &str, to: &str) -> String {
 fn what_slices_cannot_be_names_line_requirement_and_value() {
     let expected = [
         ("3             NSLC", "1", "there must be at least 2 slices, but there are 1"),
+        ("3             NSLC", "100000000000000", "a slice must have"),
+        ("2 0 0  ", "18446744073709551615 0 0  ", "must"),
         ("3             NSLC", "4", "a slice must have its place and its file in quotes"),
         (
             "3             NSLC",

@@ -296,7 +296,8 @@ fn a_study_ends_with_its_warnings_counted_by_code() {
     // From tables alone, what is known is how many.
     let merge = ["merge", "1.csv", "2.csv", "--output", "merged.csv"];
     for run in [bench.run(&["sweep", "study.toml", "--output", "table.csv"]), bench.run(&merge)] {
-        let counted = "warning: beyond-elastic in 3 of 4 states, first in row 1: the pressure is above";
+        let counted =
+            "warning: beyond-elastic in 3 of 4 states, first in row 1: the pressure is above";
         assert!(run.stderr.contains(counted), "{}", run.stderr);
     }
     for (run, worst) in [("study.toml", "worst in row 2"), ("table.csv", "first in row 1")] {

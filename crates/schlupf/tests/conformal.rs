@@ -18,7 +18,7 @@ use schlupf::wheel_rail::{
     RailPlace, RailShape, RowsMove, Side, Sides, Support, Tangential, Track, WheelOnRail,
     WheelShape, WheelSolution,
 };
-use schlupf::{Problem, Quantity, Status, solve, unwatched};
+use schlupf::{Options, Problem, Quantity, Status, Warning, solve, unwatched};
 
 const fn elastic(shear_modulus: f64) -> Material {
     let young_modulus = 2.0 * 1.28 * shear_modulus;
@@ -195,6 +195,30 @@ fn unlike_wheels_and_rails_are_those_of_hertz() {
     assert_relative_eq!(solution.force.x, expected.force.x, max_relative = 5e-3);
     let [found, expected] = [solution, &expected].map(|solution| solution.normal.peak_pressure);
     assert_relative_eq!(found, expected, max_relative = 0.5 * change.abs());
+}
+
+/// With derivatives, too, which solve each contact once more, a pressure that does not settle is
+/// told, and one that does is said to be neglected in the derivatives only.
+#[test]
+fn derivatives_keep_what_is_said_of_the_pressure() {
+    let soft = Material { young_modulus: 1e9, poisson_ratio: 0.0, ..STEEL };
+    let round = arc(-0.6, 40e-3, Quantity::WheelProfile);
+    let pairs = pair(round, arc(0.3, 40e-3, Quantity::RailProfile));
+    let options = Options { sensitivity: true, ..cells(20) };
+    for (friction, status) in [(0.3, Status::Converged), (5.0, Status::NotConverged)] {
+        let mut interface = interface([soft, STEEL]);
+        interface.friction.law = Arc::new(Constant::new(friction).unwrap());
+        let wheel = wheel(pairs.clone(), NormalMethod::HalfSpaces);
+        let motion = Motion { angular_velocity: 0.9, ..wheel.motion };
+        let wheel = WheelOnRail { support: Support::Force(1e3), motion, ..wheel };
+        let found = wheel.solve(&Tangential::new(&interface, &options), &unwatched).unwrap();
+        let solution = &found.contacts[0].solution;
+        assert_eq!(found.status(), status, "{:?}", solution.warnings);
+        let neglected = |warning: &Warning| {
+            matches!(warning, Warning::UnchangedPressure { in_derivatives: false, .. })
+        };
+        assert!(!solution.warnings.iter().any(neglected), "{:?}", solution.warnings);
+    }
 }
 
 /// Only half-spaces can be bent.

@@ -1,6 +1,7 @@
 //! Slices along a rail (`.slcs`) or around a wheel (`.slcw`), as CONTACT has them: a list of
 //! profiles and their places, with breaks between parts that belong together.
 
+use std::f64::consts::PI;
 use std::path::Path;
 use std::sync::{Arc, Mutex};
 
@@ -273,7 +274,7 @@ impl<'a> Groups<'a> {
             return Err(self.error(message));
         }
         let unit = if is_wheel { 1.0 } else { 1e-3 };
-        let mut slices: Vec<Slice> = Vec::with_capacity(count);
+        let mut slices: Vec<Slice> = Vec::new();
         for _ in 0..count {
             let (given, name) = self.named("a slice must have its place and its file in quotes")?;
             let (line, place) = (self.line, unit * scale * (offset + given));
@@ -286,13 +287,19 @@ impl<'a> Groups<'a> {
                     before.given
                 )));
             }
+            if is_wheel && place.abs() > PI {
+                return Err(self.error(format!(
+                    "slices around a wheel must be within -π and π rad, but {given} is at {place} rad"
+                )));
+            }
             slices.push(Slice { line, given, place, name, breaks: None });
         }
         for _ in 0..usize::from(kinks > 0) + usize::from(accelerations > 0) {
             self.line("the numbers of parts")?;
         }
         for slice in slices.iter_mut().filter(|_| breaks > 1) {
-            let mut numbers = self.group("the breaks of a slice", breaks + 1)?.into_iter();
+            let mut numbers =
+                self.group("the breaks of a slice", breaks.saturating_add(1))?.into_iter();
             let at = numbers.next().unwrap_or_default();
             if (at - slice.given).abs() > SAME * at.abs().max(1.0) {
                 return Err(self.error(format!(
@@ -316,7 +323,7 @@ impl<'a> Groups<'a> {
 
     /// So many numbers.
     fn group(&mut self, what: &str, count: usize) -> Result<Vec<f64>, CaseError> {
-        let mut numbers = Vec::with_capacity(count);
+        let mut numbers = Vec::new();
         while numbers.len() < count {
             let text = self.line(what)?;
             for word in words(text).take(count - numbers.len()) {

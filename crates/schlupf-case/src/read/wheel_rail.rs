@@ -217,7 +217,68 @@ fn over_time(settings: &Settings, wheel: &WheelOnRail) -> Result<Option<WheelOve
         wheel.check().map_err(|error| settings.explain(&error))?;
         Ok(WheelAt { time: *time, wheel })
     });
-    Ok(Some(WheelOverTime { instants: instants.collect::<Result<_, CaseError>>()? }))
+    let mut instants: Vec<WheelAt> = instants.collect::<Result<_, CaseError>>()?;
+    follow_positions(settings, &mut instants);
+    Ok(Some(WheelOverTime { instants }))
+}
+
+/// Velocities that are not given follow from the positions that are: in a row as the mean of the
+/// intervals beside it. A shift at rest takes one second.
+fn follow_positions(settings: &Settings, instants: &mut [WheelAt]) {
+    type Place = fn(&WheelOnRail) -> f64;
+    type Rate = fn(&mut WheelOnRail) -> &mut f64;
+    let height: Place = |wheel| match wheel.support {
+        Support::Height(height) => height,
+        Support::Force(_) => 0.0,
+    };
+    let pairs: [([FieldPath; 3], Place, Rate); 4] = [
+        (
+            fields![
+                "history.lateral_position",
+                "history.lateral_velocity",
+                "wheelset.lateral_velocity"
+            ],
+            |wheel| wheel.position.lateral,
+            |wheel| &mut wheel.motion.lateral_velocity,
+        ),
+        (
+            fields!["history.yaw_angle", "history.yaw_rate", "wheelset.yaw_rate"],
+            |wheel| wheel.position.yaw,
+            |wheel| &mut wheel.motion.yaw_rate,
+        ),
+        (
+            fields!["history.roll_angle", "history.roll_rate", "wheelset.roll_rate"],
+            |wheel| wheel.position.roll,
+            |wheel| &mut wheel.motion.roll_rate,
+        ),
+        (
+            fields!["history.height", "history.vertical_velocity", "wheelset.vertical_velocity"],
+            height,
+            |wheel| &mut wheel.motion.vertical_velocity,
+        ),
+    ];
+    for ([position, velocity, constant], place, rate) in pairs {
+        let is_given = settings.is_given(velocity) || settings.is_given(constant);
+        if !settings.is_given(position) || is_given {
+            continue;
+        }
+        let slope = |pair: &[WheelAt]| {
+            let duration = pair[1].time - pair[0].time;
+            let is_rest = duration == 0.0;
+            let way = place(&pair[1].wheel) - place(&pair[0].wheel);
+            (is_rest, if is_rest { way } else { way / duration })
+        };
+        let slopes: Vec<(bool, f64)> = instants.windows(2).map(slope).collect();
+        for (row, instant) in instants.iter_mut().enumerate() {
+            let before = row.checked_sub(1).map(|k| slopes[k]);
+            let after = slopes.get(row).copied().filter(|(is_rest, _)| !is_rest);
+            *rate(&mut instant.wheel) = match (before, after) {
+                (Some((false, before)), Some((_, after))) => 0.5 * (before + after),
+                (Some((_, slope)), _) | (None, Some((_, slope))) => slope,
+                (None, None) => 0.0,
+            };
+        }
+    }
 }
 
 /// The wheel with the values of a row of its history.

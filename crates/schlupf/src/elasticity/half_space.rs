@@ -221,7 +221,7 @@ impl Elasticity for HalfSpace {
         let constant = self.unlike().filter(|_| self.unlike_bodies != UnlikeBodies::Neglected);
         let Self { shear_modulus, poisson_ratio, curvature, .. } = *self;
         let constant = constant.or((curvature != 0.0).then_some(0.0))?;
-        let is_mutual = self.unlike_bodies == UnlikeBodies::Coupled;
+        let is_mutual = curvature != 0.0 || self.unlike_bodies == UnlikeBodies::Coupled;
         Some(PressureCoupling { constant, curvature, shear_modulus, poisson_ratio, is_mutual })
     }
 }

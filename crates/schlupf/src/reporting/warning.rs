@@ -437,6 +437,17 @@ messages! {
         100.0 * residual
     );
 
+    /// Heights over time are those of steady rolling: with the friction of the time steps the
+    /// vertical force differs from the load.
+    "steady-height" SteadyHeight {
+        /// Largest change of the vertical force, relative to it, dimensionless.
+        change: f64,
+    } Quantity::Load, |name, words| format!(
+        "{name}: over time the wheel has the height at which it carries the load in steady rolling; \
+         with the tractions of the time steps the vertical force differs by up to {:.1} %",
+        100.0 * change
+    ), severity change.abs();
+
     /// The heights at which both wheels rest jump past each other as the roll angle varies.
     "jumping-height" JumpingHeight {
         /// Height of the wheel above the other one, in m.
@@ -500,6 +511,11 @@ impl Warning {
     /// A warning that results did not converge.
     pub(crate) fn of(cause: Unconverged) -> Self {
         Self::NotConverged { cause }
+    }
+
+    /// Whether pressure and tractions that belong together were not found.
+    pub(crate) fn is_of_pressure(&self) -> bool {
+        matches!(self, Self::NotConverged { cause: Unconverged::Pressure { .. } })
     }
 }
 

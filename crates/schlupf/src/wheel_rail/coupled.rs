@@ -3,7 +3,9 @@
 use super::equilibrium::{Lowered, Tractions};
 use super::opening::Opening;
 use super::turning::Turning;
+use crate::problem::Problem;
 use crate::reporting::Unconverged;
+use crate::solution::Solution;
 use crate::solver::unlike_bodies::finished;
 
 /// Contacts with tractions that belong to their pressure.
@@ -17,11 +19,16 @@ impl Turning {
     /// Tells of contacts whose pressure and tractions belong together, or missed it.
     pub fn told(&mut self, missed: Option<&Unconverged>) {
         for (_, problem, solution) in &mut self.contacts {
-            let coupling = problem.interface.elasticity.pressure_coupling();
-            if let Some(coupling) = coupling.filter(|coupling| coupling.is_mutual) {
-                *solution = finished(solution.clone(), missed.cloned(), coupling.constant);
-            }
+            finish(problem, solution, missed);
         }
+    }
+}
+
+/// Tells of a contact whose pressure and tractions belong together, or missed it.
+pub(super) fn finish(problem: &Problem, solution: &mut Solution, missed: Option<&Unconverged>) {
+    let coupling = problem.interface.elasticity.pressure_coupling();
+    if let Some(coupling) = coupling.filter(|coupling| coupling.is_mutual) {
+        *solution = finished(solution.clone(), missed.cloned(), coupling.constant);
     }
 }
 
@@ -29,7 +36,7 @@ impl Turning {
 pub(super) fn change(lowered: &Lowered, tractions: &[Tractions]) -> f64 {
     let mut largest = 0.0_f64;
     for pressed in &lowered.contacts {
-        let found = tractions.iter().find(|found| found.y == pressed.plane.origin[1]);
+        let found = tractions.iter().find(|found| found.origin == pressed.plane.origin);
         let opening = found.and_then(|found| found.opening.as_deref());
         let Some(now) = opening.map(|opening: &Opening| opening.sample(&pressed.x, &pressed.s))
         else {

@@ -35,8 +35,8 @@ const NEGLIGIBLE_RISE: f64 = 1e-5;
 /// What the tractions of a contact do.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Tractions {
-    /// Where it is, in m.
-    pub y: f64,
+    /// Where it is in the track, in m.
+    pub origin: [f64; 3],
     /// Lateral over normal force, dimensionless.
     pub ratio: f64,
     /// Longitudinal over normal force, dimensionless.
@@ -258,6 +258,9 @@ fn weight(contact: &Pressed, tractions: &[Tractions]) -> f64 {
 
 /// Those of the contact nearest to a plane.
 fn near<'a>(plane: &ContactPlane, tractions: &'a [Tractions]) -> Option<&'a Tractions> {
-    let y = plane.origin[1];
-    tractions.iter().min_by(|p, q| (p.y - y).abs().total_cmp(&(q.y - y).abs()))
+    let distance = |of: &Tractions| {
+        let away = minus(of.origin, plane.origin);
+        dot(away, away)
+    };
+    tractions.iter().min_by(|one, other| distance(one).total_cmp(&distance(other)))
 }

@@ -15,8 +15,8 @@ use crate::bodies::Kinematics;
 use crate::normal::{BORDER, Extent, Grid, NormalContact, Pressure, PressureTable};
 use crate::numerics::interpolation::mix;
 use crate::problem::{Element, History, MAX_CELLS_TOGETHER, State, Transient};
-use crate::reporting::{Error, Quantity, Watch};
-use crate::solution::{Instant, Solution};
+use crate::reporting::{Error, Quantity, Unconverged, Warning, Watch};
+use crate::solution::{Instant, Solution, Status};
 use crate::solver::march_from;
 
 /// A wheel at a time.
@@ -59,7 +59,7 @@ impl WheelOverTime {
             return Err(Error::TooFew { quantity, fewest: 2, count });
         };
         let wheel = contacts(&first.wheel)?;
-        let mut rolling = Rolling::new(wheel, tangential, watch)?;
+        let mut rolling = Rolling::new((wheel, first.wheel.support), tangential, watch)?;
         rolling.time = first.time;
         let mut was_at_rest = true;
         // Shifts and rolling begin at the end of the step before.
@@ -98,7 +98,7 @@ impl WheelOverTime {
                 rolling.step(found, Some(duration))?;
             }
         }
-        Ok((rolling.wheel, rolling.instants))
+        Ok((rolling.told(), rolling.instants))
     }
 }
 
@@ -158,12 +158,19 @@ struct Rolling<'a> {
     /// Rolled since the start, in m.
     distance: f64,
     instants: Vec<Instant>,
+    /// What carries the wheel.
+    support: Support,
+    /// The largest residual of states that were not found, dimensionless.
+    missed: f64,
+    /// The largest change of the vertical force from steady rolling to the present tractions,
+    /// relative to it, dimensionless.
+    change: f64,
 }
 
 impl<'a> Rolling<'a> {
     /// From a wheel without tangential tractions; the cells are those of its first contact.
     fn new(
-        wheel: WheelSolution,
+        (wheel, support): (WheelSolution, Support),
         tangential: &'a Tangential<'a>,
         watch: Watch<'a>,
     ) -> Result<Self, Error> {
@@ -178,21 +185,61 @@ impl<'a> Rolling<'a> {
             [x[1] - x[0], y[1] - y[0]]
         });
         let spacing = [size[0] / options.cells_x as f64, size[1] / options.cells_y as f64];
-        let (time, distance, instants) = (0.0, 0.0, Vec::new());
-        Ok(Self { tangential, watch, spacing, wheel, left, time, distance, instants })
+        Ok(Self {
+            tangential,
+            watch,
+            spacing,
+            wheel,
+            left,
+            time: 0.0,
+            distance: 0.0,
+            instants: Vec::new(),
+            support,
+            missed: 0.0,
+            change: 0.0,
+        })
+    }
+
+    /// The last wheel, with what is to be said of all steps.
+    fn told(&mut self) -> WheelSolution {
+        let mut wheel = self.wheel.clone();
+        wheel.change_in_time = self.change;
+        if let Some(contact) = wheel.contacts.first_mut().filter(|_| self.missed > 0.0) {
+            let solution = &mut contact.solution;
+            let (residual, tolerance) = (self.missed, self.tangential.options.tolerance);
+            if solution.status == Status::Converged {
+                let missed = Unconverged::TimeStep { residual, tolerance };
+                solution.warnings.insert(0, Warning::of(missed));
+            }
+            solution.status = Status::NotConverged;
+            solution.residual = solution.residual.max(residual);
+        }
+        wheel
     }
 
     /// Goes on to the contacts of a wheel, rolling over one cell (within a duration in s) or in a
     /// shift.
     fn step(&mut self, wheel: WheelSolution, duration: Option<f64>) -> Result<(), Error> {
         let mut wheel = wheel;
+        let carried = wheel.force[2];
         let mut left = Vec::new();
         for contact in &mut wheel.contacts {
             let (solution, own) = self.go_on(contact, duration)?;
+            for found in [&contact.solution, &solution] {
+                if found.status != Status::Converged {
+                    self.missed = self.missed.max(found.residual);
+                }
+            }
             contact.solution = solution;
             left.push(own);
         }
         wheel.force = total_force(&wheel.contacts);
+        if let Support::Force(_) = self.support {
+            let change = wheel.force[2] / carried - 1.0;
+            if change.abs() > self.change.abs() {
+                self.change = change;
+            }
+        }
         self.left = left;
         if let Some(duration) = duration {
             self.time += duration;

@@ -132,6 +132,9 @@ impl Pair {
         let roller = (rail.radius != f64::INFINITY).then_some(rail.radius);
         if let Some(radius) = roller {
             require(Quantity::RailRadiusX, ROLLER, radius)?;
+            if rail.profile.is_varying() {
+                return Err(WheelRailError::VaryingRoller {}.into());
+            }
         }
         wheel.deviation.check(Quantity::WheelDeviation)?;
         rail.deviation.check(Quantity::RailDeviation)?;

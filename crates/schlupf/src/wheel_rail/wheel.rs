@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::contact_plane::Joining;
-use super::coupled::Coupled;
+use super::coupled::{self, Coupled};
 use super::creepage::Motion;
 use super::drive::Drive;
 use super::equilibrium::{Guess, Lowered, Lowering, Tractions};
@@ -134,6 +134,9 @@ pub struct WheelSolution {
     pub(super) unevenness: f64,
     pub(super) guess: Guess,
     rows: RowsMove,
+    /// The largest change of the vertical force over time from that of steady rolling, relative to
+    /// it, dimensionless.
+    pub(super) change_in_time: f64,
     /// Friction of its contacts as seen from the left.
     pub(super) tractions: Vec<Tractions>,
     /// Whether its contacts are on the curved surface of the rail.
@@ -171,7 +174,8 @@ impl WheelSolution {
         let options = tangential.options;
         for (Contact { problem, solution, .. }, mut solver) in self.contacts.iter_mut().zip(solvers)
         {
-            let earlier = solution.work;
+            let (earlier, status) = (solution.work, solution.status);
+            let missed = solution.warnings.iter().find(|warning| warning.is_of_pressure()).cloned();
             if options.extrapolate {
                 *solution = tangential.solver(options).solve(problem, watch)?;
             } else if options.sensitivity && earlier.steps == 0 {
@@ -179,6 +183,11 @@ impl WheelSolution {
                 *solution = found.unwrap_or_else(|| solution.clone());
             } else {
                 continue;
+            }
+            coupled::finish(problem, solution, None);
+            if let Some(missed) = missed {
+                solution.status = status;
+                solution.warnings.insert(0, missed);
             }
             solution.work.newton_iterations += earlier.newton_iterations;
             solution.work.operator_products += earlier.operator_products;
@@ -225,7 +234,9 @@ impl WheelSolution {
             .then_some(Warning::JumpingForce { residual: self.residual });
         let uneven = (self.unevenness.abs() > UNEVEN)
             .then_some(Warning::JumpingHeight { difference: self.unevenness });
-        let jump = jump.into_iter().chain(uneven);
+        let change = (self.change_in_time.abs() > LARGEST_JUMP)
+            .then_some(Warning::SteadyHeight { change: self.change_in_time });
+        let jump = jump.into_iter().chain(uneven).chain(change);
         let rough = rough.map(|parts| Warning::RoughProfile { parts });
         turned.chain(rough).chain(jump).chain(self.holes.iter().cloned()).collect()
     }
@@ -315,8 +326,8 @@ impl WheelOnRail {
         if is_conformal && tangential.interface.elasticity.curved(0.0).is_none() {
             return Err(WheelRailError::NoCurvedSurface {}.into());
         }
-        if is_conformal && self.pair().relief.is_some() {
-            return Err(WheelRailError::VaryingCurvedSurface {}.into());
+        if self.normal_method != NormalMethod::HalfSpaces && self.pair().relief.is_some() {
+            return Err(WheelRailError::VaryingProfiles {}.into());
         }
         let gap = Gap::new(self.pair(), &self.attitude())?;
         let lowering = self.lowering(&gap, tangential, watch);
@@ -382,11 +393,11 @@ impl WheelOnRail {
     pub(super) fn tractions(&self, solved: &[Slid]) -> Result<Vec<Tractions>, Error> {
         let of = |slid: &Slid| {
             let (pressed, problem, solution) = slid;
-            let (y, force) = (pressed.plane.origin[1], pressed.force);
+            let (origin, force) = (pressed.plane.origin, pressed.force);
             let [across, normal] = self.force_in_plane(slid);
             let opening = Opening::new((pressed, problem, solution), self.side)?.map(Arc::new);
             Ok(Tractions {
-                y,
+                origin,
                 ratio: across / force,
                 along: solution.force.x / force,
                 normal: normal / force - 1.0,
@@ -432,6 +443,7 @@ impl WheelOnRail {
             force,
             residual: 0.0,
             unevenness: 0.0,
+            change_in_time: 0.0,
             guess: lowered.at,
             rows: self.rows,
             rounds,

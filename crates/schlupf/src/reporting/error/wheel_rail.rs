@@ -66,10 +66,15 @@ messages! {
         "{name}: contacts on the curved surface of the rail need half-spaces"
     );
 
-    /// Contacts on the curved surface of a rail with profiles that change along the way.
-    "varying-curved-surface" VaryingCurvedSurface {} Quantity::RailProfile, |name, words| format!(
-        "{name}: contacts on the curved surface of the rail need profiles that do not change along \
-         the way"
+    /// Approximate contacts, or those on the curved surface, with profiles that change along the way.
+    "varying-profiles" VaryingProfiles {} Quantity::RailProfile, |name, words| format!(
+        "{name}: contacts of profiles that change along the way are those of half-spaces in planes, \
+         without another normal.method"
+    );
+
+    /// A roller with a profile that changes along the way.
+    "varying-roller" VaryingRoller {} Quantity::RailProfile, |name, words| format!(
+        "{name}: a roller has the same profile all around, but this one changes along the way"
     );
 
     /// The wheel is nowhere above the rail.
