@@ -109,10 +109,10 @@ mod tests {
         assert_eq!(
             texts(&counts),
             [
-                "beyond-elastic in 2 of 4 states, first in row 1: a pressure beyond the elastic \
-                 range of any metal",
-                "hot-surface in 1 of 4 states, first in row 1: a surface so hot that material \
-                 constants do not hold"
+                "beyond-elastic in 2 of 4 states, first in row 1: the pressure is above any \
+                 elastic limit: wrong units?",
+                "hot-surface in 1 of 4 states, first in row 1: a surface is so hot that steel \
+                 austenitises or melts"
             ]
         );
         let mut solved = Tally::default();

@@ -24,7 +24,7 @@ const KEYS: &str = "program title status normal normal.load normal.semi_axis_x n
     work.outer_iterations work.steps work.cells";
 
 /// Those that came later.
-const ADDED_KEYS: &str = "work.strategy normal.origin_x normal.origin_y normal.parts power.returned power.into_wheel power.into_rail power.exchanged \
+const ADDED_KEYS: &str = "history.shift_x history.shift_y history.turn work.strategy normal.origin_x normal.origin_y normal.parts power.returned power.into_wheel power.into_rail power.exchanged \
     temperature.peclet_wheel temperature.peclet_rail history.time history.speed history.creepage_x \
     history.creepage_y history.spin history.load history.force_x history.force_y \
     history.moment_z history.max_rise history.distance history.friction_power history.creep_power \

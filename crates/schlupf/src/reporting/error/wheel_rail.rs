@@ -66,7 +66,8 @@ messages! {
         "{name}: contacts on the curved surface of the rail need half-spaces"
     );
 
-    /// Approximate contacts, or those on the curved surface, with profiles that change along the way.
+    /// Approximate contacts, or those on the curved surface, with profiles that change along the
+    /// way.
     "varying-profiles" VaryingProfiles {} Quantity::RailProfile, |name, words| format!(
         "{name}: contacts of profiles that change along the way are those of half-spaces in planes, \
          without another normal.method"
