@@ -143,6 +143,8 @@ fn what_slices_cannot_be_names_line_requirement_and_value() {
     let text = "wheelset.track_position must be within the slices of rails/ramp.slcs, from -0.4 m to \
                 0.4 m, but is 0.5 m";
     assert!(beyond.contains(text), "{beyond}");
+    let idle = read(RAMP, &["wheelset.pitch_angle=1 rad"]).unwrap_err();
+    assert!(idle.contains("wheelset.pitch_angle would be ignored"), "{idle}");
     let history = read(RAMP, &["history.time=[\"0 s\", \"1 ms\"]"]).unwrap_err();
     assert!(
         history.contains("history.time must be left out with profiles that change"),

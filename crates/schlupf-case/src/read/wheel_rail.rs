@@ -49,6 +49,12 @@ pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
     }
     let explain = |error: Error| settings.explain(&error);
     let Placed { pairs, readings, notices } = pairs::placed(settings)?;
+    let both = [&pairs.left, &pairs.right];
+    let is_round = !both.iter().any(|pair| pair.wheel().is_varying());
+    let is_straight = !both.iter().any(|pair| pair.rail().is_varying());
+    let reason = "its profiles are the same all the way";
+    refuse_idle(settings, field!("wheelset.pitch_angle"), is_round, reason)?;
+    refuse_idle(settings, field!("wheelset.track_position"), is_straight, reason)?;
     let wheel = WheelOnRail {
         pairs,
         side: match settings.chosen(field!("wheelset.side"))? {
