@@ -59,7 +59,14 @@ impl WheelOverTime {
             return Err(Error::TooFew { quantity, fewest: 2, count });
         };
         let wheel = contacts(&first.wheel)?;
-        let mut rolling = Rolling::new((wheel, first.wheel.support), tangential, watch)?;
+        let mut size = size(&wheel)?;
+        for pair in self.instants.windows(2).filter(|pair| !is_same(&pair[0].wheel, &pair[1].wheel))
+        {
+            let then = self::size(&contacts(&pair[1].wheel)?)?;
+            size = [0, 1].map(|k| size[k].min(then[k]));
+        }
+        let mut rolling = Rolling::new((wheel, size), tangential, watch)?;
+        rolling.support = first.wheel.support;
         rolling.time = first.time;
         let mut was_at_rest = true;
         // Shifts and rolling begin at the end of the step before.
@@ -136,6 +143,13 @@ fn is_same(one: &WheelOnRail, other: &WheelOnRail) -> bool {
     one.position == other.position && one.motion == other.motion && one.support == other.support
 }
 
+/// Sides of the contact with the largest normal force, in m.
+fn size(wheel: &WheelSolution) -> Result<[f64; 2], Error> {
+    let Some(main) = wheel.contacts.first() else { return Ok([f64::INFINITY; 2]) };
+    let Extent { x, y } = main.problem.normal.normal_contact(None)?.extent();
+    Ok([x[1] - x[0], y[1] - y[0]])
+}
+
 /// What a contact leaves for the next step.
 struct Left {
     /// Middle of the patch on the lattice: along the track and along the rail, in m.
@@ -168,9 +182,10 @@ struct Rolling<'a> {
 }
 
 impl<'a> Rolling<'a> {
-    /// From a wheel without tangential tractions; the cells are those of its first contact.
+    /// From a wheel without tangential tractions; the cells are those of a contact of the given
+    /// size, in m.
     fn new(
-        (wheel, support): (WheelSolution, Support),
+        (wheel, size): (WheelSolution, [f64; 2]),
         tangential: &'a Tangential<'a>,
         watch: Watch<'a>,
     ) -> Result<Self, Error> {
@@ -180,10 +195,6 @@ impl<'a> Rolling<'a> {
             left.push(Left { middle: middle(contact, &normal), normal, elements: Vec::new() });
         }
         let options = tangential.options;
-        let size = left.first().map_or([0.0; 2], |first| {
-            let Extent { x, y } = first.normal.extent();
-            [x[1] - x[0], y[1] - y[0]]
-        });
         let spacing = [size[0] / options.cells_x as f64, size[1] / options.cells_y as f64];
         Ok(Self {
             tangential,
@@ -194,7 +205,7 @@ impl<'a> Rolling<'a> {
             time: 0.0,
             distance: 0.0,
             instants: Vec::new(),
-            support,
+            support: Support::Height(0.0),
             missed: 0.0,
             change: 0.0,
         })
