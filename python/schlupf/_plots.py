@@ -466,8 +466,9 @@ def words(name: str) -> str:
 
 
 def largest(values: xr.DataArray) -> float:
-    """The largest magnitude."""
-    return float(np.nanmax(np.abs(values))) if values.size else 0.0
+    """The largest magnitude; zero without a number."""
+    magnitudes = np.abs(np.asarray(values))
+    return float(np.max(magnitudes, initial=0.0, where=~np.isnan(magnitudes)))
 
 
 def _mesh(ax: Axes, values: xr.DataArray, factor: float, **style: Any) -> QuadMesh:
