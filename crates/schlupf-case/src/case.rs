@@ -97,10 +97,15 @@ pub struct Effective {
 }
 
 impl CaseFile {
+    /// Whether a history is given.
+    pub fn has_history(&self) -> bool {
+        self.settings.any_given(HISTORY)
+    }
+
     /// Whether a history is given, or time steps are asked for.
     pub fn is_marched(&self) -> bool {
         let driver = self.settings.chosen(field!("solver.driver")).ok();
-        self.settings.any_given(HISTORY) || driver == Some(DriverChoice::Marching)
+        self.has_history() || driver == Some(DriverChoice::Marching)
     }
 
     /// The case with its problem: solves the normal contact of profiles and the micro model of a

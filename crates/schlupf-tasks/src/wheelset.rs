@@ -61,6 +61,13 @@ impl Task for Wheelset {
                     .to_owned(),
             ));
         };
+        if of.case.has_history() {
+            return Err(TaskError::Request(
+                "history.time must be left out for the contacts of a wheelset, which are those of \
+                 steady rolling"
+                    .to_owned(),
+            ));
+        }
         Ok(report(of.case, &request, load, watch)?.into())
     }
 }

@@ -71,7 +71,6 @@ fn mindlin_deresiewicz_1953_unloading() {
     let expected = [force(0.8), down(0.3), down(0.9), down(1.6), -down(0.8), force(0.8)];
     for (instant, expected) in found.iter().zip(expected) {
         let normalised = -instant.force.x / (FRICTION * LOAD);
-        println!("{normalised:.5} {expected:.5}");
         assert_relative_eq!(normalised, expected, epsilon = 2e-3);
         assert_eq!((instant.time, instant.distance, instant.kinematics.speed), (0.0, 0.0, 0.0));
     }
@@ -98,7 +97,6 @@ fn mindlin_1949_forces_in_place_of_shifts() {
             assert!(turn.abs() < 1e-9);
             (sum[0], sum[1]) = (sum[0] + x / full, sum[1] + y / full);
         }
-        println!("{expected:.5} {sums:.5?}");
         assert_relative_eq!(sums[0][0], expected, epsilon = 5e-3);
         assert_relative_eq!(sums[1][0], 0.6 * expected, epsilon = 5e-3);
         assert_relative_eq!(sums[1][1], -0.8 * expected, epsilon = 5e-3);
@@ -151,7 +149,6 @@ fn lubkin_1951_turn() {
         let history =
             History { moment_z: Some(vec![moment]), shift_x: Some(vec![0.0]), ..at_rest(1) };
         let [_, _, turn] = after(&spheres(), history, 40).history[0].shift.unwrap();
-        println!("{share}: {:+.5} {:+.5}", found / moment - 1.0, -turn / (2.0 * twist) - 1.0);
         assert_relative_eq!(found, moment, max_relative = 5e-3);
         assert_relative_eq!(turn, -2.0 * twist, max_relative = 1e-2);
     }

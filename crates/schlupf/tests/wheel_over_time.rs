@@ -8,7 +8,7 @@ use schlupf::bodies::{Body, Material};
 use schlupf::elasticity::HalfSpace;
 use schlupf::interface::ContactLaw;
 use schlupf::interface::friction::Constant;
-use schlupf::problem::History;
+use schlupf::problem::{History, State};
 use schlupf::solution::Instant;
 use schlupf::solver::{march, shift};
 use schlupf::wheel_rail::{
@@ -113,8 +113,16 @@ fn steady(wheel: &WheelOnRail, cells: usize) -> WheelSolution {
 
 fn assert_ends_as(last: &WheelSolution, expected: &WheelSolution, tolerance: f64) {
     for k in 0..3 {
-        println!("{k}: {} {}", last.force[k], expected.force[k]);
         assert_relative_eq!(last.force[k], expected.force[k], epsilon = tolerance * 3e3);
+    }
+}
+
+/// Tractions go on from step to step: contacts without a past would have next to none after one
+/// cell, a fifth of what they have in steady rolling.
+fn assert_goes_on(instants: &[Instant]) {
+    for pair in instants.windows(2) {
+        let [before, now] = [0, 1].map(|k| pair[k].force.x.hypot(pair[k].force.y));
+        assert!(now > 0.6 * before, "{before} N, then {now} N at {} s", pair[1].time);
     }
 }
 
@@ -173,8 +181,7 @@ fn contacts_move_across_the_rail() {
     let stays = wheel(&pair, -0.003, 0.001);
     let wheels = vec![(0.0, start), (0.02, end), (0.0201, stays.clone()), (0.05, stays.clone())];
     let (last, instants) = over_time(wheels, 16);
-    let most = instants.iter().map(|instant| instant.force.y.abs()).fold(0.0, f64::max);
-    println!("{most}");
+    assert_goes_on(&instants[2..]);
     assert_ends_as(&last, &steady(&stays, 16), 5e-3);
 }
 
@@ -199,6 +206,37 @@ fn contacts_split_and_merge() {
     assert_eq!(last.contacts.len(), 2);
     assert_ends_as(&last, &both, 5e-3);
     let back = vec![(0.025, inner.clone()), (0.04, inner)];
-    let (last, _) = over_time([wheels, back].concat(), 12);
+    let (last, instants) = over_time([wheels, back].concat(), 12);
+    assert_goes_on(&instants[2..]);
     assert_ends_as(&last, &alone, 5e-3);
+}
+
+/// A march that goes on from a state is the same march, also where the motion jumps from full
+/// lateral sliding to rolling straight ahead: within 1 % of μN.
+#[test]
+fn rolling_goes_on_where_the_motion_jumps() {
+    let straight = steady(&wheel(&benchmark(), 0.0, 0.001), 16).contacts[0].problem.clone();
+    let mut slides = straight.clone();
+    slides.kinematics.creepage_y = -0.15;
+    let rolled = |problem: &Problem, history: History, initial_state: Option<State>| {
+        let transient = Transient { problem: problem.clone(), history, initial_state };
+        march(&transient, &options(16), &unwatched).unwrap()
+    };
+    let until = |time: f64| History { time: vec![0.0, time], ..History::default() };
+    let first = rolled(&slides, until(12e-3 / SPEED), None);
+    let (steps, jump) = (first.history.len(), first.state.time);
+    let history = History {
+        time: vec![0.0, jump, jump * (1.0 + 1e-9), jump + 2e-3 / SPEED],
+        creepage_y: Some(vec![-0.15, -0.15, 0.0, 0.0]),
+        ..History::default()
+    };
+    let whole = rolled(&straight, history, None).history;
+    let state = State { time: 0.0, ..first.state };
+    let then = rolled(&straight, until(2e-3 / SPEED), Some(state)).history;
+    assert!(then.len() > 5);
+    for (found, expected) in then.iter().zip(&whole[steps..]) {
+        assert_relative_eq!(found.force.y, expected.force.y, epsilon = 0.01 * 3e3);
+        assert_relative_eq!(found.force.x, expected.force.x, epsilon = 0.01 * 3e3);
+        assert!(found.force.y > 1e3, "{:?}", found.force);
+    }
 }

@@ -12,10 +12,10 @@ use super::pairs::{self, Placed};
 use super::roughness::OfRoughness;
 use crate::FieldPath;
 use crate::error::CaseError;
-use crate::fields::ROUGHNESS;
 use crate::fields::choice::{
     BranchChoice, ForceAxis, NormalModel, NormalSolution, RowMotion, WheelSide,
 };
+use crate::fields::{ROUGHNESS, section};
 use crate::notice::Notice;
 use crate::profiles::ProfileReading;
 use crate::settings::Settings;
@@ -52,7 +52,7 @@ pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
     let both = [&pairs.left, &pairs.right];
     let is_round = !both.iter().any(|pair| pair.wheel().is_varying());
     let is_straight = !both.iter().any(|pair| pair.rail().is_varying());
-    let reason = "its profiles are the same all the way";
+    let reason = "the profiles do not change along the way";
     refuse_idle(settings, field!("wheelset.pitch_angle"), is_round, reason)?;
     refuse_idle(settings, field!("wheelset.track_position"), is_straight, reason)?;
     let wheel = WheelOnRail {
@@ -98,7 +98,7 @@ pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
 
 /// Refuses what goes with one contact only.
 pub fn refuse_others(settings: &Settings, stiffness: &OfRoughness) -> Result<(), CaseError> {
-    if let Some(path) = OF_ONE_HISTORY.into_iter().find(|path| settings.is_given(*path)) {
+    if let Some(path) = of_history(true).find(|path| settings.is_given(*path)) {
         let message = format!(
             "{path} must be left out with normal.model = \"wheel-rail\", where a history is of the \
              wheelset and stands in the case, but is given"
@@ -159,46 +159,22 @@ fn refuse_in_history(settings: &Settings) -> Result<(), CaseError> {
     Ok(())
 }
 
-/// Columns of a history that only one contact has.
-const OF_ONE_HISTORY: [FieldPath; 12] = fields![
-    "history.file",
-    "history.creepage_y",
-    "history.spin",
-    "history.force_x",
-    "history.force_y",
-    "history.moment_z",
-    "history.shift_x",
-    "history.shift_y",
-    "history.turn",
-    "history.shifts_x",
-    "history.shifts_y",
-    "history.turns",
-];
-
-/// Columns of a history of a wheelset.
-const COLUMNS: [FieldPath; 12] = fields![
-    "history.speed",
-    "history.creepage_x",
-    "history.angular_velocity",
-    "history.load",
-    "history.height",
-    "history.lateral_position",
-    "history.yaw_angle",
-    "history.roll_angle",
-    "history.lateral_velocity",
-    "history.vertical_velocity",
-    "history.yaw_rate",
-    "history.roll_rate",
-];
+/// Fields of a history: those that only one contact has, or those that a wheelset has over time.
+fn of_history(is_of_one_contact: bool) -> impl Iterator<Item = FieldPath> {
+    let fields = section("history").into_iter().flat_map(|history| history.fields);
+    fields
+        .filter(move |field| field.idle_with.is_some() == is_of_one_contact)
+        .map(|field| field.path)
+        .filter(|path| *path != TIME)
+}
 
 /// The wheel over time, if the case has it.
 fn over_time(settings: &Settings, wheel: &WheelOnRail) -> Result<Option<WheelOverTime>, CaseError> {
     let Some(times) = settings.series(TIME) else {
-        let given = COLUMNS.iter().any(|path| settings.is_given(*path));
+        let given = of_history(false).any(|path| settings.is_given(path));
         return if given { settings.setting(TIME).map(|_| None) } else { Ok(None) };
     };
-    if let Some(path) = COLUMNS
-        .into_iter()
+    if let Some(path) = of_history(false)
         .find(|path| settings.series(*path).is_some_and(|s| s.len() != times.len()))
     {
         let count = settings.series(path).map_or(0, <[f64]>::len);

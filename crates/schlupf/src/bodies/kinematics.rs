@@ -30,7 +30,7 @@ impl ReferencePoint {
 /// and y measured from the reference point of the creepages ([`ReferencePoint`]). Braking has
 /// ξ > 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Kinematics {
     /// Speed of the vehicle and of the contact frame v0, in m/s.
     pub speed: f64,

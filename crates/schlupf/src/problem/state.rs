@@ -6,6 +6,7 @@
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
+use crate::bodies::Kinematics;
 use crate::interface::heat::HeatStep;
 use crate::normal::Grid;
 use crate::normal::patch::{Cell, Patch};
@@ -20,6 +21,10 @@ pub struct State {
     pub time: f64,
     /// The elements in contact.
     pub elements: Vec<Element>,
+    /// Mean motion at the patch over the step that led here; that of the first step if it is not
+    /// known.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub motion: Option<Kinematics>,
 }
 
 /// A point contact element.
@@ -187,6 +192,7 @@ impl State {
     /// A patch without previous tangential load.
     pub fn at_rest(patch: &Patch) -> Self {
         let element = |cell: &Cell| Element { index: cell.index, ..Element::default() };
-        Self { grid: patch.grid, time: 0.0, elements: patch.cells.iter().map(element).collect() }
+        let elements = patch.cells.iter().map(element).collect();
+        Self { grid: patch.grid, time: 0.0, elements, motion: None }
     }
 }

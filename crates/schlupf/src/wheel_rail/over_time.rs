@@ -157,6 +157,8 @@ struct Left {
     normal: NormalContact,
     /// Elements with their columns and rows on the lattice.
     elements: Vec<([i64; 2], Element)>,
+    /// Over its last step, if it has made one.
+    motion: Option<Kinematics>,
 }
 
 /// Everything that changes from step to step.
@@ -192,7 +194,8 @@ impl<'a> Rolling<'a> {
         let mut left = Vec::new();
         for contact in &wheel.contacts {
             let normal = contact.problem.normal.normal_contact(None)?;
-            left.push(Left { middle: middle(contact, &normal), normal, elements: Vec::new() });
+            let (middle, elements, motion) = (middle(contact, &normal), Vec::new(), None);
+            left.push(Left { middle, normal, elements, motion });
         }
         let options = tangential.options;
         let spacing = [size[0] / options.cells_x as f64, size[1] / options.cells_y as f64];
@@ -285,7 +288,8 @@ impl<'a> Rolling<'a> {
         if elements.is_empty() {
             elements.push(Element::default());
         }
-        let initial_state = Some(State { grid, time: 0.0, elements });
+        let motion = touching.first().and_then(|left| left.motion);
+        let initial_state = Some(State { grid, time: 0.0, elements, motion });
         let problem = contact.problem.clone();
         let rolled = duration.map(|_| self.spacing[0]);
         let history = history(&problem.kinematics, rolled);
@@ -298,7 +302,8 @@ impl<'a> Rolling<'a> {
         };
         let elements = &solution.state.elements;
         let elements = elements.iter().map(|e| (place(e), e.clone())).collect();
-        Ok((solution, Left { middle, normal, elements }))
+        let motion = solution.state.motion;
+        Ok((solution, Left { middle, normal, elements, motion }))
     }
 
     /// The cells of the lattice over an extent in the frame of a contact, with the column and row

@@ -100,7 +100,7 @@ pub fn solution(recipe: Recipe) -> Solution {
             steps: 40,
             cells: fields.len(),
         },
-        state: State { grid, time: 0.0, elements: Vec::new() },
+        state: State { grid, time: 0.0, elements: Vec::new(), motion: None },
         fields,
     }
 }

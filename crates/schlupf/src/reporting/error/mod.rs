@@ -8,6 +8,7 @@ mod over_time;
 mod purpose;
 mod surface;
 mod wheel_rail;
+mod convergence;
 
 use crate::reporting::{Quantity, Requirement, messages, readable, with_unit};
 
@@ -585,20 +586,6 @@ messages! {
 }
 
 impl std::error::Error for Error {}
-
-impl Error {
-    /// Whether the input may be right, but what follows from it was not found.
-    pub fn is_of_convergence(&self) -> bool {
-        matches!(
-            self,
-            Self::NormalNotConverged { .. }
-                | Self::ContactNotFound { .. }
-                | Self::Fit { error: FitError::FitStuck { .. } }
-                | Self::Force { error: ForceError::NotFound { .. } }
-                | Self::WheelRail { error: WheelRailError::RollNotSettled { .. } }
-        )
-    }
-}
 
 /// The radius of the wheel in the direction in which the bodies are flatter.
 fn flatter(curvatures: &[f64; 2]) -> Quantity {

@@ -237,7 +237,7 @@ impl FastContact {
             warnings,
             sensitivity: None,
             work: Work::default(),
-            state: State { grid: Grid::default(), time: 0.0, elements: Vec::new() },
+            state: State { grid: Grid::default(), time: 0.0, elements: Vec::new(), motion: None },
         };
         // In steady rolling the dissipated power equals the power of the creep forces.
         let creep_power = summary::creep_power(&problem.kinematics, &force);

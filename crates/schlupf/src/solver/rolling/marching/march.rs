@@ -244,6 +244,7 @@ impl<'a> March<'a> {
         march.now.traction = march.elements.iter().flat_map(|e| e.traction).collect();
         march.now.scaled_rise = march.elements.iter().map(|e| e.scaled_rise).collect();
         march.largest_traction = norm(&march.now.traction);
+        march.now.over_step = state.motion.unwrap_or(kinematics);
         if !are_apart {
             march.displace();
         }

@@ -1,6 +1,6 @@
 //! All results of a steady state that was found, and forces extrapolated from two grids.
 
-use crate::problem::{HeatRecord, Method, Options, Problem, State};
+use crate::problem::{Element, HeatRecord, Method, Options, Problem, State};
 use crate::reporting::Warning;
 use crate::solution::{Extrapolation, Resultant, Solution, Status, Work};
 use crate::solver::equilibrium::Outcome;
@@ -11,6 +11,27 @@ use crate::solver::summary::{self};
 
 use super::level::Level;
 use super::nested::NestedGrids;
+
+impl Level {
+    /// What the material at the cells carries on, with its displacement since it entered, in m.
+    fn elements(&mut self, relative: &[f64], has_heat: bool) -> Vec<Element> {
+        let Self { contact, strips, friction, traction, .. } = self;
+        let mut elements = strips.elements(&contact.patch, traction, relative);
+        for (k, element) in elements.iter_mut().enumerate() {
+            element.slip_speed = speed_of(friction.slip[k]);
+            element.scaled_rise = friction.scaled_rise[k];
+            element.friction_on_leaving = friction.lag.on_leaving(k);
+            element.plastic_displacement = friction.flowed_on_leaving(k);
+        }
+        for strip in contact.patch.strips.iter().filter(|_| has_heat) {
+            let shared = friction.heat.records_on_leaving(strip);
+            for (element, k) in elements[strip.cells.clone()].iter_mut().zip(1..) {
+                element.heat = HeatRecord::without(strip.cells.len() - k, &shared);
+            }
+        }
+        elements
+    }
+}
 
 impl NestedGrids {
     /// All results.
@@ -44,33 +65,16 @@ impl NestedGrids {
         now.scaled_rise.copy_from_slice(&friction.scaled_rise);
         now.friction.copy_from_slice(friction.coefficients());
         strips.complete_friction(&mut now.friction);
-        let mut elements = if options.keeps_state {
-            strips.elements(&contact.patch, traction, &relative)
-        } else {
-            Vec::new()
-        };
-        for (k, element) in elements.iter_mut().enumerate() {
-            element.slip_speed = speed_of(friction.slip[k]);
-            element.scaled_rise = friction.scaled_rise[k];
-            element.friction_on_leaving = friction.lag.on_leaving(k);
-            element.plastic_displacement = friction.flowed_on_leaving(k);
-        }
-        let patch = &contact.patch;
-        if options.keeps_state && problem.interface.heat.model.is_some() {
-            for strip in &patch.strips {
-                let shared = friction.heat.records_on_leaving(strip);
-                for (element, k) in elements[strip.cells.clone()].iter_mut().zip(1..) {
-                    element.heat = HeatRecord::without(strip.cells.len() - k, &shared);
-                }
-            }
-        }
-        let exits = patch.strips.iter().map(|strip| friction.heat.scaled_exit_rise(strip));
+        let has_heat = problem.interface.heat.model.is_some();
+        let elements = options.keeps_state.then(|| self.levels[0].elements(&relative, has_heat));
+        let Level { contact, friction, .. } = &mut self.levels[0];
+        let exits = contact.patch.strips.iter().map(|strip| friction.heat.scaled_exit_rise(strip));
         now.scaled_exit_rise = exits.collect();
-        now.surfaces = friction.surfaces(patch);
+        now.surfaces = friction.surfaces(&contact.patch);
         let is_found =
             outcome.converged && now.surfaces.as_ref().is_none_or(|surfaces| surfaces.is_found);
-        let mut warnings = warnings(problem, options, contact, &now);
-        let forces = summary::force(&contact.patch, &now);
+        let mut warnings = warnings(problem, options, &mut self.levels[0].contact, &now);
+        let forces = summary::force(&self.levels[0].contact.patch, &now);
         let extrapolation = if options.extrapolate && is_found {
             self.extrapolated(problem, &forces)
         } else {
@@ -91,7 +95,12 @@ impl NestedGrids {
             warnings,
             sensitivity: None,
             work,
-            state: State { grid: contact.patch.grid, time: 0.0, elements },
+            state: State {
+                grid: contact.patch.grid,
+                time: 0.0,
+                elements: elements.unwrap_or_default(),
+                motion: Some(problem.kinematics),
+            },
         };
         let solution = summary::solution(problem, options, view, account);
         Solution { extrapolation, ..solution }

@@ -43,8 +43,12 @@ impl March<'_> {
         if status == Status::NotConverged {
             warnings.insert(0, Warning::of(self.why_not_converged()));
         }
-        let state =
-            State { grid: self.contact.patch.grid, time: self.time, elements: self.elements };
+        let state = State {
+            grid: self.contact.patch.grid,
+            time: self.time,
+            elements: self.elements,
+            motion: Some(self.now.over_step),
+        };
         let account = summary::SolverReport {
             method: Method::Full,
             status,
