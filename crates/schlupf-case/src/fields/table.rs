@@ -455,10 +455,10 @@ section! {
         "ξ at these instants; likewise the others", example("[0.0, 0.002]"),
         usually(PART_OF_SPEED);
     "creepage_y" [HistoryCreepageY] Kind::Numbers, Inside(-1.0, 1.0), Nothing,
-        "η", example("[0.0, 0.0]"), idle_with(NORMAL_MODEL, WHEEL_RAIL);
+        "η", example("[0.0, 0.0]");
     "spin" [HistorySpin] Kind::Quantities(&Measure::SPIN), TURNING, Nothing,
         "φ", example("[\"0 1/m\", \"0 1/m\"]"),
-        usually(SPIN_OF_WHEEL), idle_with(NORMAL_MODEL, WHEEL_RAIL);
+        usually(SPIN_OF_WHEEL);
     "speed" [HistorySpeed] Kind::Quantities(&Measure::SPEED), SPEED, Nothing,
         "v0", example("[\"30 m/s\", \"30 m/s\"]"),
         usually(ROLLING_SPEED);
@@ -467,28 +467,28 @@ section! {
         usually(LOAD_OF_WHEEL);
     "force_x" [HistoryForceX] Kind::Quantities(&Measure::FORCE), TANGENTIAL, Nothing,
         "Fx on the wheel, in place of creepage_x and shifts_x", example("[\"0 kN\", \"-20 kN\"]"),
-        usually(FORCE_OF_WHEEL), idle_with(NORMAL_MODEL, WHEEL_RAIL);
+        usually(FORCE_OF_WHEEL);
     "force_y" [HistoryForceY] Kind::Quantities(&Measure::FORCE), TANGENTIAL, Nothing,
         "Fy on the wheel, in place of creepage_y and shifts_y", example("[\"0 kN\", \"5 kN\"]"),
-        usually(FORCE_OF_WHEEL), idle_with(NORMAL_MODEL, WHEEL_RAIL);
+        usually(FORCE_OF_WHEEL);
     "moment_z" [HistoryMomentZ] Kind::Quantities(&Measure::TORQUE), TANGENTIAL, Nothing,
-        "Mz on the wheel, in place of spin and turns", example("[\"0 N m\", \"-20 N m\"]"), idle_with(NORMAL_MODEL, WHEEL_RAIL);
+        "Mz on the wheel, in place of spin and turns", example("[\"0 N m\", \"-20 N m\"]");
     "shift_x" [ShiftX] quantity(&Measure::LENGTH), SHIFT, Nothing,
         "shift of the wheel over the rail along rolling, at rest, at the first instant; times may \
          be left out then",
-        example("0.015 mm"), idle_with(NORMAL_MODEL, WHEEL_RAIL);
+        example("0.015 mm");
     "shift_y" [ShiftY] quantity(&Measure::LENGTH), SHIFT, Nothing,
-        "the same across rolling", example("0 mm"), idle_with(NORMAL_MODEL, WHEEL_RAIL);
+        "the same across rolling", example("0 mm");
     "turn" [Turn] quantity(&Measure::ANGLE), SHIFT, Nothing,
-        "turn of the wheel over the rail about z, likewise", example("0.1 mrad"), idle_with(NORMAL_MODEL, WHEEL_RAIL);
+        "turn of the wheel over the rail about z, likewise", example("0.1 mrad");
     "shifts_x" [HistoryShiftX] Kind::Quantities(&Measure::LENGTH), SHIFT, Nothing,
         "shifts along rolling, each on the way to its instant, which is the first one or equals \
          the one before; without times all are at rest",
-        example("[\"0.01 mm\", \"-0.02 mm\"]"), idle_with(NORMAL_MODEL, WHEEL_RAIL);
+        example("[\"0.01 mm\", \"-0.02 mm\"]");
     "shifts_y" [HistoryShiftY] Kind::Quantities(&Measure::LENGTH), SHIFT, Nothing,
-        "the same across rolling", example("[\"0 mm\", \"0 mm\"]"), idle_with(NORMAL_MODEL, WHEEL_RAIL);
+        "the same across rolling", example("[\"0 mm\", \"0 mm\"]");
     "turns" [HistoryTurn] Kind::Quantities(&Measure::ANGLE), SHIFT, Nothing,
-        "turns about z, likewise", example("[\"0 mrad\", \"0.1 mrad\"]"), idle_with(NORMAL_MODEL, WHEEL_RAIL);
+        "turns about z, likewise", example("[\"0 mrad\", \"0.1 mrad\"]");
     "lateral_position" [] Kind::Quantities(&Measure::LENGTH), Magnitude(1.0), Nothing,
         "that of the wheelset; likewise the others", shaping(),
         example("[\"0 mm\", \"3 mm\"]"), with(NORMAL_MODEL, WHEEL_RAIL);
@@ -513,5 +513,5 @@ section! {
         example("[\"60 rad/s\", \"64.7 rad/s\"]"), with(NORMAL_MODEL, WHEEL_RAIL);
     "file" [] Kind::Path, Finite, Nothing,
         "CSV with a header such as `time [s],creepage_x,load [kN]`, in place of the arrays",
-        shaping(), example("history.csv"), idle_with(NORMAL_MODEL, WHEEL_RAIL);
+        shaping(), example("history.csv");
 }

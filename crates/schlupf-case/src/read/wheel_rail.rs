@@ -15,7 +15,7 @@ use crate::error::CaseError;
 use crate::fields::choice::{
     BranchChoice, ForceAxis, NormalModel, NormalSolution, RowMotion, WheelSide,
 };
-use crate::fields::{ROUGHNESS, section};
+use crate::fields::{Field, ROUGHNESS, section};
 use crate::notice::Notice;
 use crate::profiles::ProfileReading;
 use crate::settings::Settings;
@@ -159,13 +159,17 @@ fn refuse_in_history(settings: &Settings) -> Result<(), CaseError> {
     Ok(())
 }
 
+/// What one contact and a wheelset both may have over time.
+const OF_BOTH: [FieldPath; 3] = fields!["history.speed", "history.creepage_x", "history.load"];
+
 /// Fields of a history: those that only one contact has, or those that a wheelset has over time.
 fn of_history(is_of_one_contact: bool) -> impl Iterator<Item = FieldPath> {
     let fields = section("history").into_iter().flat_map(|history| history.fields);
+    let is_of_wheelset =
+        |field: &Field| field.used_with[0].is_some() || OF_BOTH.contains(&field.path);
     fields
-        .filter(move |field| field.idle_with.is_some() == is_of_one_contact)
+        .filter(move |field| is_of_wheelset(field) != is_of_one_contact && field.path != TIME)
         .map(|field| field.path)
-        .filter(|path| *path != TIME)
 }
 
 /// The wheel over time, if the case has it.
