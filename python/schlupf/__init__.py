@@ -12,9 +12,13 @@ Numbers are in SI units (temperatures in °C, differences in K), text has its un
 tractions act on the wheel.
 """
 
-from . import examples, records, sections, warnings
+from . import examples, records, sections
+from . import warnings as warnings
 from ._case import Case
+from ._cite import cite
+from ._contact_table import ContactTableErrors, Spread, contact_table
 from ._core import __version__
+from ._element import Element, Evaluation, Signal, element
 from ._errors import CaseError, CaseFileError, CaseNotConverged, NotConverged, SchlupfWarning
 from ._forces import Solver, forces
 from ._imports import import_contact
@@ -40,9 +44,12 @@ from ._report import (
     Wheelset,
 )
 from ._report_plots import RoughContactPlots
-from ._result import Result
+from ._result import Result, open_result
+from ._roughness import roughness
 from ._section import Section
-from ._study import Sweep, merge, read_table, sweep
+from ._status import Status
+from ._study import Study, Sweep, merge, open_table, read_table, study, sweep
+from ._surfaces import open_surface
 from ._tasks import damage
 
 __all__ = [
@@ -53,8 +60,11 @@ __all__ = [
     "CaseFileError",
     "CaseNotConverged",
     "Comparison",
+    "ContactTableErrors",
     "Curve",
     "Damage",
+    "Element",
+    "Evaluation",
     "Fit",
     "LookUpTable",
     "NotConverged",
@@ -67,7 +77,11 @@ __all__ = [
     "RoughContactPlots",
     "SchlupfWarning",
     "Section",
+    "Signal",
     "Solver",
+    "Spread",
+    "Status",
+    "Study",
     "Subsurface",
     "Sweep",
     "TableForces",
@@ -76,8 +90,11 @@ __all__ = [
     "Wheelset",
     "__version__",
     "animate",
+    "cite",
     "conditions",
+    "contact_table",
     "damage",
+    "element",
     "examples",
     "forces",
     "friction",
@@ -86,11 +103,15 @@ __all__ = [
     "materials",
     "merge",
     "methods",
+    "open_result",
+    "open_surface",
+    "open_table",
     "plot_comparison",
     "read_table",
     "records",
+    "roughness",
     "roughnesses",
     "sections",
+    "study",
     "sweep",
-    "warnings",
 ]

@@ -8,9 +8,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
+import numpy as np
+
 from . import _core
-from ._tables import csv
-from ._units import File, Number, Series, plain
+from ._errors import quoted
+from ._files import in_place
+from ._units import Number, Series, plain, refused
 from .sections import FieldPath
 
 if TYPE_CHECKING:
@@ -20,14 +23,12 @@ R = TypeVar("R", bound="Report")
 
 #: A number, or several.
 Numbers = Number | Series
-#: Start and end.
-Range = tuple[Number, Number] | str
+#: Start and end, or all places of a curve.
+Range = tuple[Number, Number] | str | Series
 #: Text, or several that belong together.
 Texts = str | Sequence[str]
 #: A field of the case by its dotted path, and its values.
 Family = Mapping[FieldPath, Sequence[Any] | Series]
-#: A path, or columns of numbers by name (mapping, data frame).
-Data = File | Mapping[str, Any]
 
 
 @dataclass(frozen=True)
@@ -37,12 +38,13 @@ class Argument:
     units: str
     kind: str = "number"
     columns: dict[str, Argument] = field(default_factory=dict)
+    default: str | None = None
 
     @classmethod
     def of(cls, entry: dict[str, Any]) -> Argument:
         """That of a field as the library describes it."""
         columns = {name: cls(units) for name, units in entry["columns"]}
-        return cls(entry["units"], entry["kind"], columns)
+        return cls(entry["units"], entry["kind"], columns, entry["default"])
 
 
 #: By task and name.
@@ -52,16 +54,49 @@ ARGUMENTS = {
 }
 
 
-def _converted(argument: Argument, name: str, value: Any) -> Any:
+def _converted(argument: Argument, name: str, value: Any, folder: Path) -> Any:
     """A value without quantities of pint, data frames and mappings."""
-    if value is None or isinstance(value, (str, os.PathLike)):
+    if value is None:
         return value
     if isinstance(value, (list, tuple)):
-        return [_converted(argument, name, part) for part in value]
+        return [_converted(argument, name, part, folder) for part in value]
     if argument.columns:
-        return "arrays", csv(value, argument.columns)
+        units = {column: of.units for column, of in argument.columns.items()}
+        return in_place(value, [units], name, folder)
+    if isinstance(value, (str, os.PathLike)):
+        return value
     value = plain(value, argument, name)
     return value.tolist() if hasattr(value, "tolist") else value
+
+
+def _spaced(arguments: dict[str, Argument], request: dict[str, Any]) -> dict[str, Any]:
+    """The ends of arrays in place of ranges, with the number of their points."""
+    found: dict[str, Any] = {}
+    for name, argument in arguments.items():
+        value = request[name]
+        if argument.kind != "range" or isinstance(value, str) or np.size(value) <= 2:
+            continue
+        places = np.asarray(_converted(argument, name, value, Path()))
+        if places.ndim != 1 or places.dtype.kind not in "iuf":
+            raise refused(name, f"{name} must be numbers or two ends, but is {quoted(value)}")
+        if found.setdefault("points", places.size) != places.size:
+            which = f"{found['points']} places, as the one before"
+            raise refused(name, f"{name} must have {which}, but has {places.size}")
+        ends = (float(places[0]), float(places[-1]))
+        if not np.allclose(places, np.linspace(*ends, places.size), 0, 1e-9 * np.ptp(places)):
+            advice = "schlupf.forces takes any array"
+            raise refused(name, f"{name} must have even steps, but has not ({advice})")
+        found[name] = ends
+    if not found:
+        return found
+    if request["points"] not in (int(arguments["points"].default or 0), found["points"]):
+        text = f"points must be left out where an array has the places, but is {request['points']}"
+        raise refused("points", text)
+    if "spacing" in arguments:
+        if request["spacing"] not in (None, "even"):
+            raise refused("spacing", "spacing must be left out where an array has the places")
+        found["spacing"] = "even"
+    return found
 
 
 def ask(
@@ -69,14 +104,16 @@ def ask(
 ) -> R:
     """What a task finds for what it is asked of a case (`None`: that of the task)."""
     arguments = ARGUMENTS[name]
+    if "points" in arguments:
+        request |= _spaced(arguments, request)
     families = {
         key: [case._family(*entry) for entry in (request[key] or {}).items()]
         for key, argument in arguments.items()
         if argument.kind == "family"
     }
     request |= {key: [text for text, _, _ in family] for key, family in families.items()}
-    values = {key: _converted(arguments[key], key, value) for key, value in request.items()}
     file, folder = (None, Path()) if case is None else (case._file, case._folder)
+    values = {key: _converted(arguments[key], key, value, folder) for key, value in request.items()}
     report = _core.run(name, file, folder, values)
     found = result._new(report, warn=warn, strict=strict, depth=4)
     found._finish(case, {key: [entry[1:] for entry in family] for key, family in families.items()})

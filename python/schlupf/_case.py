@@ -16,6 +16,7 @@ from warnings import warn
 from . import _core
 from ._errors import CaseError, SchlupfWarning, UnknownName, quoted
 from ._fields import FIELDS, SECTIONS, Field, no_field
+from ._files import each_in_place, in_place, label, shown
 from ._laws import LARGEST, Law, checked, sampled
 from ._result import Result
 from ._section import Section
@@ -28,9 +29,11 @@ from .sections import CaseFields, SectionFields, Sections
 _Family = tuple[str, str, list[Any]]
 
 
-def toml_value(field: Field | None, value: Any) -> str:
+def toml_value(field: Field | None, value: Any, folder: Path = Path()) -> str:
     """A value as it stands in a case file; numbers of dimensional fields are in SI units."""
     path = field.path if field else "a field"
+    if field is not None and field.columns:
+        value = in_place(value, field.columns, path, folder)
     if is_quantity(value):
         value = magnitude(value, field.units if field else "", path)
     if getattr(value, "shape", None) == ():
@@ -42,7 +45,7 @@ def toml_value(field: Field | None, value: Any) -> str:
     if isinstance(value, os.PathLike):
         value = os.fspath(value)
     if isinstance(value, (list, tuple)):
-        return f"[{', '.join(toml_value(field, entry) for entry in value)}]"
+        return f"[{', '.join(toml_value(field, entry, folder) for entry in value)}]"
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, (int, float)):
@@ -78,30 +81,31 @@ def _check_one(field: Field, value: Any) -> None:
     # A wrong text has a better message of the library.
     if not wanted and not is_text:
         found = f"an array of shape {value.shape}" if hasattr(value, "shape") else repr(value)
-        advice = "; write the array to a file" if field.kind == "path" else ""
         expected = ONE_VALUE[field.kind]
-        raise refused(field.path, f"{field.path} must be {expected}, but is {found}{advice}")
+        raise refused(field.path, f"{field.path} must be {expected}, but is {found}")
 
 
-def assignments(values: Mapping[str, Any], parent: str = "") -> Iterator[str]:
+def assignments(values: Mapping[str, Any], folder: Path, parent: str = "") -> Iterator[str]:
     """Nested values as ``section.field=value``; `None` removes a field."""
     for name, value in values.items():
         path = f"{parent}.{name}" if parent else name
+        # A section within a section may be its file.
+        field = FIELDS.get(path) or FIELDS.get(f"{path}.file" if "." in path else "")
         if isinstance(value, Section):
             value = value.given()
-        if isinstance(value, Mapping):
-            yield from assignments(value, path)
-        elif value is None:
+        if value is None:
             yield from _removed(path)
-        elif path in SECTIONS and path not in FIELDS and not _may_be_text(path, value):
+        elif isinstance(value, Mapping) and path not in FIELDS:
+            yield from assignments(value, folder, path)
+        elif path in SECTIONS and field is None:
             raise TypeError(f"{path} is a section: give its fields as a dictionary")
         else:
-            yield f"{path}={toml_value(FIELDS.get(path), value)}"
-
-
-def _may_be_text(path: str, value: Any) -> bool:
-    """Whether a text stands for a section: a section within a section may be its file."""
-    return isinstance(value, str) and "." in path
+            text = toml_value(field, value, folder)
+            is_number = field is not None and field.kind == "quantity" and " " in text
+            if is_number and text[0] == '"' and not isinstance(value, str):
+                # It needs no quotes, and in messages it is no text.
+                text = text[1:-1]
+            yield f"{path}={text}"
 
 
 def _number(name: str, field: Field, value: Any) -> float:
@@ -190,7 +194,7 @@ class Case(Sections, Tasks):
         if title is not None:
             values["title"] = title
         folder = Path()
-        self._set(_core.CaseFile("", "Case", folder, list(assignments(values))), folder, {})
+        self._set(_core.CaseFile("", "Case", folder, list(assignments(values, folder))), folder, {})
 
     def _set(self, file: _core.CaseFile, folder: Path, laws: dict[str, Any]) -> None:
         object.__setattr__(self, "_file", file)
@@ -249,7 +253,8 @@ class Case(Sections, Tasks):
 
     def with_(self, **sections: Unpack[CaseFields]) -> Case:
         """The same case with other fields; `None` removes a field or a section."""
-        case = self._of(self._file.with_fields(list(assignments(sections))), self._folder)
+        file = self._file.with_fields(list(assignments(sections, self._folder)))
+        case = self._of(file, self._folder)
         # A load scales the pressure of a function.
         return case.with_laws(**self._laws) if self._laws else case
 
@@ -361,6 +366,9 @@ class Case(Sections, Tasks):
         """Dotted paths of the fields that are given, so that ``dict(case)`` has their values."""
         return self.given()
 
+    def _ipython_key_completions_(self) -> list[str]:
+        return [*FIELDS, *(name for name in SECTIONS if name)]
+
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Case):
             return NotImplemented
@@ -378,7 +386,7 @@ class Case(Sections, Tasks):
             for section in sections:
                 inner = inner.setdefault(section, {})
             inner[name] = self[path]
-        text = ", ".join(f"{name}={value!r}" for name, value in values.items())
+        text = ", ".join(f"{name}={shown(value)}" for name, value in values.items())
         laws = ", ".join(f"{name}={law!r}" for name, law in self._laws.items())
         return f"Case({text}).with_laws({laws})" if laws else f"Case({text})"
 
@@ -433,10 +441,11 @@ class Case(Sections, Tasks):
             raise UnknownName(no_field(path))
         self._check_varied(path)
         values = [values] if isinstance(values, str) else values
+        values = each_in_place(values, FIELDS[path].columns, path, self._folder)
         texts = [toml_value(FIELDS[path], value) for value in values]
         text = f"{path}={','.join(texts)}"
         members = [self._file.with_fields([f"{path}={entry}"]) for entry in texts]
-        return text, path, [member.value(path) for member in members]
+        return text, path, [label(member.value(path)) for member in members]
 
 
 def rebuilt(text: str, folder: str, laws: dict[str, Any]) -> Case:
@@ -452,7 +461,9 @@ def _documentation() -> str:
             lines += [f"    ``{section.name}``: {section.doc}", ""]
             for field in section.fields:
                 default = f"; default: {field.default}" if field.default else ""
+                names = " | ".join(f'"{name}"' for name, _ in field.choices)
                 text = f"- ``{field.name}``{field.unit_text}: {field.doc}{default}"
+                text += f"; {names}" if names else ""
                 lines.append(fill(text, 95, initial_indent="    ", subsequent_indent="      "))
             lines.append("")
     return "\n".join(lines)

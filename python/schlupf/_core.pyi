@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 __all__ = [
     "BatchSolver",
     "CaseFile",
+    "Element",
     "LookUpTable",
     "Report",
     "Solution",
@@ -19,6 +20,8 @@ __all__ = [
     "command",
     "condition_status",
     "conditions",
+    "contact_table",
+    "element_status",
     "error_codes",
     "field_table",
     "force_names",
@@ -56,6 +59,31 @@ class CaseFile:
     def given(self) -> list[str]: ...
     def effective(self) -> list[tuple[str, str, bool]]: ...
     def solve(self, initial_state: bytes | None = None, fields_every: int = 0) -> Solution: ...
+
+_Signals = list[tuple[str, str, str]]
+
+@final
+class Element:
+    def __new__(cls, case: CaseFile) -> Element: ...
+    def signals(self) -> tuple[_Signals, _Signals, _Signals]: ...
+    def start(self) -> NDArray[np.float64]: ...
+    def evaluate(
+        self, inputs: NDArray[np.float64], states: NDArray[np.float64], has_derivatives: bool
+    ) -> tuple[
+        NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.uint8]
+    ]: ...
+    def advance(
+        self, inputs: NDArray[np.float64], states: NDArray[np.float64], duration: float
+    ) -> NDArray[np.float64]: ...
+    def forget(self) -> None: ...
+
+def element_status() -> list[str]: ...
+def contact_table(
+    case: CaseFile,
+    angles: list[float | str | None],
+    tolerance: float | None,
+    counts: tuple[int, int],
+) -> tuple[bytes, tuple[bool, int, int], list[list[float]]]: ...
 
 @final
 class LookUpTable:
@@ -105,6 +133,8 @@ _Counts = tuple[int, int, int, int, tuple[int, str] | None, _Messages]
 @final
 class Study:
     def __new__(cls, path: Path) -> Study: ...
+    @staticmethod
+    def of_case(case: CaseFile, text: str, folder: Path) -> Study: ...
     def digest(self) -> str: ...
     def rows(self) -> int: ...
     def run(self, shard: list[int], output: Path) -> _Counts: ...

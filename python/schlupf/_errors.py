@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
 
@@ -41,6 +42,9 @@ class CaseError(ValueError):
         self.help: str | None = first["help"]
         super().__init__("\n".join(_sentence(error) for error in self.errors))
 
+    def __str__(self) -> str:
+        return "\n".join(_sentence(error) for error in self.errors)
+
     def __reduce__(self) -> tuple[type[CaseError], tuple[list[dict[str, Any]]]]:
         return type(self), (self.errors,)
 
@@ -48,11 +52,38 @@ class CaseError(ValueError):
 def _sentence(error: dict[str, Any]) -> str:
     place = f"{error['place']}: " if error["place"] else ""
     advice = f" ({error['help']})" if error["help"] else ""
-    return f"{place}{error['message']}{advice}"
+    # What stands without quotes there is no text: the package has written it.
+    written = error["place"].rpartition("=")[2]
+    message = error["message"].replace(f'"{written}"', written) if written else error["message"]
+    text = f"{place}{message}{advice}"
+    file = error.get("filename")
+    return text if file is None or str(file) in text else f"{text}: {file}"
 
 
 class CaseFileError(CaseError, OSError):
-    """A file that a case names cannot be read."""
+    """A file that a case names cannot be read.
+
+    Attributes
+    ----------
+    errno, filename : int and str
+        As those of `OSError`.
+    """
+
+    def __init__(self, errors: Sequence[dict[str, Any]]) -> None:
+        super().__init__(errors)
+        self.errno = self.errors[0].get("errno")
+        self.filename = self.errors[0].get("filename")
+        self.strerror = self.errors[0]["message"]
+
+
+class CaseFileNotFound(CaseFileError, FileNotFoundError):
+    """There is no file that a case names."""
+
+
+def file_error(errors: Sequence[dict[str, Any]]) -> CaseFileError:
+    """The error of a file, by its reason."""
+    is_missing = errors[0].get("errno") == errno.ENOENT
+    return (CaseFileNotFound if is_missing else CaseFileError)(errors)
 
 
 class UnknownName(KeyError):

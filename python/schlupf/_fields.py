@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ._core import field_table
+from ._core import conditions, field_table
 from ._errors import no_such
 
 
@@ -21,6 +21,8 @@ class Field:
     is_optional: bool
     choices: tuple[tuple[str, str], ...]
     used_with: tuple[tuple[str, tuple[str, ...]], ...]
+    #: Columns with their units, of every table that its file may hold.
+    columns: tuple[dict[str, str], ...]
     doc: str
 
     @property
@@ -47,6 +49,7 @@ def _read() -> dict[str, SectionTable]:
                     **entry,
                     "choices": tuple(entry["choices"]),
                     "used_with": tuple((p, tuple(n)) for p, n in entry["used_with"]),
+                    "columns": tuple(dict(table) for table in entry["columns"]),
                 }
             )
             for entry in section["fields"]
@@ -62,6 +65,25 @@ SECTIONS: dict[str, SectionTable] = _read()
 FIELDS: dict[str, Field] = {
     field.path: field for section in SECTIONS.values() for field in section.fields
 }
+
+
+#: Conditions that have a short name, with their fields.
+CONDITIONS: dict[str, str] = dict(conditions())
+
+
+def quantity(path: str) -> str:
+    """The name in data sets of a field or quantity: its path with ``_`` for the dot.
+
+    Creepages, spin and speed need no section. A name never is a method of a data set.
+    """
+    section, _, name = path.rpartition(".")
+    is_short = section == "kinematics" and CONDITIONS.get(name) == path
+    return name if is_short else path.replace(".", "_")
+
+
+def column(name: str) -> str:
+    """The name in data sets of a column of the library, by the same rule."""
+    return quantity(CONDITIONS.get(name, name))
 
 
 def no_field(path: object) -> str:

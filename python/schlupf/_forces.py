@@ -10,9 +10,11 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._case import Case
-from ._fields import FIELDS
+from ._errors import no_such
+from ._fields import CONDITIONS, FIELDS, quantity
 from ._laws import in_law
 from ._result import Result
+from ._status import ATTRIBUTES, Status
 from ._tables import attributes
 from ._typing import Unpack
 from ._units import Number, Series, plain
@@ -24,14 +26,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-#: Conditions that have a short name, with their fields.
-CONDITIONS = dict(_core.conditions())
-
 #: Kinds of fields that are numbers.
 NUMBERS = ("quantity", "number", "count", "number-or-choice")
-
-#: Values of ``status``.
-STATUS = tuple(_core.condition_status())
 
 #: The dimension of the contacts of a wheel.
 CONTACT = "contact"
@@ -61,7 +57,8 @@ def forces(
         ``friction__coefficient``; ``creepage_x``, ``creepage_y``, ``spin``, ``speed`` stand for
         those of ``kinematics``, ``load`` for ``normal__load``. Numbers are in SI units; text and
         quantities of pint have theirs. They are broadcast: arrays as in NumPy, with dimensions
-        ``dim_0`` …, data arrays by the names of their dimensions.
+        named after the condition that alone varies along them, else ``condition_1`` (the last) …;
+        data arrays and series of pandas by the names of their dimensions, if they have any.
 
     Returns
     -------
@@ -98,9 +95,9 @@ def forces(
     >>> table["force_x"].shape
     (5, 2)
     """
-    paths = _paths(case, conditions)
-    given = {name: _in_si(case, paths[name], value) for name, value in conditions.items()}
-    named = {name if name in CONDITIONS else paths[name]: value for name, value in given.items()}
+    given: Mapping[str, Any] = conditions
+    paths = _paths(case, given)
+    named = {quantity(path): _in_si(case, path, given[name]) for name, path in paths.items()}
     arrays, dims = _broadcast(named)
     template = next(iter(arrays.values()), xr.DataArray(np.array(0.0)))
     if template.size == 0:
@@ -125,13 +122,7 @@ def forces(
         shape = (*template.shape, *of_contact[1])
         own = (*template.dims, *of_contact[0])
         shaped[name] = (own, column["values"].reshape(shape), attributes(column))
-    meanings = " ".join(STATUS)
-    attrs = {
-        "flag_values": list(range(len(STATUS))),
-        "flag_meanings": meanings,
-        "long_name": "status",
-    }
-    shaped["status"] = (template.dims, numbers.reshape(template.shape), attrs)
+    shaped["status"] = (template.dims, numbers.reshape(template.shape), ATTRIBUTES)
     return xr.Dataset(shaped).assign_coords(coordinates)
 
 
@@ -145,8 +136,8 @@ def _paths(case: Case, conditions: Mapping[str, Any]) -> dict[str, str]:
     paths = {name: CONDITIONS.get(name, name.replace("__", ".")) for name in conditions}
     for name, path in paths.items():
         if path not in FIELDS or FIELDS[path].kind not in NUMBERS:
-            known = ", ".join(CONDITIONS)
-            raise TypeError(f"no condition {name}; there are {known} and the fields of the case")
+            known = [*CONDITIONS, *FIELDS] if "." in path else CONDITIONS
+            raise TypeError(no_such("condition", name, known))
         case._check_varied(path)
     if len(set(paths.values())) < len(paths):
         raise TypeError(f"a condition must be given once, but there are {', '.join(conditions)}")
@@ -170,19 +161,27 @@ def _warn(numbers: NDArray[np.uint8], messages: list[Counted]) -> None:
     """Issues warnings, each with the conditions that it is about, where not all have it."""
     size = numbers.size
     found = []
-    unconverged = np.count_nonzero(numbers == STATUS.index("not-converged"))
+    unconverged = np.count_nonzero(numbers == Status.NOT_CONVERGED)
     if unconverged:
         text = f"status: {unconverged} of {size} conditions have not converged"
         found.append(("not-converged", "status", text))
-    for code, quantity, text, count, place, is_even in messages:
+    for code, of, text, count, place, is_even in messages:
         which = "first" if is_even else "worst"
         of_some = f" ({count} of {size} conditions; {which}: number {place})"
-        found.append((code, quantity, text if count == size and is_even else text + of_some))
+        found.append((code, of, text if count == size and is_even else text + of_some))
     emit(found, stacklevel=3)
 
 
 def _in_si(case: Case, path: str, value: Any) -> Any:
     """Values of a field in its SI unit; text is read as a case reads it."""
+    if hasattr(value, "to_xarray"):
+        # A series of pandas; without a name of its index it is an array.
+        is_named = None not in value.index.names
+        value = value.to_xarray() if is_named else value.to_numpy()
+    if isinstance(value, xr.DataArray):
+        # Dimensions of conditions are named as these.
+        own = {dim: quantity(CONDITIONS[str(dim)]) for dim in value.dims if dim in CONDITIONS}
+        value = value.rename({dim: name for dim, name in own.items() if dim != name})
     value = plain(value, FIELDS[path], path)
     if isinstance(value, xr.DataArray) or np.asarray(value).dtype.kind != "U":
         return value
@@ -192,10 +191,13 @@ def _in_si(case: Case, path: str, value: Any) -> Any:
 
 
 def _broadcast(given: dict[str, Any]) -> tuple[dict[str, xr.DataArray], dict[str, list[str]]]:
-    """All conditions with the same shape, and the dimensions along which each varies."""
+    """All conditions with the same shape, and the dimensions along which each varies.
+
+    A dimension is named after the condition that alone varies along it.
+    """
     plain = {k: np.asarray(v, float) for k, v in given.items() if not isinstance(v, xr.DataArray)}
     shape = np.broadcast_shapes(*(array.shape for array in plain.values()))
-    names = [f"dim_{k}" for k in range(len(shape))]
+    names = [_dimension(plain, k - len(shape)) for k in range(len(shape))]
     named = {}
     dims = {}
     for name, value in given.items():
@@ -210,6 +212,15 @@ def _broadcast(given: dict[str, Any]) -> tuple[dict[str, xr.DataArray], dict[str
     return dict(zip(named, xr.broadcast(*named.values()), strict=True)), dims
 
 
+def _dimension(given: Mapping[str, NDArray[np.float64]], axis: int) -> str:
+    """The name of an axis of arrays, counted from the last, -1."""
+    varying = [
+        name for name, array in given.items() if array.ndim >= -axis and array.shape[axis] > 1
+    ]
+    alone = [name for name in varying if given[name].size == given[name].shape[axis]]
+    return alone[0] if len(varying) == 1 and alone else f"condition_{-axis}"
+
+
 def _coordinate(path: str, given: Any, array: xr.DataArray, dims: list[str]) -> xr.DataArray:
     """The values of a field along the dimensions over which it varies."""
     if isinstance(given, xr.DataArray):
@@ -222,12 +233,12 @@ def _coordinate(path: str, given: Any, array: xr.DataArray, dims: list[str]) -> 
 class Solver:
     """A solver of steady rolling that keeps its set-up and starts from its earlier solutions.
 
-    For callers with loops of their own, such as simulators: ``case.solver()``.
+    For callers with loops of their own, such as simulators.
 
     Examples
     --------
     >>> import schlupf
-    >>> solver = schlupf.Case(grid={"cells_x": 16, "cells_y": 16}).solver()
+    >>> solver = schlupf.Solver(schlupf.Case(grid={"cells_x": 16, "cells_y": 16}))
     >>> [round(solver.solve(creepage_x=ξ).force.x / 1e3) for ξ in (0.0, 0.001)]
     [0, -11]
     """

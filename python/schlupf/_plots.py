@@ -66,7 +66,7 @@ def styled(plot: Callable[P, R]) -> Callable[P, R]:
         try:
             import matplotlib.pyplot as plt
         except ImportError as error:
-            raise ImportError("plots need matplotlib: pip install schlupf[plot]") from error
+            raise ImportError("plots need matplotlib (extra `plot`)") from error
         # Not rc_context: while the backend of a notebook is loading it would undo its settings.
         before = {name: plt.rcParams[name] for name in STYLE}
         plt.rcParams.update(STYLE)
@@ -264,7 +264,7 @@ class ResultPlots:
         ax = axes_or_new(ax)
         if not names:
             for name in ("force_x", "force_y"):
-                ratio = history[name] / history["load"]
+                ratio = history[name] / history["normal_load"]
                 line(ax, history["time"] * 1e3, ratio, f"$F_{name[-1]}/N$", style)
         else:
             entries = [variable(history, name) for name in names]

@@ -53,6 +53,9 @@ class Presets(Generic[Fields]):
         def __getattr__(self, name: str) -> Any:
             raise AttributeError(no_such("preset", name, self))
 
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self._presets)
+
     def __getitem__(self, name: str) -> Preset[Fields]:
         try:
             return self._presets[name]

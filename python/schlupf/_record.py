@@ -51,6 +51,24 @@ class Record:
         """The names, so that ``dict(record)`` has the values."""
         return list(self._values)
 
+    def values(self) -> list[Any]:
+        """The values, in the order of the names."""
+        return list(self._values.values())
+
+    def items(self) -> list[tuple[str, Any]]:
+        """Names with their values."""
+        return list(self._values.items())
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return self.keys()
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Record):
+            return NotImplemented
+        return self.to_dict() == other.to_dict()
+
+    __hash__ = None  # type: ignore[assignment]
+
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._values]
 

@@ -11,9 +11,10 @@ import xarray as xr
 
 from . import _core
 from ._errors import NotConverged
-from ._fields import FIELDS
+from ._fields import FIELDS, quantity
 from ._record import Record
 from ._result import Saved, restored, table, written
+from ._status import numbered
 from ._tables import along, attributes, stacked
 from .warnings import emit
 
@@ -110,7 +111,7 @@ class Report(Record):
 class Curve(Report, task="curve"):
     """Creep curves: forces along a path of creepages, for one case or several.
 
-    With ``points`` along ``point``, and along ``over`` (and ``over_2``) where there are several
+    With ``points`` along ``point``, and along the fields that differ where there are several
     curves; with a ``map``.
     """
 
@@ -126,13 +127,15 @@ class Curve(Report, task="curve"):
     def points(self) -> xr.Dataset:
         """The points along ``point``: creepages, forces, power, temperature, status.
 
-        Several curves lie along ``over``, whose coordinate has the values of the field (in SI
-        units) and whose attribute ``field`` its path; those over two fields along ``over`` and
-        ``over_2``.
+        Several curves lie along the field that differs, such as ``speed`` or
+        ``friction_coefficient``, whose coordinate has its values (in SI units) and whose attribute
+        ``field`` its path; those over two fields along both.
         """
-        members = [along(columns, "point") for columns in self._tables["points"]]
-        for number, (field, values) in reversed(list(enumerate(self._over))):
-            name = "over" if number == 0 else f"over_{number + 1}"
+        members = [numbered(along(columns, "point")) for columns in self._tables["points"]]
+        for field, values in reversed(self._over):
+            name = quantity(field)
+            # That of the points is the same for all of a curve.
+            members = [member.drop_vars(name, errors="ignore") for member in members]
             attrs = {"field": field, "units": FIELDS[field].units, "long_name": FIELDS[field].doc}
             count = len(values)
             rows = [members[k : k + count] for k in range(0, len(members), count)]
@@ -144,8 +147,7 @@ class Curve(Report, task="curve"):
     def map(self) -> xr.Dataset:
         """Quantities over the creepage and the field, or of the largest force over two fields.
 
-        The coordinates are named as creepages or as fields (dotted). What has not converged is not
-        a number.
+        The coordinates are named as in `points`. What has not converged is not a number.
 
         Raises
         ------
@@ -155,8 +157,8 @@ class Curve(Report, task="curve"):
         found = json.loads(self._report.json())["map"]
         if found is None:
             raise ValueError("a map needs a field with at least three numbers, or two fields")
-        dimensions = (found["y"]["name"], found["x"]["name"])
-        axes = (found["y"], found["x"])
+        axes = [{**axis, "name": quantity(axis["name"])} for axis in (found["y"], found["x"])]
+        dimensions = [axis["name"] for axis in axes]
         coords = {
             axis["name"]: (axis["name"], axis["values"], {"units": axis["unit"]}) for axis in axes
         }
@@ -499,7 +501,7 @@ class Wheelset(Report, task="wheelset"):
         patches and forces are those of `solve`, with points in their names. Where a position
         failed, ``status`` says so and ``contact`` is 0.
         """
-        dataset = along(self._tables["contacts"][0], "row")
+        dataset = numbered(along(self._tables["contacts"][0], "row"))
         return dataset.set_coords(["lateral_position", "side", "contact"])
 
     @cached_property

@@ -53,21 +53,18 @@ def curve(curve: Curve, ax: Axes | None = None, **style: Any) -> Axes:
     # What is left of a force by rounding is none.
     noise = 1e-9 * max(largest(points[force]) for force in FORCES)
     shown = {force: symbol for force, symbol in FORCES.items() if largest(points[force]) > noise}
-    members = (
-        [points]
-        if "over" not in points.dims
-        else [points.isel(over=k) for k in range(points.sizes["over"])]
-    )
+    over = next((str(name) for name in points.dims if name != "point"), None)
+    members = [points.isel({over: k}) for k in range(points.sizes[over])] if over else [points]
     for number, member in enumerate(members):
-        of_member = _member(member)
+        of_member = _member(member[over]) if over else ""
         for dashes, (force, symbol) in zip(("-", "--"), shown.items(), strict=False):
             label = f"{symbol}, {of_member}" if of_member else symbol
             own = {"color": f"C{number}", "linestyle": dashes} if of_member else {}
             line(ax, member[name], member[force] * factor, label, style, **own)
     ax.set_xlabel(labelled(points[name]))
     ax.set_ylabel(f"force on the wheel ({unit})")
-    if "over" in points.dims:
-        legend_beside(ax, title=words(points["over"].attrs["field"]))
+    if over:
+        legend_beside(ax, title=words(points[over].attrs["field"]))
     else:
         ax.legend()
     set_title(ax, curve.title)
@@ -96,17 +93,16 @@ def creep_map(curve: Curve, quantity: str, ax: Axes | None = None, **style: Any)
 def _in_words(values: xr.DataArray, points: xr.Dataset) -> str:
     """A label of a quantity of points, or of a field."""
     name = str(values.name)
-    long_name = points[name].attrs.get("long_name") if name in points else None
+    attrs = points[name].attrs if name in points else {}
+    long_name = words(attrs["field"]) if "field" in attrs else attrs.get("long_name")
     return labelled(values.assign_attrs(long_name=long_name or words(name)))
 
 
-def _member(points: xr.Dataset) -> str:
+def _member(over: xr.DataArray) -> str:
     """The value in which a curve differs from others."""
-    if "over" not in points.coords:
-        return ""
-    value = points["over"].item()
+    value = over.item()
     text = value if isinstance(value, str) else f"{value:.4g}"
-    return f"{text} {points['over'].attrs['units']}".rstrip()
+    return f"{text} {over.attrs['units']}".rstrip()
 
 
 @styled
@@ -231,7 +227,7 @@ def _varied(points: xr.Dataset) -> str:
 
 def _series(points: xr.Dataset) -> list[xr.Dataset]:
     """Points of the same speed and load."""
-    conditions = np.stack([points["speed"].values, points["load"].values])
+    conditions = np.stack([points["speed"].values, points["normal_load"].values])
     _, inverse = np.unique(conditions, axis=1, return_inverse=True)
     inverse = inverse.ravel()
     return [points.isel(point=inverse == k) for k in range(int(inverse.max()) + 1)]

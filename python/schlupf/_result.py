@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import errno
 import html
 import itertools
 import json
-from collections.abc import Sequence
+import os
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
 from functools import cached_property
+from importlib.util import find_spec
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 import xarray as xr
 
 from . import _core
@@ -122,12 +127,34 @@ class Result(Solved):
         return frame[frame["contact"]].drop(columns="contact").reset_index()
 
     def to_netcdf(self, path: str | PathLike[str], **options: Any) -> None:
-        """Writes the fields as NetCDF, with the scalars as JSON in an attribute."""
-        self._with_scalars().to_netcdf(with_folder(path), **options)
+        """Writes the result as NetCDF, for `open_result`.
+
+        The fields, with the scalars as JSON in an attribute, and groups: ``history``,
+        ``field_history`` and ``files``, what the command would write.
+
+        Parameters
+        ----------
+        path : path
+            The file.
+        **options
+            Of `xarray.Dataset.to_netcdf`; ``encoding`` is that of the fields, and ``engine`` by
+            default h5netcdf where it is installed.
+        """
+        path = with_folder(path)
+        if find_spec("h5netcdf"):
+            # SciPy, which xarray may take, writes no groups.
+            options = {"engine": "h5netcdf", **options}
+        with unfinished(path) as part_of_file:
+            for group, part in self._parts().items():
+                part.to_netcdf(part_of_file, "a" if group else "w", group=group, **options)
+                options.pop("encoding", None)
 
     def to_zarr(self, store: Any, **options: Any) -> None:
-        """Writes the fields as Zarr, with the scalars as JSON in an attribute."""
-        self._with_scalars().to_zarr(store, **options)
+        """Writes the same as Zarr."""
+        for group, part in self._parts().items():
+            part.to_zarr(store, group=group, **options)
+            options |= {"mode": "a", "consolidated": False}
+            options.pop("encoding", None)
 
     def to_csv(self, path: str | PathLike[str]) -> None:
         """Writes the cells in contact as CSV, as the command does."""
@@ -144,14 +171,31 @@ class Result(Solved):
         if not len(self.fields["x"]):
             raise ValueError(f"the method {self.method} gives forces, but no fields")
 
-    def _with_scalars(self) -> xr.Dataset:
-        return self.fields.assign_attrs(result=self._solution.json())
+    def _parts(self) -> dict[str | None, xr.Dataset]:
+        """What is written, by its group."""
+        answers = {name: getattr(self._solution, name)() for name in FILES}
+        answers |= {"lines": json.dumps(answers["lines"]), "warnings": json.dumps(self.messages)}
+        texts = {name: text for name, text in answers.items() if text is not None}
+        files = {
+            name: (
+                f"{name}_byte",
+                np.frombuffer(text.encode() if isinstance(text, str) else text, np.uint8),
+            )
+            for name, text in texts.items()
+        }
+        parts: dict[str | None, xr.Dataset] = {"history": self.history, "files": xr.Dataset(files)}
+        with suppress(ValueError):
+            parts["field_history"] = self.field_history
+        saved = {"result": self._solution.json(), "groups": " ".join(map(str, parts))}
+        return {None: self.fields.assign_attrs(saved), **parts}
 
     def __repr__(self) -> str:
         return self.summary().rstrip()
 
     def __reduce__(self) -> Any:
-        return restored, (type(self), {"_solution": Saved.of(self._solution)})
+        # One that was opened has no other ones.
+        own = {name: of for name, of in self.__dict__.items() if isinstance(of, xr.Dataset)}
+        return restored, (type(self), {"_solution": Saved.of(self._solution), **own})
 
     def _repr_html_(self) -> str:
         """Summary and a small map of the traction."""
@@ -185,6 +229,55 @@ class Saved:
         except KeyError:
             raise AttributeError(name) from None
         return lambda: answer
+
+
+#: Answers of a solution that are written as they are.
+FILES = ("summary", "lines", "warnings", "csv", "vtk", "state")
+
+
+def open_result(path: str | PathLike[str], **options: Any) -> Result:
+    """The result that `Result.to_netcdf` or `Result.to_zarr` has written.
+
+    Parameters
+    ----------
+    path : path
+        The file, or the folder of a Zarr store.
+    **options
+        Of `xarray.open_dataset`, such as ``engine``.
+
+    Raises
+    ------
+    FileNotFoundError
+        If there is none.
+    ValueError
+        If it is no result.
+    """
+    path = Path(path)
+    if not path.exists():
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), os.fspath(path))
+    if path.is_dir():
+        options = {"engine": "zarr", "consolidated": False, **options}
+
+    def part(group: str | None) -> xr.Dataset:
+        with xr.open_dataset(path, group=group, **options) as dataset:
+            return dataset.load()
+
+    fields = part(None)
+    if "groups" not in fields.attrs:
+        raise ValueError(f"{path} must be a result that schlupf has written, but is not")
+    scalars = fields.attrs.pop("result")
+    parts = {name: part(name) for name in fields.attrs.pop("groups").split()}
+    files = {str(name): data.values.tobytes() for name, data in parts.pop("files").items()}
+    answers: dict[str, Any] = dict.fromkeys(FILES) | files | {"json": scalars}
+    answers |= {name: files[name].decode() for name in ("summary", "csv") if name in files}
+    lines = json.loads(files["lines"])
+    answers["lines"] = [line if isinstance(line, str) else tuple(line) for line in lines]
+    answers["warnings"] = [tuple(message) for message in json.loads(files["warnings"])]
+    answers["field_history"] = ([], [], {})
+    solution = Saved(answers)
+    result = restored(Result, {"_solution": solution, "fields": fields, **parts})
+    assert isinstance(result, Result)
+    return result
 
 
 def restored(kind: type[Record], attributes: dict[str, Any]) -> Record:
@@ -230,3 +323,14 @@ def with_folder(path: str | PathLike[str]) -> Path:
     path = Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
     return path
+
+
+@contextmanager
+def unfinished(path: Path) -> Iterator[Path]:
+    """The path of an output while it is written; there is none if that fails."""
+    part = path.with_name(f"{path.name}.part")
+    try:
+        yield part
+        os.replace(part, path)
+    finally:
+        part.unlink(missing_ok=True)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, overload
+from warnings import warn
 
 from ._fields import SECTIONS, no_field
+from ._files import shown
 from ._typing import Self
 
 if TYPE_CHECKING:
@@ -89,6 +91,9 @@ class Section:
         """Names of the fields that are given, so that ``dict(section)`` has their values."""
         return list(self.given())
 
+    def _ipython_key_completions_(self) -> list[str]:
+        return [field.name for field in SECTIONS[self._path].fields]
+
     def given(self) -> dict[str, Any]:
         """The fields that are given, with their values in SI units."""
         prefix = f"{self._path}."
@@ -97,17 +102,19 @@ class Section:
 
     def __repr__(self) -> str:
         values = ((field.name, self[field.name]) for field in SECTIONS[self._path].fields)
-        lines = (f"  {name} = {value!r}" for name, value in values if value is not None)
+        lines = (f"  {name} = {shown(value)}" for name, value in values if value is not None)
         return "\n".join([f"[{self._path}]", *lines])
 
 
 class SolverSection(Section):
-    """The section ``solver``, and the way to a solver."""
+    """The section ``solver``."""
 
     __slots__ = ()
 
     def __call__(self) -> Solver:
-        """A solver that keeps its set-up and starts from its earlier solutions."""
+        """Deprecated: `schlupf.Solver` of the case."""
         from ._forces import Solver
 
+        message = "case.solver() is now schlupf.Solver(case): case.solver is a section"
+        warn(message, DeprecationWarning, stacklevel=2)
         return Solver(self._case)

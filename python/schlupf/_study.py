@@ -3,20 +3,32 @@
 from __future__ import annotations
 
 import functools
+import json
+import os
+import re
 import time
-from collections.abc import Sequence
+import warnings
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from importlib import import_module
 from os import PathLike
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import xarray as xr
 
 from . import _core
-from ._errors import SchlupfWarning, quoted
+from ._case import Case, toml_value
+from ._errors import CaseError, SchlupfWarning, UnknownName, quoted
+from ._fields import CONDITIONS, FIELDS, no_field, quantity
+from ._files import data_url, each_in_place
+from ._forces import NUMBERS
 from ._result import with_folder
+from ._status import numbered
 from ._tables import along
+from ._units import Data, plain
+from .sections import FieldPath
 from .warnings import emit
 
 #: Work that a task of a cluster has at least, in s: handing it out takes milliseconds.
@@ -50,12 +62,173 @@ class Sweep:
 
     @property
     def table(self) -> xr.Dataset:
-        """The table along ``index``; see `read_table`."""
-        return read_table(self.path)
+        """The table along ``index``; see `open_table`."""
+        return open_table(self.path)
+
+
+class Study:
+    """A case and what varies over it; `sweep` solves it.
+
+    Of a file, or of Python's objects with `study`.
+    """
+
+    #: A path; or the case as TOML, its folder and the text of the study.
+    _source: tuple[Any, ...]
+    _study: _core.Study
+
+    def __init__(self, path: str | PathLike[str]) -> None:
+        self._set(Path(path))
+
+    def _set(self, *source: Any) -> None:
+        self._source = source
+        self._study = _made(*source)
+
+    @classmethod
+    def _of(cls, *source: Any) -> Study:
+        study = cls.__new__(cls)
+        study._set(*source)
+        return study
+
+    @classmethod
+    def from_file(cls, path: str | PathLike[str]) -> Study:
+        """The study of a file (TOML)."""
+        return cls(path)
+
+    @property
+    def rows(self) -> int:
+        """Number of states."""
+        return self._study.rows()
+
+    def to_toml(self) -> str:
+        """What varies, as in a study file, which names its case besides."""
+        return str(self._source[-1]) if len(self._source) > 1 else self._source[0].read_text()
+
+    def __repr__(self) -> str:
+        return f"<schlupf.Study of {self.rows} states>"
+
+    def __reduce__(self) -> Any:
+        return Study._of, self._source
+
+
+def _made(*source: Any) -> _core.Study:
+    if len(source) == 1:
+        return _core.Study(source[0])
+    case, folder, text = source
+    return _core.Study.of_case(Case.from_toml(case, folder)._file, text, Path())
+
+
+def study(
+    case: Case,
+    *,
+    vary: Mapping[FieldPath, Any] | None = None,
+    sample: Mapping[str, Any] | None = None,
+    states: Data | None = None,
+    fields: Sequence[str] | bool = False,
+    batch: int | None = None,
+) -> Study:
+    """A study of a case: its states are those of `vary`, of `sample` or of `states`.
+
+    Parameters
+    ----------
+    case : Case
+        What does not vary.
+    vary : mapping, optional
+        All combinations of values: fields by their dotted paths, such as ``"normal.load"``, each
+        with a sequence, array or data array. The last field varies fastest. Numbers are in SI
+        units; text and quantities of pint have theirs.
+    sample : mapping, optional
+        Values spread over ranges: ``method`` (``"sobol"`` or ``"latin-hypercube"``), ``count``,
+        ``seed`` and ``range``, a mapping of fields to their two ends.
+    states : path, mapping, DataFrame or Dataset, optional
+        A row for each state, with columns named as fields; ``creepage_x``, ``creepage_y``,
+        ``spin``, ``speed`` and ``load`` need no section.
+    fields : bool or sequence of str, default False
+        Whether to keep the cells of each state, or which of their quantities (Parquet).
+    batch : int, optional
+        States that are solved and kept together.
+
+    Raises
+    ------
+    CaseError
+        If something is wrong with the case or a value.
+
+    Examples
+    --------
+    >>> import schlupf
+    >>> case = schlupf.Case(friction={"model": "constant"}, solver={"method": "polach"})
+    >>> study = schlupf.study(case, vary={"normal.load": [60e3, 80e3], "kinematics.spin": [0, 1]})
+    >>> study.rows
+    4
+    """
+    if case._laws:
+        raise TypeError(f"a study takes no functions, but there are {', '.join(case._laws)}")
+    if sum(design is not None for design in (vary, sample, states)) != 1:
+        raise TypeError("a study takes one of vary, sample and states")
+    lines = [] if batch is None else [f"batch = {toml_value(None, batch)}"]
+    if vary is not None:
+        lines += ["[vary]", *_listed(vary, case._folder)]
+    if sample is not None:
+        given = {name: value for name, value in sample.items() if name != "range"}
+        lines += [
+            "[sample]",
+            *(f"{_key(name)} = {toml_value(None, given[name])}" for name in given),
+        ]
+        lines += ["[sample.range]", *_listed(sample.get("range", {}), case._folder)]
+    if states is not None:
+        lines += ["[states]", f"file = {json.dumps(_states(states), ensure_ascii=False)}"]
+    if fields is not False:
+        lines += ["[fields]", *([] if fields is True else [f"columns = {json.dumps([*fields])}"])]
+    try:
+        return Study._of(case._toml(), case._folder, "\n".join(lines))
+    except CaseError as error:
+        # Nobody has seen the text.
+        places = [re.sub(r"^study(:.*)?$", "", each["place"]) for each in error.errors]
+        told = zip(error.errors, places, strict=True)
+        raise type(error)([{**each, "place": place} for each, place in told]) from None
+
+
+def _key(name: str) -> str:
+    return json.dumps(name, ensure_ascii=False)
+
+
+def _listed(values: Mapping[Any, Any], folder: Path) -> Iterator[str]:
+    """Fields with their values."""
+    for path, each in values.items():
+        if path not in FIELDS:
+            raise UnknownName(no_field(path))
+        field = FIELDS[path]
+        given = plain(each, field, path)
+        if isinstance(given, str) or not np.iterable(given):
+            raise TypeError(f"{path} must be a sequence of values, but is {quoted(each)}")
+        given = each_in_place(given, field.columns, path, folder)
+        texts = (toml_value(field, getattr(value, "values", value)) for value in given)
+        yield f"{_key(path)} = [{', '.join(texts)}]"
+
+
+#: Columns of states besides fields, which come back in the table.
+CARRIED = {"time": "s", "distance": "m", "position_y": "m"}
+
+
+def _states(states: Any) -> str:
+    """A file of states, or data in its place."""
+    if isinstance(states, (str, PathLike)):
+        return os.fspath(Path(states).absolute())
+    if hasattr(states, "rename"):
+        states = states.rename(**_renaming(states))
+    else:
+        states = {CONDITIONS.get(str(name), str(name)): states[name] for name in states}
+    units = {path: field.units for path, field in FIELDS.items() if field.kind in NUMBERS}
+    return data_url(states, [units | CARRIED], "states")
+
+
+def _renaming(states: Any) -> dict[str, Any]:
+    """Short names of conditions in a data frame or data set."""
+    names = {name: CONDITIONS[name] for name in states if name in CONDITIONS}
+    return {"columns": names} if hasattr(states, "columns") else {"name_dict": names}
 
 
 def sweep(
-    study: str | PathLike[str],
+    study: Study | str | PathLike[str],
     output: str | PathLike[str],
     *,
     shard: tuple[int, int] = (1, 1),
@@ -69,8 +242,8 @@ def sweep(
 
     Parameters
     ----------
-    study : path
-        A study file (TOML).
+    study : Study or path
+        Of `schlupf.study`, or a study file (TOML).
     output : path
         The table, a ``.csv`` or ``.parquet`` file.
     shard : (int, int), default (1, 1)
@@ -96,19 +269,19 @@ def sweep(
     OSError
         If a file cannot be read or written; what is done is kept.
     """
-    path, output = Path(study), with_folder(output)
+    study, output = study if isinstance(study, Study) else Study(study), with_folder(output)
     if client is not None and not hasattr(client, "submit"):
         raise TypeError(f"client must be a distributed.Client, but is {quoted(client)}")
     if not 1 <= shard[0] <= shard[1]:
         raise ValueError(f"shard must be (i, n) with i from 1 to n, but is {shard}")
-    opened = _core.Study(path)
+    opened = study._study
     if client is None:
         counts = opened.run(list(shard), output)
     elif tuple(shard) != (1, 1):
         raise TypeError("a cluster solves all of a study: leave out the shard")
     else:
         run = _core.StudyRun(opened, output)
-        _on_cluster(client, path, opened.digest(), run)
+        _on_cluster(client, study, opened.digest(), run)
         counts = run.finish()
     result = Sweep(output, *counts)
     if warn:
@@ -145,9 +318,10 @@ def merge(
     return result
 
 
-def read_table(path: str | PathLike[str]) -> xr.Dataset:
-    """The table of a study, along ``index``: what varies, ``status``, and results such as
-    ``force.x``, with their units as attributes.
+def open_table(path: str | PathLike[str]) -> xr.Dataset:
+    """The table of a study, along ``index``: what varies, ``status`` (`Status`), and results.
+
+    A column ``force.x`` of the file is ``force_x``, as in all data sets, with its units.
 
     Raises
     ------
@@ -156,6 +330,18 @@ def read_table(path: str | PathLike[str]) -> xr.Dataset:
     OSError
         If it cannot be read.
     """
+    table = _read(path)
+    names = {name: quantity(str(name)) for name in table if quantity(str(name)) != name}
+    return numbered(table.rename(names))
+
+
+def read_table(path: str | PathLike[str]) -> xr.Dataset:
+    """Deprecated: `open_table`, whose names are those of all data sets."""
+    warnings.warn("read_table is now open_table", DeprecationWarning, stacklevel=2)
+    return _read(path)
+
+
+def _read(path: str | PathLike[str]) -> xr.Dataset:
     columns = _core.read_table(Path(path))
     described = {
         name: {**column, "long_name": name, "symbol": "", "source": ""}
@@ -178,35 +364,39 @@ def _warn(result: Sweep) -> None:
 
 
 @functools.lru_cache(maxsize=4)
-def _opened(path: str, digest: str) -> _core.Study:
-    study = _core.Study(Path(path))
+def _opened(source: tuple[Any, ...], digest: str) -> _core.Study:
+    study = _made(*source)
     if study.digest() != digest:
         raise ValueError(
-            f"{path} is another study on a worker than on the client: their files, or their "
-            "versions of schlupf, differ"
+            f"{source[0] if len(source) == 1 else 'the study'} is another study on a worker than "
+            "on the client: their files, or their versions of schlupf, differ"
         )
     return study
 
 
-def _solve(path: str, digest: str, batches: list[int]) -> tuple[list[tuple[int, str]], float]:
+def _solve(
+    source: tuple[Any, ...], digest: str, batches: list[int]
+) -> tuple[list[tuple[int, str]], float]:
     """Solves batches on a worker; returns their rows, and the time that it took (in s)."""
     start = time.perf_counter()
-    study = _opened(path, digest)
+    study = _opened(source, digest)
     solved = [(batch, study.solve(batch)) for batch in batches]
     return solved, time.perf_counter() - start
 
 
-def _on_cluster(client: Any, path: Path, digest: str, run: _core.StudyRun) -> None:
+def _on_cluster(client: Any, study: Study, digest: str, run: _core.StudyRun) -> None:
     """Has the batches that are left solved by workers; each is kept as soon as it is back."""
     # It has no types.
     as_completed: Any = import_module("distributed").as_completed
+    # Workers need not have the same working directory.
+    source = study._source if len(study._source) > 1 else (study._source[0].resolve(),)
     left = list(reversed(run.left()))
     size = 1
 
     def submitted() -> Any:
         batches = [left.pop() for _ in range(min(size, len(left)))]
         # A batch may be solved twice, by a worker that is lost and by another one.
-        return client.submit(_solve, str(path.resolve()), digest, batches, pure=False)
+        return client.submit(_solve, source, digest, batches, pure=False)
 
     workers = max(1, sum(client.nthreads().values()))
     futures = as_completed([submitted() for _ in range(2 * workers) if left], with_results=True)

@@ -7,30 +7,29 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from ._units import plain
+from ._fields import column
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from numpy.typing import NDArray
 
-    from ._units import Measured
 
 #: A column: values, symbol, units, long_name, vector.
 Column = dict[str, Any]
 
 
-def attributes(column: Column) -> dict[str, str]:
+def attributes(of: Column) -> dict[str, str]:
     """Attributes of a variable (CF conventions): units, long_name, symbol, source."""
     names = ("long_name", "units", "symbol", "source")
-    return {name: column[name] for name in names if column[name] or name == "units"}
+    return {name: of[name] for name in names if of[name] or name == "units"}
 
 
 def along(columns: Mapping[str, Column], dimension: str, index: str | None = None) -> xr.Dataset:
     """Rows along one dimension; the column `index` becomes its coordinate."""
     variables = {
-        name: (dimension, np.asarray(column["values"]), attributes(column))
-        for name, column in columns.items()
+        column(name): (dimension, np.asarray(of["values"]), attributes(of))
+        for name, of in columns.items()
     }
     dataset = xr.Dataset(variables)
     if index is not None and index in variables:
@@ -56,10 +55,10 @@ def on_grid(
     variables = {
         f"centroid_{name}" if name in coordinates else name: (
             dimensions,
-            column["values"],
-            attributes(column),
+            of["values"],
+            attributes(of),
         )
-        for name, column in columns.items()
+        for name, of in columns.items()
     }
     contact = ~np.isnan(columns["covered"]["values"])
     variables["contact"] = (dimensions, contact, {"long_name": "cell in contact", "units": ""})
@@ -68,19 +67,3 @@ def on_grid(
         for name, axis in zip(("x", "y"), axes, strict=True)
     }
     return xr.Dataset(variables, coords)
-
-
-def csv(data: Any, fields: Mapping[str, Measured]) -> bytes:
-    """Columns by name (a mapping, data frame or data set) as a CSV file with units in its header.
-
-    Quantities are converted to SI units; a name that has a unit of its own, such as ``load [kN]``,
-    keeps it.
-    """
-    names = [str(name) for name in data]
-    values = (plain(data[n], fields[n], n) if n in fields else data[n] for n in names)
-    columns = np.broadcast_arrays(*(np.asarray(value, float) for value in values))
-    units = {name: field.units for name, field in fields.items() if field.units}
-    heads = [f"{name} [{units[name]}]" if name in units else name for name in names]
-    rows = zip(*(column.ravel().tolist() for column in columns), strict=True)
-    lines = [",".join(heads), *(",".join(map(repr, row)) for row in rows)]
-    return "\n".join(lines).encode()

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Literal
 
-from ._ask import Data, Family, Numbers, Range, Texts, ask
+from ._ask import Family, Numbers, Range, Texts, ask
 from ._report import (
     BulkTemperature,
     Calibration,
@@ -22,7 +22,7 @@ from ._report import (
     Wear,
     Wheelset,
 )
-from ._units import File, Number
+from ._units import Data, File, Number
 
 if TYPE_CHECKING:
     from ._case import Case
@@ -83,25 +83,25 @@ class Tasks:
 
         Parameters
         ----------
-        creepage_x : (float, float) or str, optional
+        creepage_x : (float, float), array or str, optional
             Vary the longitudinal creepage, such as 0..0.05; several creepages vary together.
-        creepage_y : (float, float) or str, optional
+        creepage_y : (float, float), array or str, optional
             Vary the lateral creepage.
-        spin : (float, float) or str, optional
+        spin : (float, float), array or str, optional
             Vary the spin creepage, such as "0..2 1/m". Numbers are in 1/m.
-        creepage : (float, float) or str, optional
+        creepage : (float, float), array or str, optional
             Vary the total creepage in a direction, in place of both creepages.
         direction : float or str, optional
             Direction of the total creepage, from longitudinal (0 deg) to lateral (90 deg). Numbers
             are in rad.
-        force_x : (float, float) or str, optional
+        force_x : (float, float), array or str, optional
             Vary the longitudinal force on the wheel, such as "0..-20 kN" (negative in braking), in
             place of all creepages: its creepage is found. Numbers are in N.
-        traction_coefficient : (float, float) or str, optional
+        traction_coefficient : (float, float), array or str, optional
             Vary the same over the load, such as 0..0.25 (positive in braking).
-        force_y : (float, float) or str, optional
+        force_y : (float, float), array or str, optional
             Vary the lateral force on the wheel. Numbers are in N.
-        moment_z : (float, float) or str, optional
+        moment_z : (float, float), array or str, optional
             Vary the spin moment on the wheel, such as "0..20 N m". Numbers are in N m.
         over : mapping of fields to their values, optional
             Draw one curve for each value of a field, such as 10, 20 and 30 m/s of
@@ -121,7 +121,7 @@ class Tasks:
         -------
         Curve
             Creep curves: forces along a path of creepages, for one case or several. With
-            ``points`` along ``point``, and along ``over`` (and ``over_2``) where there are several
+            ``points`` along ``point``, and along the fields that differ where there are several
             curves; with a ``map``.
 
         Raises
@@ -150,8 +150,8 @@ class Tasks:
     def roughness(
         self,
         *,
-        surface: File | None = None,
-        second: File | None = None,
+        surface: Data | None = None,
+        second: Data | None = None,
         synthetic: Texts | None = None,
         form: Literal["plane", "cylinder", "sphere", "none"] | None = None,
         cutoff: Number | None = None,
@@ -171,10 +171,12 @@ class Tasks:
 
         Parameters
         ----------
-        surface : path, optional
-            Surface or profile of one body, or of both together (.csv, .npy, .x3p, .xyz).
-        second : path, optional
-            Surface of the other body, on the same lattice: their heights are added.
+        surface : path or mapping, optional
+            Surface or profile of one body, or of both together (.csv, .npy, .x3p, .xyz). Columns
+            of a mapping without a unit: x in m, y in m, height in m.
+        second : path or mapping, optional
+            Surface of the other body, on the same lattice: their heights are added. Columns of a
+            mapping without a unit: x in m, y in m, height in m.
         synthetic : str or sequence of str, optional
             Make a self-affine surface, such as rms_height="1 um",hurst=0.8,longest="100 um",
             shortest="5 um",seed=1; also rms_slope and roll_off.
@@ -292,7 +294,7 @@ class Tasks:
             are in m.
         y : float or str, optional
             Position across rolling; by default that of the hottest point. Numbers are in m.
-        depth : (float, float) or str, optional
+        depth : (float, float), array or str, optional
             Depths of the profile, such as "0..2 mm"; by default as far as heat has penetrated.
             Numbers are in m.
         wake : float or str, optional
@@ -564,7 +566,7 @@ class Tasks:
 
         Parameters
         ----------
-        lateral_position : (float, float) or str, default "-8..8 mm"
+        lateral_position : (float, float), array or str, default "-8..8 mm"
             First and last lateral position of the wheelset. Numbers are in m.
         points : int, default 33
             Number of positions.

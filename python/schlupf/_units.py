@@ -7,6 +7,7 @@ from os import PathLike
 from typing import Any, Protocol
 
 import numpy as np
+import xarray as xr
 from numpy.typing import NDArray
 
 from ._errors import CaseError, quoted
@@ -39,6 +40,21 @@ Count = int | np.integer[Any]
 Flag = bool | np.bool_
 #: A path.
 File = str | PathLike[str]
+
+
+class Columns(Protocol):
+    """Columns by name: a mapping, a data frame, a data set."""
+
+    def keys(self) -> Any: ...
+    def __getitem__(self, name: Any, /) -> Any: ...
+
+
+#: A file, or an array in its place.
+Array = File | xr.DataArray | NDArray[Any]
+#: Heights: the same, or an object of SurfaceTopography or surfalize.
+Surface = Array | Any
+#: The same, or a table.
+Data = Array | Columns | Sequence[Sequence[float]]
 
 
 def refused(field: str, message: str) -> CaseError:

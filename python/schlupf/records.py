@@ -48,7 +48,7 @@ InstantColumn = Literal[
     "shift_x",
     "shift_y",
     "turn",
-    "load",
+    "normal_load",
     "force_x",
     "force_y",
     "moment_z",

@@ -16,7 +16,7 @@ from typing import Generic, Literal, TypeVar
 from ._preset import Preset
 from ._section import Entry, Section, SolverSection
 from ._typing import TypedDict
-from ._units import Count, File, Flag, Number, Plain, Series
+from ._units import Array, Count, Data, File, Flag, Number, Plain, Series
 
 V = TypeVar("V")
 
@@ -63,6 +63,7 @@ NormalMethod = Literal[
     "kik-piotrowski",
     "ellipse-corrected",
     "equivalent-ellipse",
+    "analyn",
 ]
 WheelsetSide = Literal[
     "right",
@@ -115,6 +116,7 @@ RightRailProfileY = Literal[
 ElasticityModel = Literal[
     "elastic-layer",
     "half-space",
+    "viscoelastic",
     "winkler",
     "rigid",
 ]
@@ -186,6 +188,18 @@ FastsimBound = Literal[
     "parabolic",
     "elliptic",
 ]
+ElementMotion = Literal[
+    "velocities",
+    "creepages",
+]
+ElementNormal = Literal[
+    "load",
+    "approach",
+]
+HistoryStart = Literal[
+    "rest",
+    "steady",
+]
 
 #: Dotted paths of all fields.
 FieldPath = Literal[
@@ -204,6 +218,8 @@ FieldPath = Literal[
     "kinematics.moment_z",
     "kinematics.reference",
     "wheel.young_modulus",
+    "wheel.relaxed_modulus",
+    "wheel.retardation_time",
     "wheel.poisson_ratio",
     "wheel.conductivity",
     "wheel.density",
@@ -218,6 +234,8 @@ FieldPath = Literal[
     "wheel.profile_smoothing",
     "wheel.flange_back_position",
     "rail.young_modulus",
+    "rail.relaxed_modulus",
+    "rail.retardation_time",
     "rail.poisson_ratio",
     "rail.conductivity",
     "rail.density",
@@ -429,7 +447,13 @@ FieldPath = Literal[
     "fastsim.initial_reduction",
     "fastsim.reduction_limit_ratio",
     "fastsim.reduction_decay",
+    "element.motion",
+    "element.normal",
+    "element.memory",
+    "element.contact_table",
+    "element.standstill_speed",
     "history.time",
+    "history.start",
     "history.creepage_x",
     "history.creepage_y",
     "history.spin",
@@ -453,6 +477,7 @@ FieldPath = Literal[
     "history.yaw_rate",
     "history.roll_rate",
     "history.angular_velocity",
+    "history.shift_duration",
     "history.file",
 ]
 
@@ -537,6 +562,12 @@ class WheelFields(TypedDict, total=False):
 
     young_modulus: Number | None
     """E, Young's modulus (Pa); default: 210 GPa."""
+    relaxed_modulus: Number | None
+    """E∞, Young's modulus after a long time, where young_modulus is the instantaneous one (Pa);
+    default: wheel.young_modulus."""
+    retardation_time: Number | None
+    """τ, retardation time: under constant stress the rest of the creep falls as exp(-t/τ) (s);
+    default: 0 s."""
     poisson_ratio: Plain | None
     """ν, Poisson's ratio; default: 0.28."""
     conductivity: Number | None
@@ -552,9 +583,9 @@ class WheelFields(TypedDict, total=False):
     default: 0.46 m."""
     radius_y: Number | None
     """radius of curvature across rolling (m); default: inf."""
-    profile: File | None
+    profile: Data | None
     """profile: a file (CSV with the header `y [mm],z [mm]`, Simpack, Miniprof, or two columns in
-    mm) or the name of one that is built in, such as "S1002"."""
+    mm) or the name of one that is built in, such as "S1002"; or a table of y (m), z (m)."""
     profile_z: WheelProfileZ | None
     """direction of z in the file; default: auto ("auto": found from the shape (what runs is level,
     sides and flange hang down), else that of the format; "up": upwards; "down": downwards)."""
@@ -578,6 +609,12 @@ class Wheel(Section, path="wheel"):
     __slots__ = ()
     young_modulus: Entry[float, Number | None] = Entry()
     """E, Young's modulus (Pa); default: 210 GPa."""
+    relaxed_modulus: Entry[float | None, Number | None] = Entry()
+    """E∞, Young's modulus after a long time, where young_modulus is the instantaneous one (Pa);
+    default: wheel.young_modulus."""
+    retardation_time: Entry[float, Number | None] = Entry()
+    """τ, retardation time: under constant stress the rest of the creep falls as exp(-t/τ) (s);
+    default: 0 s."""
     poisson_ratio: Entry[float, Plain | None] = Entry()
     """ν, Poisson's ratio; default: 0.28."""
     conductivity: Entry[float, Number | None] = Entry()
@@ -593,9 +630,9 @@ class Wheel(Section, path="wheel"):
     default: 0.46 m."""
     radius_y: Entry[float, Number | None] = Entry()
     """radius of curvature across rolling (m); default: inf."""
-    profile: Entry[str | None, File | None] = Entry()
+    profile: Entry[str | None, Data | None] = Entry()
     """profile: a file (CSV with the header `y [mm],z [mm]`, Simpack, Miniprof, or two columns in
-    mm) or the name of one that is built in, such as "S1002"."""
+    mm) or the name of one that is built in, such as "S1002"; or a table of y (m), z (m)."""
     profile_z: Entry[WheelProfileZ, WheelProfileZ | None] = Entry()
     """direction of z in the file; default: auto ("auto": found from the shape (what runs is level,
     sides and flange hang down), else that of the format; "up": upwards; "down": downwards)."""
@@ -618,6 +655,12 @@ class RailFields(TypedDict, total=False):
 
     young_modulus: Number | None
     """E, Young's modulus (Pa); default: 210 GPa."""
+    relaxed_modulus: Number | None
+    """E∞, Young's modulus after a long time, where young_modulus is the instantaneous one (Pa);
+    default: rail.young_modulus."""
+    retardation_time: Number | None
+    """τ, retardation time: under constant stress the rest of the creep falls as exp(-t/τ) (s);
+    default: 0 s."""
     poisson_ratio: Plain | None
     """ν, Poisson's ratio; default: 0.28."""
     conductivity: Number | None
@@ -635,8 +678,9 @@ class RailFields(TypedDict, total=False):
     """radius of curvature across rolling (m); default: 300 mm."""
     angular_velocity: Number | None
     """of a roller of radius radius_x, in place of kinematics.speed (rad/s)."""
-    profile: File | None
-    """profile: a file or the name of one that is built in, such as "60E1"; as for the wheel."""
+    profile: Data | None
+    """profile: a file or the name of one that is built in, such as "60E1"; as for the wheel; or a
+    table of y (m), z (m)."""
     profile_z: RailProfileZ | None
     """direction of z in the file; default: auto ("auto": found from the shape (what runs is level,
     sides and flange hang down), else that of the format; "up": upwards; "down": downwards)."""
@@ -664,6 +708,12 @@ class Rail(Section, path="rail"):
     __slots__ = ()
     young_modulus: Entry[float, Number | None] = Entry()
     """E, Young's modulus (Pa); default: 210 GPa."""
+    relaxed_modulus: Entry[float | None, Number | None] = Entry()
+    """E∞, Young's modulus after a long time, where young_modulus is the instantaneous one (Pa);
+    default: rail.young_modulus."""
+    retardation_time: Entry[float, Number | None] = Entry()
+    """τ, retardation time: under constant stress the rest of the creep falls as exp(-t/τ) (s);
+    default: 0 s."""
     poisson_ratio: Entry[float, Plain | None] = Entry()
     """ν, Poisson's ratio; default: 0.28."""
     conductivity: Entry[float, Number | None] = Entry()
@@ -681,8 +731,9 @@ class Rail(Section, path="rail"):
     """radius of curvature across rolling (m); default: 300 mm."""
     angular_velocity: Entry[float | None, Number | None] = Entry()
     """of a roller of radius radius_x, in place of kinematics.speed (rad/s)."""
-    profile: Entry[str | None, File | None] = Entry()
-    """profile: a file or the name of one that is built in, such as "60E1"; as for the wheel."""
+    profile: Entry[str | None, Data | None] = Entry()
+    """profile: a file or the name of one that is built in, such as "60E1"; as for the wheel; or a
+    table of y (m), z (m)."""
     profile_z: Entry[RailProfileZ, RailProfileZ | None] = Entry()
     """direction of z in the file; default: auto ("auto": found from the shape (what runs is level,
     sides and flange hang down), else that of the format; "up": upwards; "down": downwards)."""
@@ -727,10 +778,11 @@ class NormalFields(TypedDict, total=False):
     """b, semi-axis across rolling (m)."""
     peak_pressure: Number | None
     """p0, largest pressure, in place of load (Pa)."""
-    file: File | None
+    file: Data | None
     """CSV with the header `x [mm],y [mm],pressure [MPa]`, or with "profile" `x [mm],y
     [mm],distance [um]`, `y [mm],distance [mm]` (across at x = 0) or `x [mm],distance [mm]` (along,
-    for a line contact); or .npy in Pa or m, each row along x."""
+    for a line contact); or .npy in Pa or m, each row along x; or a table of x (m), y (m), pressure
+    (Pa) or x (m), y (m), distance (m)."""
     spacing_x: Number | None
     """spacing of the columns of an .npy file (m)."""
     spacing_y: Number | None
@@ -753,7 +805,8 @@ class NormalFields(TypedDict, total=False):
     for contacts that turn by more than 0.3 rad; "kik-piotrowski": patch and pressure from the
     overlap at 0.55 of the approach (virtual penetration); "ellipse-corrected": the same with
     shares of the approach from Hertz's theory, exact for ellipses; "equivalent-ellipse": Hertz's
-    ellipse with the curvatures of the distance)."""
+    ellipse with the curvatures of the distance; "analyn": row by row as in Hertz's ellipse with
+    the curvatures there)."""
 
 
 class Normal(Section, path="normal"):
@@ -780,10 +833,11 @@ class Normal(Section, path="normal"):
     """b, semi-axis across rolling (m)."""
     peak_pressure: Entry[float | None, Number | None] = Entry()
     """p0, largest pressure, in place of load (Pa)."""
-    file: Entry[str | None, File | None] = Entry()
+    file: Entry[str | None, Data | None] = Entry()
     """CSV with the header `x [mm],y [mm],pressure [MPa]`, or with "profile" `x [mm],y
     [mm],distance [um]`, `y [mm],distance [mm]` (across at x = 0) or `x [mm],distance [mm]` (along,
-    for a line contact); or .npy in Pa or m, each row along x."""
+    for a line contact); or .npy in Pa or m, each row along x; or a table of x (m), y (m), pressure
+    (Pa) or x (m), y (m), distance (m)."""
     spacing_x: Entry[float | None, Number | None] = Entry()
     """spacing of the columns of an .npy file (m)."""
     spacing_y: Entry[float | None, Number | None] = Entry()
@@ -806,7 +860,8 @@ class Normal(Section, path="normal"):
     for contacts that turn by more than 0.3 rad; "kik-piotrowski": patch and pressure from the
     overlap at 0.55 of the approach (virtual penetration); "ellipse-corrected": the same with
     shares of the approach from Hertz's theory, exact for ellipses; "equivalent-ellipse": Hertz's
-    ellipse with the curvatures of the distance)."""
+    ellipse with the curvatures of the distance; "analyn": row by row as in Hertz's ellipse with
+    the curvatures there)."""
 
 
 class TrackFields(TypedDict, total=False):
@@ -909,8 +964,8 @@ class Wheelset(Section, path="wheelset"):
 class LeftWheelFields(TypedDict, total=False):
     """Fields of the section `left_wheel`."""
 
-    profile: File | None
-    """its profile; default: wheel.profile."""
+    profile: Data | None
+    """its profile; default: wheel.profile; or a table of y (m), z (m)."""
     profile_z: LeftWheelProfileZ | None
     """direction of z in the file; default: wheel.profile_z ("auto": found from the shape (what
     runs is level, sides and flange hang down), else that of the format; "up": upwards; "down":
@@ -962,8 +1017,8 @@ class LeftWheel(Section, path="left_wheel"):
     """What the left wheel has of its own, and how it deviates from its place."""
 
     __slots__ = ()
-    profile: Entry[str | None, File | None] = Entry()
-    """its profile; default: wheel.profile."""
+    profile: Entry[str | None, Data | None] = Entry()
+    """its profile; default: wheel.profile; or a table of y (m), z (m)."""
     profile_z: Entry[LeftWheelProfileZ | None, LeftWheelProfileZ | None] = Entry()
     """direction of z in the file; default: wheel.profile_z ("auto": found from the shape (what
     runs is level, sides and flange hang down), else that of the format; "up": upwards; "down":
@@ -1014,8 +1069,8 @@ class LeftWheel(Section, path="left_wheel"):
 class RightWheelFields(TypedDict, total=False):
     """Fields of the section `right_wheel`."""
 
-    profile: File | None
-    """its profile; default: wheel.profile."""
+    profile: Data | None
+    """its profile; default: wheel.profile; or a table of y (m), z (m)."""
     profile_z: RightWheelProfileZ | None
     """direction of z in the file; default: wheel.profile_z ("auto": found from the shape (what
     runs is level, sides and flange hang down), else that of the format; "up": upwards; "down":
@@ -1067,8 +1122,8 @@ class RightWheel(Section, path="right_wheel"):
     """What the right wheel has of its own, and how it deviates from its place."""
 
     __slots__ = ()
-    profile: Entry[str | None, File | None] = Entry()
-    """its profile; default: wheel.profile."""
+    profile: Entry[str | None, Data | None] = Entry()
+    """its profile; default: wheel.profile; or a table of y (m), z (m)."""
     profile_z: Entry[RightWheelProfileZ | None, RightWheelProfileZ | None] = Entry()
     """direction of z in the file; default: wheel.profile_z ("auto": found from the shape (what
     runs is level, sides and flange hang down), else that of the format; "up": upwards; "down":
@@ -1119,8 +1174,8 @@ class RightWheel(Section, path="right_wheel"):
 class LeftRailFields(TypedDict, total=False):
     """Fields of the section `left_rail`."""
 
-    profile: File | None
-    """its profile; default: rail.profile."""
+    profile: Data | None
+    """its profile; default: rail.profile; or a table of y (m), z (m)."""
     profile_z: LeftRailProfileZ | None
     """direction of z in the file; default: rail.profile_z ("auto": found from the shape (what runs
     is level, sides and flange hang down), else that of the format; "up": upwards; "down":
@@ -1158,8 +1213,8 @@ class LeftRail(Section, path="left_rail"):
     """What the left rail has of its own, and how it deviates from its place."""
 
     __slots__ = ()
-    profile: Entry[str | None, File | None] = Entry()
-    """its profile; default: rail.profile."""
+    profile: Entry[str | None, Data | None] = Entry()
+    """its profile; default: rail.profile; or a table of y (m), z (m)."""
     profile_z: Entry[LeftRailProfileZ | None, LeftRailProfileZ | None] = Entry()
     """direction of z in the file; default: rail.profile_z ("auto": found from the shape (what runs
     is level, sides and flange hang down), else that of the format; "up": upwards; "down":
@@ -1196,8 +1251,8 @@ class LeftRail(Section, path="left_rail"):
 class RightRailFields(TypedDict, total=False):
     """Fields of the section `right_rail`."""
 
-    profile: File | None
-    """its profile; default: rail.profile."""
+    profile: Data | None
+    """its profile; default: rail.profile; or a table of y (m), z (m)."""
     profile_z: RightRailProfileZ | None
     """direction of z in the file; default: rail.profile_z ("auto": found from the shape (what runs
     is level, sides and flange hang down), else that of the format; "up": upwards; "down":
@@ -1235,8 +1290,8 @@ class RightRail(Section, path="right_rail"):
     """What the right rail has of its own, and how it deviates from its place."""
 
     __slots__ = ()
-    profile: Entry[str | None, File | None] = Entry()
-    """its profile; default: rail.profile."""
+    profile: Entry[str | None, Data | None] = Entry()
+    """its profile; default: rail.profile; or a table of y (m), z (m)."""
     profile_z: Entry[RightRailProfileZ | None, RightRailProfileZ | None] = Entry()
     """direction of z in the file; default: rail.profile_z ("auto": found from the shape (what runs
     is level, sides and flange hang down), else that of the format; "up": upwards; "down":
@@ -1277,8 +1332,9 @@ class ElasticityFields(TypedDict, total=False):
     """model of the deformation; "half-space" by default with normal.model = "wheel-rail"; default:
     elastic-layer ("elastic-layer": a bed of springs, each coupled with its neighbours; "half-
     space": Boussinesq and Cerruti: exact for bodies that are large compared with the patch;
-    "winkler": a bed of springs without coupling; "rigid": no deformation: the slip is
-    prescribed)."""
+    "viscoelastic": half-spaces of standard linear solids in steady rolling, which change the
+    pressure of "hertz", "line" and "profile", too; "winkler": a bed of springs without coupling;
+    "rigid": no deformation: the slip is prescribed)."""
     calibration: ElasticityCalibration | None
     """where the stiffnesses come from; default: "half-space", where no stiffness is given ("half-
     space": stiffnesses with which the springs answer like the half-space on the same patch in
@@ -1286,8 +1342,8 @@ class ElasticityFields(TypedDict, total=False):
     unlike_bodies: ElasticityUnlikeBodies | None
     """coupling of pressure and tractions where wheel and rail differ in their elastic constants;
     default: coupled ("coupled": pressure displaces the surfaces tangentially, and tractions change
-    the pressure of "hertz" and "profile"; "one-way": pressure displaces the surfaces tangentially,
-    but does not change; "neglected": neither)."""
+    the pressure of "hertz", "line" and "profile"; "one-way": pressure displaces the surfaces
+    tangentially, but does not change; "neglected": neither)."""
     bedding_x: Number | None
     """c, bedding stiffness for displacements along x (N/m^3)."""
     bedding_y: Number | None
@@ -1323,8 +1379,9 @@ class Elasticity(Section, path="elasticity"):
     """model of the deformation; "half-space" by default with normal.model = "wheel-rail"; default:
     elastic-layer ("elastic-layer": a bed of springs, each coupled with its neighbours; "half-
     space": Boussinesq and Cerruti: exact for bodies that are large compared with the patch;
-    "winkler": a bed of springs without coupling; "rigid": no deformation: the slip is
-    prescribed)."""
+    "viscoelastic": half-spaces of standard linear solids in steady rolling, which change the
+    pressure of "hertz", "line" and "profile", too; "winkler": a bed of springs without coupling;
+    "rigid": no deformation: the slip is prescribed)."""
     calibration: Entry[ElasticityCalibration | None, ElasticityCalibration | None] = Entry()
     """where the stiffnesses come from; default: "half-space", where no stiffness is given ("half-
     space": stiffnesses with which the springs answer like the half-space on the same patch in
@@ -1332,8 +1389,8 @@ class Elasticity(Section, path="elasticity"):
     unlike_bodies: Entry[ElasticityUnlikeBodies, ElasticityUnlikeBodies | None] = Entry()
     """coupling of pressure and tractions where wheel and rail differ in their elastic constants;
     default: coupled ("coupled": pressure displaces the surfaces tangentially, and tractions change
-    the pressure of "hertz" and "profile"; "one-way": pressure displaces the surfaces tangentially,
-    but does not change; "neglected": neither)."""
+    the pressure of "hertz", "line" and "profile"; "one-way": pressure displaces the surfaces
+    tangentially, but does not change; "neglected": neither)."""
     bedding_x: Entry[float | None, Number | None] = Entry()
     """c, bedding stiffness for displacements along x (N/m^3)."""
     bedding_y: Entry[float | None, Number | None] = Entry()
@@ -1400,7 +1457,7 @@ class ContactLawFields(TypedDict, total=False):
     stiffness: Number | None
     """k_c, rate at which traction approaches the friction limit (1/m); default: 5e6 1/m where
     there is no roughness."""
-    roughness: str | RoughnessFields | Roughness | Preset[RoughnessFields] | None
+    roughness: Array | RoughnessFields | Roughness | Preset[RoughnessFields] | None
     """Roughness from which k_c follows, in place of stiffness: heights, a spectrum or files."""
 
 
@@ -1416,7 +1473,7 @@ class ContactLaw(Section, path="contact_law"):
     """k_c, rate at which traction approaches the friction limit (1/m); default: 5e6 1/m where
     there is no roughness."""
     roughness: Entry[
-        Roughness, str | RoughnessFields | Roughness | Preset[RoughnessFields] | None
+        Roughness, Array | RoughnessFields | Roughness | Preset[RoughnessFields] | None
     ] = Entry()
     """Roughness from which k_c follows, in place of stiffness: heights, a spectrum or files."""
 
@@ -1443,10 +1500,12 @@ class RoughnessFields(TypedDict, total=False):
     """its shortest wave (m)."""
     hurst: Plain | None
     """H, its Hurst exponent; default: 0.8."""
-    file: File | None
-    """a measured surface or profile for the micro model: .csv, .npy, .x3p or .xyz."""
-    second_file: File | None
-    """the surface of the other body, on the same lattice."""
+    file: Data | None
+    """a measured surface or profile for the micro model: .csv, .npy, .x3p or .xyz; or a table of x
+    (m), y (m), height (m)."""
+    second_file: Data | None
+    """the surface of the other body, on the same lattice; or a table of x (m), y (m), height
+    (m)."""
     unit: str | None
     """unit of heights in .npy files, of all lengths in .xyz files."""
     spacing: Number | None
@@ -1496,10 +1555,12 @@ class Roughness(Section, path="contact_law.roughness"):
     """its shortest wave (m)."""
     hurst: Entry[float | None, Plain | None] = Entry()
     """H, its Hurst exponent; default: 0.8."""
-    file: Entry[str | None, File | None] = Entry()
-    """a measured surface or profile for the micro model: .csv, .npy, .x3p or .xyz."""
-    second_file: Entry[str | None, File | None] = Entry()
-    """the surface of the other body, on the same lattice."""
+    file: Entry[str | None, Data | None] = Entry()
+    """a measured surface or profile for the micro model: .csv, .npy, .x3p or .xyz; or a table of x
+    (m), y (m), height (m)."""
+    second_file: Entry[str | None, Data | None] = Entry()
+    """the surface of the other body, on the same lattice; or a table of x (m), y (m), height
+    (m)."""
     unit: Entry[str | None, str | None] = Entry()
     """unit of heights in .npy files, of all lengths in .xyz files."""
     spacing: Entry[float | None, Number | None] = Entry()
@@ -1577,8 +1638,9 @@ class FrictionFields(TypedDict, total=False):
     negative on the gauge face, positive where the surface falls outwards (rad)."""
     variation_factor: Series | None
     """factors on μ, 1 at y = 0 or inclination 0; linear in between, constant outside."""
-    variation_file: File | None
-    """CSV with the header `y [mm],factor`, in place of the arrays."""
+    variation_file: Data | None
+    """CSV with the header `y [mm],factor`, in place of the arrays; or a table of y (m), factor
+    (1)."""
 
 
 class Friction(Section, path="friction"):
@@ -1634,8 +1696,9 @@ class Friction(Section, path="friction"):
     negative on the gauge face, positive where the surface falls outwards (rad)."""
     variation_factor: Entry[list[float] | None, Series | None] = Entry()
     """factors on μ, 1 at y = 0 or inclination 0; linear in between, constant outside."""
-    variation_file: Entry[str | None, File | None] = Entry()
-    """CSV with the header `y [mm],factor`, in place of the arrays."""
+    variation_file: Entry[str | None, Data | None] = Entry()
+    """CSV with the header `y [mm],factor`, in place of the arrays; or a table of y (m), factor
+    (1)."""
 
 
 class HeatFields(TypedDict, total=False):
@@ -1726,8 +1789,9 @@ class DamageFields(TypedDict, total=False):
     """the same for slip speeds between 0.2 and 0.7 m/s; default: 35e-4."""
     wear_coefficient_catastrophic: Plain | None
     """the same for pressures above 0.8 H; default: 350e-4."""
-    wear_map: File | None
-    """CSV with the columns slip_speed, pressure_ratio (p/H) and coefficient, in place of them."""
+    wear_map: Data | None
+    """CSV with the columns slip_speed, pressure_ratio (p/H) and coefficient, in place of them; or
+    a table of slip_speed (m/s), pressure_ratio (1), coefficient (1)."""
     wear_rate_mild: Number | None
     """mass worn per energy, up to 10.4 N/mm^2 (Braghin, Lewis, Dwyer-Joyce and Bruni 2006) (kg/J);
     default: 5.3 ug/J."""
@@ -1759,8 +1823,9 @@ class Damage(Section, path="damage"):
     """the same for slip speeds between 0.2 and 0.7 m/s; default: 35e-4."""
     wear_coefficient_catastrophic: Entry[float | None, Plain | None] = Entry()
     """the same for pressures above 0.8 H; default: 350e-4."""
-    wear_map: Entry[str | None, File | None] = Entry()
-    """CSV with the columns slip_speed, pressure_ratio (p/H) and coefficient, in place of them."""
+    wear_map: Entry[str | None, Data | None] = Entry()
+    """CSV with the columns slip_speed, pressure_ratio (p/H) and coefficient, in place of them; or
+    a table of slip_speed (m/s), pressure_ratio (1), coefficient (1)."""
     wear_rate_mild: Entry[float, Number | None] = Entry()
     """mass worn per energy, up to 10.4 N/mm^2 (Braghin, Lewis, Dwyer-Joyce and Bruni 2006) (kg/J);
     default: 5.3 ug/J."""
@@ -1913,11 +1978,51 @@ class Fastsim(Section, path="fastsim"):
     """β, rate at which the slope falls with the creepage; default: 0.85."""
 
 
+class ElementFields(TypedDict, total=False):
+    """Fields of the section `element`."""
+
+    motion: ElementMotion | None
+    """how its motion is given; default: velocities ("velocities": v_x, v_y, ω and spin rate: slip
+    (v_x − ωR, v_y, ω_z), speed (v_x + ωR)/2; "creepages": ξ, η, φ and the speed)."""
+    normal: ElementNormal | None
+    """what presses the wheel on the rail; default: load ("load": the normal load; "approach": the
+    approach of the bodies, of given radii)."""
+    memory: Flag | None
+    """whether the elastic shift is its state, so that a wheel at rest sticks; default: true."""
+    contact_table: File | None
+    """contacts of a wheel with two profiles, a table of `schlupf table CASE`."""
+    standstill_speed: Number | None
+    """v_s, speed below which slip is no longer divided by the rolling speed (m/s); default: 0.01
+    m/s."""
+
+
+class Element(Section, path="element"):
+    """The force element for simulations: what it takes, and how it behaves at standstill."""
+
+    __slots__ = ()
+    motion: Entry[ElementMotion, ElementMotion | None] = Entry()
+    """how its motion is given; default: velocities ("velocities": v_x, v_y, ω and spin rate: slip
+    (v_x − ωR, v_y, ω_z), speed (v_x + ωR)/2; "creepages": ξ, η, φ and the speed)."""
+    normal: Entry[ElementNormal, ElementNormal | None] = Entry()
+    """what presses the wheel on the rail; default: load ("load": the normal load; "approach": the
+    approach of the bodies, of given radii)."""
+    memory: Entry[bool, Flag | None] = Entry()
+    """whether the elastic shift is its state, so that a wheel at rest sticks; default: true."""
+    contact_table: Entry[str | None, File | None] = Entry()
+    """contacts of a wheel with two profiles, a table of `schlupf table CASE`."""
+    standstill_speed: Entry[float, Number | None] = Entry()
+    """v_s, speed below which slip is no longer divided by the rolling speed (m/s); default: 0.01
+    m/s."""
+
+
 class HistoryFields(TypedDict, total=False):
     """Fields of the section `history`."""
 
     time: Series | None
     """instants, ascending; the wheel is at rest between equal ones (s)."""
+    start: HistoryStart | None
+    """the state at the first instant; default: rest ("rest": no tangential tractions; "steady":
+    steady rolling with the values of the first instant)."""
     creepage_x: Series | None
     """ξ at these instants; likewise the others."""
     creepage_y: Series | None
@@ -1966,8 +2071,13 @@ class HistoryFields(TypedDict, total=False):
     """roll rate (rad/s)."""
     angular_velocity: Series | None
     """angular velocity of the wheel, in place of creepage_x (rad/s)."""
-    file: File | None
-    """CSV with a header such as `time [s],creepage_x,load [kN]`, in place of the arrays."""
+    shift_duration: Number | None
+    """how long the motion of the wheelset acts between equal times, as a shift at rest (s);
+    default: 0 s."""
+    file: Data | None
+    """CSV with a header such as `time [s],creepage_x,load [kN]`, in place of the arrays; or a
+    table of time (s), shifts_x (m), shifts_y (m), turns (rad), creepage_x (1), creepage_y (1),
+    spin (1/m), speed (m/s), load (N), force_x (N), force_y (N), moment_z (N m)."""
 
 
 class History(Section, path="history"):
@@ -1977,6 +2087,9 @@ class History(Section, path="history"):
     __slots__ = ()
     time: Entry[list[float] | None, Series | None] = Entry()
     """instants, ascending; the wheel is at rest between equal ones (s)."""
+    start: Entry[HistoryStart, HistoryStart | None] = Entry()
+    """the state at the first instant; default: rest ("rest": no tangential tractions; "steady":
+    steady rolling with the values of the first instant)."""
     creepage_x: Entry[list[float] | None, Series | None] = Entry()
     """ξ at these instants; likewise the others."""
     creepage_y: Entry[list[float] | None, Series | None] = Entry()
@@ -2025,8 +2138,13 @@ class History(Section, path="history"):
     """roll rate (rad/s)."""
     angular_velocity: Entry[list[float] | None, Series | None] = Entry()
     """angular velocity of the wheel, in place of creepage_x (rad/s)."""
-    file: Entry[str | None, File | None] = Entry()
-    """CSV with a header such as `time [s],creepage_x,load [kN]`, in place of the arrays."""
+    shift_duration: Entry[float, Number | None] = Entry()
+    """how long the motion of the wheelset acts between equal times, as a shift at rest (s);
+    default: 0 s."""
+    file: Entry[str | None, Data | None] = Entry()
+    """CSV with a header such as `time [s],creepage_x,load [kN]`, in place of the arrays; or a
+    table of time (s), shifts_x (m), shifts_y (m), turns (rad), creepage_x (1), creepage_y (1),
+    spin (1/m), speed (m/s), load (N), force_x (N), force_y (N), moment_z (N m)."""
 
 
 class SectionFields(TypedDict, total=False):
@@ -2076,6 +2194,8 @@ class SectionFields(TypedDict, total=False):
     """What is solved, and how."""
     fastsim: FastsimFields | Fastsim | Preset[FastsimFields] | None
     """The bristles of FASTSIM, plain and modified."""
+    element: ElementFields | Element | Preset[ElementFields] | None
+    """The force element for simulations: what it takes, and how it behaves at standstill."""
     history: HistoryFields | History | Preset[HistoryFields] | None
     """Transient rolling: values over time, linear in between, from arrays or from a CSV file; and
     shifts at rest before it, between equal times, or alone."""
@@ -2145,6 +2265,8 @@ class Sections:
     """What is solved, and how."""
     fastsim: Entry[Fastsim, FastsimFields | Fastsim | Preset[FastsimFields] | None] = Entry()
     """The bristles of FASTSIM, plain and modified."""
+    element: Entry[Element, ElementFields | Element | Preset[ElementFields] | None] = Entry()
+    """The force element for simulations: what it takes, and how it behaves at standstill."""
     history: Entry[History, HistoryFields | History | Preset[HistoryFields] | None] = Entry()
     """Transient rolling: values over time, linear in between, from arrays or from a CSV file; and
     shifts at rest before it, between equal times, or alone."""
@@ -2192,6 +2314,10 @@ class Conditions(TypedDict, Generic[V], total=False):
     """Mz on the wheel, in place of spin and turns."""
     wheel__young_modulus: V
     """E, Young's modulus."""
+    wheel__relaxed_modulus: V
+    """E∞, Young's modulus after a long time, where young_modulus is the instantaneous one."""
+    wheel__retardation_time: V
+    """τ, retardation time: under constant stress the rest of the creep falls as exp(-t/τ)."""
     wheel__poisson_ratio: V
     """ν, Poisson's ratio."""
     wheel__conductivity: V
@@ -2214,6 +2340,10 @@ class Conditions(TypedDict, Generic[V], total=False):
     """y of the flange back in the profile, with y outwards."""
     rail__young_modulus: V
     """E, Young's modulus."""
+    rail__relaxed_modulus: V
+    """E∞, Young's modulus after a long time, where young_modulus is the instantaneous one."""
+    rail__retardation_time: V
+    """τ, retardation time: under constant stress the rest of the creep falls as exp(-t/τ)."""
     rail__poisson_ratio: V
     """ν, Poisson's ratio."""
     rail__conductivity: V
@@ -2547,6 +2677,8 @@ class Conditions(TypedDict, Generic[V], total=False):
     """α, fraction of k0 at large creepages."""
     fastsim__reduction_decay: V
     """β, rate at which the slope falls with the creepage."""
+    element__standstill_speed: V
+    """v_s, speed below which slip is no longer divided by the rolling speed."""
     history__shift_x: V
     """shift of the wheel over the rail along rolling, at rest, at the first instant; times may be
     left out then."""
@@ -2554,3 +2686,5 @@ class Conditions(TypedDict, Generic[V], total=False):
     """the same across rolling."""
     history__turn: V
     """turn of the wheel over the rail about z, likewise."""
+    history__shift_duration: V
+    """how long the motion of the wheelset acts between equal times, as a shift at rest."""

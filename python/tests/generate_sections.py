@@ -33,7 +33,7 @@ from typing import Generic, Literal, TypeVar
 from ._preset import Preset
 from ._section import Entry, Section, SolverSection
 from ._typing import TypedDict
-from ._units import Count, File, Flag, Number, Plain, Series
+from ._units import Array, Count, Data, File, Flag, Number, Plain, Series
 
 V = TypeVar("V")
 '''
@@ -92,6 +92,7 @@ def name_of(section: str) -> str:
 def types(field: Field) -> tuple[str, str]:
     """What its value is, and what may be given."""
     value, given = TYPES.get(field.kind, ("", ""))
+    given = "Data" if field.columns else given
     if field.choices:
         names = camel(field.path)
         value, given = (f"{kind} | {names}" if kind else names for kind in (value, given))
@@ -108,7 +109,9 @@ def documentation(field: Field) -> list[str]:
     default = f"; default: {field.default}" if field.default else ""
     choices = "; ".join(f'"{name}": {doc}' for name, doc in field.choices)
     choices = f" ({choices})" if choices else ""
-    return docstring(f"{field.doc}{field.unit_text}{default}{choices}")
+    tables = (", ".join(f"{c} ({u or 1})" for c, u in table.items()) for table in field.columns)
+    tables = f"; or a table of {' or '.join(tables)}" if field.columns else ""
+    return docstring(f"{field.doc}{field.unit_text}{default}{choices}{tables}")
 
 
 def literal(name: str, values: list[str]) -> list[str]:
@@ -126,7 +129,7 @@ def inner(section: str) -> list[str]:
 
 def given_for(path: str) -> str:
     name = name_of(path)
-    text = "str | " if "." in path else ""
+    text = "Array | " if "." in path and f"{path}.file" in FIELDS else ""
     return f"{text}{name}Fields | {name} | Preset[{name}Fields] | None"
 
 

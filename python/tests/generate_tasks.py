@@ -44,7 +44,7 @@ TYPES = {
     "count": ("int", "int"),
     "number": ("Number", "float or str"),
     "numbers": ("Numbers", "float or str, or several"),
-    "range": ("Range", "(float, float) or str"),
+    "range": ("Range", "(float, float), array or str"),
     "family": ("Family", "mapping of fields to their values"),
     "file": ("File", "path"),
     "table": ("Data", "path or mapping"),

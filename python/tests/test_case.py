@@ -36,7 +36,7 @@ def test_annotations_can_be_read():
     for annotated in (schlupf.Case, *classes, *methods, schlupf.Case.curve, schlupf.forces):
         typing.get_type_hints(annotated)
     hints = typing.get_type_hints(schlupf.sections.NormalFields)
-    assert hints["file"] == schlupf._units.File | None
+    assert hints["file"] == schlupf._units.Data | None
 
 
 def test_quantities_of_pint_are_converted():
@@ -90,7 +90,7 @@ def test_a_wrong_field_is_named_and_nothing_changes():
     with pytest.raises(AttributeError, match="young_modulus"):
         case.wheel.youngs_modulus
     with pytest.raises(AttributeError, match="kinematics"):
-        case.motion
+        case.kinematic
     with pytest.raises(TypeError, match="complex"):
         schlupf.Case(normal={"load": 1j})
 

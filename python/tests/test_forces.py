@@ -9,6 +9,7 @@ import threading
 import time
 
 import numpy as np
+import pandas as pd
 import pytest
 import xarray as xr
 
@@ -21,7 +22,8 @@ def test_conditions_are_broadcast_as_in_numpy():
     creepage = np.array([[0.0], [0.001], [0.01]])
     table = schlupf.forces(POLACH, creepage_x=creepage, load=[60e3, 80e3])
     assert table["force_x"].shape == (3, 2)
-    assert table["creepage_x"].dims == ("dim_0",) and table["load"].dims == ("dim_1",)
+    assert table["force_x"].dims == ("creepage_x", "normal_load")
+    assert float(table.creepage_x[2]) == 0.01 and float(table.normal_load[0]) == 60e3
     for i in range(3):
         for j in range(2):
             case = POLACH.with_(
@@ -63,10 +65,17 @@ def test_data_arrays_are_broadcast_by_name():
     creepage = xr.DataArray(creepages, dims="creepage_x", coords={"creepage_x": creepages})
     load = xr.DataArray([60e3, 70e3, 80e3], dims="load", coords={"load": [60e3, 70e3, 80e3]})
     table = schlupf.forces(POLACH, creepage_x=creepage, load=load)
-    assert table["force_x"].dims == ("creepage_x", "load")
+    assert table["force_x"].dims == ("creepage_x", "normal_load")
     single = schlupf.forces(POLACH, creepage_x=0.002, load=70e3)
-    chosen = table["force_x"].sel(creepage_x=0.002, load=70e3)
-    assert float(chosen) == float(single["force_x"])
+    chosen = table["force_x"].sel(creepage_x=0.002, normal_load=70e3)
+    assert float(chosen) == pytest.approx(float(single["force_x"]), rel=1e-12)
+
+
+def test_a_series_without_names_is_an_array():
+    series = pd.Series([0.001, 0.002], index=["a", "b"])
+    xr.testing.assert_identical(
+        schlupf.forces(POLACH, creepage_x=series), schlupf.forces(POLACH, creepage_x=[0.001, 0.002])
+    )
 
 
 def test_the_full_method_gives_what_single_solutions_give(case):
@@ -98,7 +107,7 @@ def test_wrong_conditions_are_named():
 
 
 def test_a_solver_keeps_what_it_has_set_up(case):
-    solver = case.solver()
+    solver = schlupf.Solver(case)
     first = solver.solve(creepage_x=0.001)
     again = solver.solve(creepage_x=0.001)
     assert again.work.operator_products < first.work.operator_products
@@ -153,7 +162,7 @@ def test_an_interrupt_ends_a_long_run():
 def test_memory_stays_flat():
     import resource
 
-    solver = POLACH.solver()
+    solver = schlupf.Solver(POLACH)
 
     def solve(count):
         for k in range(count):
@@ -238,7 +247,7 @@ def test_coordinates_that_do_not_fit_are_refused_before_the_work():
 
 
 def test_a_solver_reads_units():
-    solver = POLACH.solver()
+    solver = schlupf.Solver(POLACH)
     expected = solver.solve(load=60e3, warn=False).force.x
     assert solver.solve(load="60 kN", warn=False).force.x == expected
     with pytest.raises(schlupf.CaseError, match="load must be in N"):

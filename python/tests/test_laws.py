@@ -44,7 +44,7 @@ def test_laws_hold_for_curves_and_many_conditions():
     np.testing.assert_allclose(schlupf.forces(case, creepage_x=creepage)["force_x"], expected, 1e-6)
     curve = case.curve(creepage_x=(0.0, 0.01), points=3)
     assert float(curve.points["force_x"][-1]) == pytest.approx(float(expected[-1]), rel=1e-6)
-    solver = case.solver()
+    solver = schlupf.Solver(case)
     solved = solver.solve(creepage_x=0.01)
     assert solved.force.x == pytest.approx(float(expected[-1]), rel=1e-5)
     assert case.with_(normal={"load": 60e3})._laws["friction"] is constant
@@ -57,7 +57,7 @@ def test_an_exception_of_a_law_comes_back(law):
         case.solve,
         lambda: case.curve(creepage_x=(0.0, 0.01), points=3),
         lambda: schlupf.forces(case, creepage_x=[0.001, 0.002]),
-        lambda: case.solver().solve(),
+        lambda: schlupf.Solver(case).solve(),
         case.compare,
     ):
         with pytest.raises(LookupError, match="no such law"):
@@ -150,7 +150,7 @@ def test_a_law_must_be_a_function_and_use_no_solver():
         return 0.3 + 0.0 * slip_speed
 
     case = schlupf.Case(grid={"cells_x": 8, "cells_y": 8}).with_laws(friction=friction)
-    solvers.append(case.solver())
+    solvers.append(schlupf.Solver(case))
     with pytest.raises(RuntimeError, match="a law must not use a solver"):
         solvers[0].solve()
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import errno
 import pickle
 import re
 
@@ -74,12 +75,10 @@ def test_results_are_told_by_those_like_them(result):
     ("section", "value", "told"),
     [
         (
-            "wheel",
-            {"profile": np.zeros((3, 2))},
-            "wheel.profile must be .*an array of shape (3, 2)",
+            "solver",
+            {"table": np.ones(4)},
+            "solver.table must be the path of a file, but is an array",
         ),
-        ("rail", {"profile": [[0.0, 1.0]]}, "rail.profile must be the path of a file, but is [[0."),
-        ("normal", {"model": "tabulated", "file": np.ones(4)}, "normal.file must be the path of a"),
         ("normal", {"model": ["hertz"]}, "normal.model must be one of several names, but is ['he"),
         ("friction", {"model": 3}, "friction.model must be one of several names, but is 3"),
         ("solver", {"extrapolate": 1.5}, "solver.extrapolate must be True or False, but is 1.5"),
@@ -101,3 +100,73 @@ def test_values_of_a_wrong_kind_are_named(section, value, told):
 def test_a_flag_may_be_one_of_numpy():
     case = schlupf.Case(solver={"extrapolate": np.bool_(True)})
     assert case.solver.extrapolate is True
+
+
+MISSING = {
+    "case": lambda path: schlupf.Case.from_file(path),
+    "field": lambda path: schlupf.Case(history={"file": path}),
+    "profile": lambda path: schlupf.Case(
+        normal={"model": "wheel-rail"}, wheel={"profile": path}, rail={"profile": "60E1"}
+    ),
+    "heights": lambda path: schlupf.roughness(path, spacing=1e-6, unit="m"),
+    "surface of an instrument": lambda path: schlupf.open_surface(path),
+    "points": lambda path: schlupf.Case().subsurface(points=path),
+    "displacements": lambda path: schlupf.Case().calibrate(displacements=path),
+    "creep data": lambda path: schlupf.Case().fit(["friction.coefficient"], path),
+    "study": lambda path: schlupf.Study.from_file(path),
+    "states": lambda path: schlupf.study(schlupf.Case(), states=path),
+    "sweep": lambda path: schlupf.sweep(path, path.with_name("table.csv")),
+    "shard": lambda path: schlupf.merge([path], path.with_name("table.csv")),
+    "table": lambda path: schlupf.open_table(path),
+    "result": lambda path: schlupf.open_result(path),
+    "run": lambda path: schlupf.damage(path),
+    "look-up table": lambda path: schlupf.LookUpTable(path),
+    "input of CONTACT": lambda path: schlupf.import_contact(path),
+}
+
+
+@pytest.mark.parametrize("what", MISSING)
+def test_a_missing_file_is_told_as_python_tells_it(tmp_path, what):
+    path = tmp_path / ("no.npy" if what == "heights" else "no.csv")
+    with pytest.raises(FileNotFoundError) as caught:
+        MISSING[what](path)
+    assert caught.value.errno == errno.ENOENT
+    assert caught.value.filename == str(path) and str(path) in str(caught.value)
+    again = pickle.loads(pickle.dumps(caught.value))
+    assert (again.errno, again.filename, str(again)) == (
+        errno.ENOENT,
+        str(path),
+        str(caught.value),
+    )
+
+
+def test_numbers_are_told_as_they_were_given():
+    with pytest.raises(schlupf.CaseError) as caught:
+        schlupf.Case(normal={"load": -5})
+    assert str(caught.value).endswith("must be between 1e-9 and 1e12 N, but is -5.0 N")
+    with pytest.raises(schlupf.CaseError, match='but is "-5"'):
+        schlupf.Case(kinematics={"speed": "-5"})
+    with pytest.raises(schlupf.CaseError, match='but is "2.0 parsec"'):
+        schlupf.Case(kinematics={"speed": "2.0 parsec"})
+    with pytest.raises(TypeError, match="no condition lod; did you mean load"):
+        schlupf.forces(schlupf.Case(), lod=1.0)
+    with pytest.raises(TypeError, match="did you mean wheel.radius_x"):
+        schlupf.forces(schlupf.Case(), wheel__radios_x=1.0)
+
+
+def test_names_of_data_sets_are_attributes(result):
+    """None is a method of a data set: each is an attribute, too."""
+    import xarray as xr
+
+    table = schlupf.forces(schlupf.Case(solver={"method": "polach"}), load=[60e3, 80e3], warn=False)
+    for dataset in (table, result.fields, result.history):
+        for name in dataset.variables:
+            assert str(name).isidentifier() and not hasattr(xr.Dataset, str(name)), name
+
+
+def test_keys_complete(case, result):
+    assert "normal.load" in case._ipython_key_completions_()
+    assert "load" in case.normal._ipython_key_completions_()
+    assert result._ipython_key_completions_()[:2] == ["program", "title"]
+    assert "steel" in schlupf.materials._ipython_key_completions_()
+    assert dict(result.force.items()) == dict(result.force)

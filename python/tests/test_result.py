@@ -1,9 +1,11 @@
 """Results: scalars, data sets, files, warnings."""
 
+import copy
 import json
 import pickle
 import re
 import warnings
+from itertools import product
 
 import numpy as np
 import pytest
@@ -169,7 +171,7 @@ def test_a_creep_curve(case):
     # Braking: the force opposes the creepage.
     assert (points["force_x"][1:] < 0).all()
     assert curve.varied == "creepage_x"
-    assert set(points["status"].values) == {"converged"}
+    assert set(points["status"].values) == {schlupf.Status.CONVERGED}
     with pytest.raises(schlupf.CaseError, match="creepage_x"):
         case.curve()
     with pytest.raises(schlupf.CaseError):
@@ -192,3 +194,52 @@ def test_fields_are_written_to_zarr(result, tmp_path):
     read = xr.open_zarr(tmp_path / "fields.zarr")
     np.testing.assert_array_equal(read["pressure"], result.fields["pressure"])
     assert json.loads(read.attrs["result"])["force"]["x"] == result.force.x
+
+
+@pytest.mark.filterwarnings("ignore:Consolidated metadata")
+@pytest.mark.parametrize("suffix", ["nc", "zarr"])
+def test_a_written_result_is_opened_again(tmp_path, suffix):
+    case = schlupf.Case(
+        grid={"cells_x": 8, "cells_y": 8},
+        history={"time": [0.0, 1e-3, 2e-3], "creepage_x": [0.0, 0.002, 0.001]},
+    )
+    result = case.solve(fields_every=4, warn=False)
+    path = tmp_path / f"new/result.{suffix}"
+    encoding = {"pressure": {"_FillValue": -1.0}}
+    if suffix == "nc":
+        result.to_netcdf(path, encoding=encoding)
+    else:
+        result.to_zarr(path, encoding=encoding)
+    again = schlupf.open_result(path)
+    assert again == result and again.force.x == result.force.x and again.converged
+    again.to_netcdf(tmp_path / "twice.nc")
+    twice = schlupf.open_result(tmp_path / "twice.nc")
+    copies = (pickle.loads(pickle.dumps(again)), copy.deepcopy(again), twice)
+    for found, name in product((again, *copies), ("fields", "history", "field_history")):
+        xr.testing.assert_identical(getattr(found, name), getattr(result, name))
+    assert again.summary() == result.summary() and again.messages == result.messages
+    assert again.state == result.state and again._repr_html_() == result._repr_html_()
+    for written in (again.to_vtk, result.to_vtk):
+        written(tmp_path / written.__self__.title)
+    again.plot.history()
+    assert all(found == result for found in copies)
+
+
+def test_a_result_that_cannot_be_written_leaves_no_file(result, tmp_path):
+    path = tmp_path / "result.nc"
+    with pytest.raises(ValueError, match="group"):
+        result.to_netcdf(path, engine="scipy")
+    assert not list(tmp_path.iterdir())
+    result.to_netcdf(path)
+    with pytest.raises(ValueError, match="group"):
+        result.to_netcdf(path, engine="scipy")
+    assert schlupf.open_result(path) == result and list(tmp_path.iterdir()) == [path]
+
+
+def test_what_is_no_result_is_told(tmp_path):
+    with pytest.raises(FileNotFoundError) as caught:
+        schlupf.open_result(tmp_path / "missing.nc")
+    assert caught.value.filename == str(tmp_path / "missing.nc")
+    xr.Dataset({"a": 1.0}).to_netcdf(tmp_path / "other.nc", engine="h5netcdf")
+    with pytest.raises(ValueError, match="must be a result that schlupf has written"):
+        schlupf.open_result(tmp_path / "other.nc")

@@ -1,12 +1,15 @@
 """Studies: tables, shards, and a cluster that loses a worker."""
 
 import os
+import pickle
 import signal
 import threading
 from types import SimpleNamespace
 
 import numpy as np
+import pandas as pd
 import pytest
+import xarray as xr
 
 import schlupf
 
@@ -39,16 +42,16 @@ def test_a_study_has_a_row_for_each_state(study, tmp_path):
     done = schlupf.sweep(study(20), tmp_path / "table.parquet")
     assert (done.rows, done.failed, done.resumed) == (20, 0, 0)
     table = done.table
-    assert table["force.x"].attrs["units"] == "N" and table.sizes["index"] == 20
-    assert set(table["status"].values) == {"converged"}
+    assert table["force_x"].attrs["units"] == "N" and table.sizes["index"] == 20
+    assert set(table["status"].values) == {schlupf.Status.CONVERGED}
     case = schlupf.Case.from_file(tmp_path / "case.toml")
     for row in (0, 13):
         motion = {
-            "creepage_x": table["kinematics.creepage_x"].values[row],
-            "spin": table["kinematics.spin"].values[row],
+            "creepage_x": table["creepage_x"].values[row],
+            "spin": table["spin"].values[row],
         }
         alone = case.with_(kinematics=motion).solve(warn=False)
-        assert table["force.x"].values[row] == pytest.approx(alone.force.x, abs=1.0)
+        assert table["force_x"].values[row] == pytest.approx(alone.force.x, abs=1.0)
     again = schlupf.sweep(study(20), tmp_path / "table.parquet")
     assert again.resumed == 20
 
@@ -102,7 +105,7 @@ def test_a_run_has_its_damage(study, tmp_path):
     (tmp_path / "run.csv").write_text(RUN)
     found = schlupf.damage(path)
     table = schlupf.sweep(path, tmp_path / "table.parquet").table
-    each = (table["power.friction"] / table["kinematics.speed"]).values
+    each = (table["power_friction"] / table["speed"]).values
     assert found.energy == pytest.approx(25.0 * np.sum(0.5 * (each[1:] + each[:-1])), rel=1e-9)
     assert found.profile["wheel_archard"].attrs["units"] == "m"
     np.testing.assert_allclose(found.run["energy"][-1], found.energy)
@@ -122,7 +125,7 @@ def test_states_that_fail_are_told(study, tmp_path):
     path.write_text('case = "case.toml"\n[vary]\n"kinematics.creepage_x" = [0.001, 1.5]\n')
     with pytest.warns(schlupf.SchlupfWarning, match=r"of 2 states 1 failed; row 1: kinematics"):
         done = schlupf.sweep(path, tmp_path / "table.csv")
-    assert np.isnan(done.table["force.x"].values).tolist() == [False, True]
+    assert np.isnan(done.table["force_x"].values).tolist() == [False, True]
     path.write_text("[vray]\n")
     with pytest.raises(schlupf.CaseError, match="did you mean `vary`"):
         schlupf.sweep(path, tmp_path / "other.csv")
@@ -165,11 +168,88 @@ def test_workers_solve_the_study_of_the_client(tmp_path):
             f"friction.coefficient = {friction}\n"
         )
         digest = _core.Study(study).digest()
-        return digest, _solve(str(study), digest, [0])[0][0][1]
+        return digest, _solve((study,), digest, [0])[0][0][1]
 
     old, before = first_force(0.4)
     new, after = first_force(0.1)
     assert old != new
     assert before != after
     with pytest.raises(ValueError, match="another study on a worker"):
-        _solve(str(study), old + "0", [0])
+        _solve((study,), old + "0", [0])
+
+
+POLACH = schlupf.Case(friction={"model": "constant"}, solver={"method": "polach"})
+
+
+def test_a_study_of_objects_is_that_of_a_file(tmp_path):
+    vary = {"normal.load": ["60 kN", 80e3], "kinematics.creepage_x": np.linspace(0, 0.01, 3)}
+    (tmp_path / "case.toml").write_text(POLACH.to_toml())
+    text = (
+        'case = "case.toml"\n[vary]\nnormal.load = ["60 kN", "80 kN"]\n'
+        "kinematics.creepage_x = [0.0, 0.005, 0.01]\n"
+    )
+    (tmp_path / "study.toml").write_text(text)
+    expected = schlupf.sweep(tmp_path / "study.toml", tmp_path / "file.csv").table
+    study = schlupf.study(POLACH, vary=vary)
+    assert study.rows == 6
+    assert schlupf.Study(str(tmp_path / "study.toml")).to_toml() == text
+    for k, each in enumerate((study, pickle.loads(pickle.dumps(study)))):
+        xr.testing.assert_equal(schlupf.sweep(each, tmp_path / f"{k}.csv").table, expected)
+    sample = {"method": "sobol", "count": 8, "range": {"normal.load": (50e3, 100e3)}}
+    loads = schlupf.sweep(schlupf.study(POLACH, sample=sample), tmp_path / "sample.csv").table
+    assert loads.sizes["index"] == 8 and float(loads["normal_load"].min()) >= 50e3
+
+
+def test_states_of_a_study_may_be_a_data_frame(tmp_path):
+    frame = pd.DataFrame(
+        {
+            "creepage_x": [0.001, 0.002],
+            "load": [60e3, 80e3],
+            "solver.method": ["polach", "fastsim"],
+            "grid.cells_x": [10, 12],
+            "time": [0.0, 1.0],
+        },
+        index=["slow", "fast"],
+    )
+    titled = schlupf.study(POLACH, states=frame.assign(title=["slow, dry", 'the "fast" one']))
+    titles = schlupf.sweep(titled, tmp_path / "titles.csv", warn=False).table["title"]
+    assert titles.values.tolist() == ["slow, dry", 'the "fast" one']
+    for k, states in enumerate((frame, frame.to_xarray().drop_vars("index"), dict(frame))):
+        done = schlupf.sweep(
+            schlupf.study(POLACH, states=states), tmp_path / f"{k}.csv", warn=False
+        )
+        assert done.table["normal_load"].values.tolist() == [60e3, 80e3] and done.failed == 0
+        assert done.table["time"].values.tolist() == [0.0, 1.0]
+    for row in range(2):
+        motion = {"creepage_x": frame["creepage_x"].iloc[row]}
+        grid = {"cells_x": int(frame["grid.cells_x"].iloc[row])}
+        method = {"method": frame["solver.method"].iloc[row]}
+        alone = POLACH.with_(
+            kinematics=motion, normal={"load": frame["load"].iloc[row]}, solver=method, grid=grid
+        )
+        force = alone.solve(warn=False).force.x
+        assert float(done.table["force_x"][row]) == pytest.approx(force, rel=1e-6)
+    with pytest.raises(schlupf.CaseError, match="states, row fast: normal.load must be a number"):
+        schlupf.study(POLACH, states=frame.assign(load=["60e3", "x"]))
+
+
+def test_wrong_studies_are_told():
+    asked = [
+        ({"vary": {"normal.lod": [1]}}, KeyError, "did you mean normal.load"),
+        ({"vary": {"normal.load": 80e3}}, TypeError, "normal.load must be a sequence"),
+        ({"vary": {"normal.load": [-1.0]}}, ValueError, "^normal.load must be between"),
+        ({"sample": {"metod": "sobol"}}, ValueError, "did you mean `method`"),
+        ({}, TypeError, "one of vary, sample and states"),
+    ]
+    for arguments, error, told in asked:
+        with pytest.raises(error, match=told):
+            schlupf.study(POLACH, **arguments)
+
+
+def test_the_old_name_of_open_table_is_told(study, tmp_path):
+    path = schlupf.sweep(study(2), tmp_path / "table.csv").path
+    with pytest.warns(DeprecationWarning, match="open_table"):
+        assert set(schlupf.read_table(path)["status"].values) == {"converged"}
+    assert float(schlupf.open_table(path).force_x[0]) == float(
+        schlupf.open_table(path)["force_x"][0]
+    )

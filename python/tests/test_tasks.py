@@ -3,6 +3,7 @@
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+import xarray as xr
 
 import schlupf
 
@@ -22,9 +23,9 @@ def test_a_family_of_creep_curves_has_its_values_in_si_units():
     speeds = ["36 km/h", 20.0]
     curves = SMALL.curve(creepage_x=(0.0, 0.01), over={"kinematics.speed": speeds}, points=4)
     points = curves.points
-    assert points["force_x"].dims == ("over", "point") and points["force_x"].shape == (2, 4)
-    np.testing.assert_allclose(points["over"], [10.0, 20.0], rtol=1e-12)
-    assert points["over"].attrs["field"] == "kinematics.speed"
+    assert points["force_x"].dims == ("speed", "point") and points["force_x"].shape == (2, 4)
+    np.testing.assert_allclose(points["speed"], [10.0, 20.0], rtol=1e-12)
+    assert points["speed"].attrs["field"] == "kinematics.speed"
     alone = SMALL.with_(kinematics={"speed": 20.0}).curve(creepage_x=(0.0, 0.01), points=4)
     np.testing.assert_allclose(points["force_x"][1], alone.points["force_x"], rtol=1e-6)
     labels = [text.get_text() for text in curves.plot().get_legend().get_texts()]
@@ -35,7 +36,7 @@ def test_a_family_of_methods_has_names():
     curves = SMALL.curve(
         creepage_x=(0.0, 0.01), points=3, over={"solver.method": ["full", "fastsim"]}, warn=False
     )
-    assert curves.points["over"].values.tolist() == ["full", "fastsim"]
+    assert curves.points["solver_method"].values.tolist() == ["full", "fastsim"]
 
 
 def test_ranges_and_lengths_have_units():
@@ -101,6 +102,8 @@ def test_wrong_curves_are_refused(arguments, error, part):
 def test_temperatures_below_the_surface_and_in_the_wake():
     case = SMALL.with_(kinematics={"creepage_x": 0.01})
     found = case.temperature(depth=(0.0, 1e-3), points=11)
+    of_array = case.temperature(depth=np.linspace(0.0, 1e-3, 11))
+    xr.testing.assert_identical(of_array.profile, found.profile)
     assert found.profile.sizes["depth"] == 11
     surface = found.rows.isel(depth=0)
     hottest = case.solve().temperature.max_wheel
@@ -259,10 +262,10 @@ def test_curves_over_numbers_have_a_map():
     speeds = np.array([30.0, 10.0, 20.0])
     curves = SMALL.curve(creepage_x=(0.0, 0.01), over={"kinematics.speed": speeds}, points=4)
     found = curves.map
-    assert found["traction_coefficient"].dims == ("kinematics.speed", "creepage_x")
-    assert found["kinematics.speed"].values.tolist() == [10.0, 20.0, 30.0]
+    assert found["traction_coefficient"].dims == ("speed", "creepage_x")
+    assert found["speed"].values.tolist() == [10.0, 20.0, 30.0]
     assert found["force_x"].attrs["units"] == "N"
-    np.testing.assert_array_equal(found["force_x"][0], curves.points["force_x"].isel(over=1))
+    np.testing.assert_array_equal(found["force_x"][0], curves.points["force_x"].isel(speed=1))
     assert curves.plot_map().get_ylabel() == "speed (m/s)"
     with pytest.raises(KeyError, match="no field friction"):
         curves.plot_map("friction")
@@ -280,20 +283,20 @@ def test_creepage_over_a_prescribed_force():
     assert curve.plot().get_xlabel().startswith("longitudinal creepage")
     over = {"kinematics.speed": [10.0, 20.0, 30.0]}
     curves = SMALL.curve(traction_coefficient=(0.05, 0.15), over=over, points=3, warn=False)
-    assert curves.map["creepage_x"].dims == ("kinematics.speed", "force_over_load")
+    assert curves.map["creepage_x"].dims == ("speed", "force_over_load")
 
 
 def test_two_fields_make_a_map_of_the_largest_forces():
     over = {"kinematics.speed": [10.0, 20.0], "normal.load": ["60 kN", "70 kN", "80 kN"]}
     curves = SMALL.curve(creepage_x=(0.0, 0.05), over=over, points=6)
-    assert curves.points["force_x"].dims == ("over", "over_2", "point")
-    assert curves.points["over_2"].values.tolist() == [6e4, 7e4, 8e4]
+    assert curves.points["force_x"].dims == ("speed", "normal_load", "point")
+    assert curves.points["normal_load"].values.tolist() == [6e4, 7e4, 8e4]
     found = curves.map
-    assert found["force_x"].dims == ("normal.load", "kinematics.speed")
+    assert found["force_x"].dims == ("normal_load", "speed")
     alone = SMALL.with_(kinematics={"speed": 20.0}, normal={"load": 7e4})
     (curve,) = alone.curve(creepage_x=(0.0, 0.05), points=6)["curves"]
     peak = curve["maximum"]["traction_coefficient"]
-    largest = found["traction_coefficient"].sel({"normal.load": 7e4, "kinematics.speed": 20.0})
+    largest = found["traction_coefficient"].sel(normal_load=7e4, speed=20.0)
     assert float(largest) == pytest.approx(peak, rel=1e-5)
     assert curves.plot().get_xlabel() == "speed (m/s)"
 
@@ -372,6 +375,8 @@ def test_a_wheelset_has_contacts_over_its_lateral_position():
         grid=GRID,
     )
     found = case.wheelset(lateral_position=("-3 mm", 3e-3), points=3, warn=False)
+    of_array = case.wheelset(lateral_position=np.linspace(-3e-3, 3e-3, 3), warn=False)
+    assert of_array.to_dict() == found.to_dict()
     contacts = found.contacts
     assert np.unique(contacts["lateral_position"]).tolist() == [-3e-3, 0.0, 3e-3]
     assert set(contacts["side"].values.tolist()) == {"left", "right"}
@@ -458,3 +463,22 @@ def test_wear_of_a_passage_is_that_of_its_cells():
     assert fast.profile is None
     with pytest.raises(ValueError, match="no wear to draw"):
         fast.plot()
+
+
+def test_the_points_of_a_curve_may_be_an_array():
+    places = np.linspace(0.0, 0.01, 5)
+    points = SMALL.curve(creepage_x=places).points
+    np.testing.assert_allclose(points["creepage_x"], places, atol=1e-15)
+    alone = schlupf.forces(SMALL, creepage_x=places)
+    np.testing.assert_allclose(points["force_x"], alone["force_x"], rtol=1e-4, atol=1.0)
+    with pytest.raises(schlupf.CaseError, match="creepage_x must have even steps"):
+        SMALL.curve(creepage_x=[0.0, 0.001, 0.01])
+    for wrong, told in (
+        ({"creepage_y": np.linspace(0.0, 0.01, 3)}, "creepage_y must have 5 places, .* but has 3"),
+        ({"points": 4}, "points must be left out"),
+        ({"spacing": "refined"}, "spacing must be left out"),
+    ):
+        with pytest.raises(schlupf.CaseError, match=told):
+            SMALL.curve(creepage_x=places, **wrong)
+    with pytest.raises(schlupf.CaseError, match="force_x must be numbers or two ends, but is"):
+        SMALL.curve(force_x=["0 kN", "-5 kN", "-10 kN"])

@@ -6,6 +6,7 @@ Nothing of it runs: an error that is expected is ignored, and an error that is l
 from typing import Literal
 
 import numpy as np
+import xarray as xr
 from typing_extensions import assert_type
 
 import schlupf
@@ -43,8 +44,29 @@ def fields_are_attributes(case: Case) -> None:
     case.normal.lod  # type: ignore[attr-defined]
     case.normal.lod = 1.0  # type: ignore[attr-defined]
     case.nrmal  # type: ignore[attr-defined]
-    case.solver().solve(creepage_x=0.01, friction__coefficient=0.3)
-    case.solver().solve(creepage_x=[0.01])  # type: ignore[arg-type]
+    schlupf.Solver(case).solve(creepage_x=0.01, friction__coefficient=0.3)
+    schlupf.Solver(case).solve(creepage_x=[0.01])  # type: ignore[arg-type]
+
+
+def files_may_be_arrays(case: Case) -> None:
+    Case(wheel={"profile": np.zeros((3, 2))}, rail={"profile": {"y": [0.0], "z": [1.0]}})
+    Case(normal={"file": xr.DataArray()}, history={"file": xr.Dataset()})
+    Case(contact_law={"roughness": np.zeros((8, 8))})
+    Case(wheel={"profile": 3.0})  # type: ignore[arg-type]
+    Case(solver={"table": np.zeros(3)})  # type: ignore[arg-type]
+    case.roughness(surface=np.zeros((8, 8)), spacing="1 um")
+    assert_type(schlupf.roughness(np.zeros((8, 8)), spacing=1e-6), schlupf.RoughContact)
+    assert_type(schlupf.open_surface("rail.sur"), xr.DataArray)
+
+
+def studies_are_objects(case: Case) -> None:
+    study = schlupf.study(case, vary={"normal.load": [60e3, 80e3]})
+    assert_type(study.rows, int)
+    assert_type(schlupf.sweep(study, "table.csv").table, xr.Dataset)
+    schlupf.study(case, vary={"normal.lod": [60e3]})  # type: ignore[dict-item]
+    schlupf.study(case, states={"creepage_x": [0.0]}, fields=["pressure"])
+    assert_type(schlupf.open_table("table.csv"), xr.Dataset)
+    assert_type(schlupf.open_result("result.nc"), schlupf.Result)
 
 
 def conditions_are_fields(case: Case) -> None:
@@ -53,6 +75,15 @@ def conditions_are_fields(case: Case) -> None:
     schlupf.forces(case, creepage=0.1)  # type: ignore[call-arg]
     case.curve(creepage_x=(0, 0.05), over={"kinematics.speed": [10, 20]})
     case.curve(over={"kinematics.sped": [10, 20]})  # type: ignore[dict-item]
+
+
+def contact_tables_state_their_errors(case: Case) -> None:
+    errors = schlupf.contact_table(case, "contacts.npz", largest_yaw_angle="10 mrad", poses=9)
+    assert_type(errors, schlupf.ContactTableErrors)
+    assert_type(errors.load.ninety_percent, float)
+    schlupf.contact_table(case, "contacts.npz", largest_roll_angle=0.01, tolerance=0.01)
+    schlupf.contact_table(case)  # type: ignore[call-arg]
+    schlupf.contact_table(case, "contacts.npz", tolerance="1 %")  # type: ignore[arg-type]
 
 
 def presets_are_sections() -> None:

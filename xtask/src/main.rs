@@ -2,14 +2,16 @@
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+mod c;
 mod environment;
+mod install_c;
 mod parts;
 mod python;
 mod site;
 mod sources;
 mod step;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use parts::Part;
@@ -23,6 +25,16 @@ fn main() -> ExitCode {
         println!("{}", help());
         return ExitCode::SUCCESS;
     }
+    if let Some(prefix) = prefix(&arguments) {
+        let target = workspace().join(parts::target());
+        return match install_c::install(&workspace(), &target, prefix, "dist") {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(error) => {
+                eprintln!("error: {error}");
+                ExitCode::FAILURE
+            }
+        };
+    }
     match requested(&arguments) {
         Ok(requested) => {
             if parts::run(&requested, &workspace()) {
@@ -35,6 +47,16 @@ fn main() -> ExitCode {
             eprintln!("error: {error}\n\n{}", help());
             ExitCode::from(USAGE_ERROR)
         }
+    }
+}
+
+/// Where a command line asks to install the C library.
+fn prefix(arguments: &[String]) -> Option<&Path> {
+    match arguments {
+        [task, option, prefix] if task == "install-c" && option == "--prefix" => {
+            Some(Path::new(prefix))
+        }
+        _ => None,
     }
 }
 
@@ -56,12 +78,13 @@ fn all() -> impl Iterator<Item = Part> {
 }
 
 fn help() -> String {
-    let line = |name, about| format!("  {name:<9}{about}");
+    let line = |name, about| format!("  {name:<11}{about}");
     let mut lines = vec![
         "Development tasks of schlupf\n\nUsage: cargo xtask <TASK>\n\nTasks:".to_owned(),
         line("ci", "fmt to site, in this order; fails if one fails"),
     ];
     lines.extend(all().map(|part| line(part.name(), part.about())));
+    lines.push(line("install-c", "--prefix DIR: the C library with headers, pkg-config, CMake"));
     lines.push("\nOptions:\n  -h, --help  print this".to_owned());
     lines.join("\n")
 }
@@ -89,7 +112,7 @@ mod tests {
             names,
             [
                 "fmt", "clippy", "test", "doc", "sources", "examples", "wasm", "package", "oldest",
-                "python", "site"
+                "c", "python", "site"
             ]
         );
     }
@@ -100,6 +123,14 @@ mod tests {
             assert_eq!(parse(part.name()).unwrap(), [part]);
             assert!(help().contains(&format!("  {} ", part.name())));
         }
+    }
+
+    #[test]
+    fn the_c_library_is_installed_where_it_is_said() {
+        let arguments = ["install-c", "--prefix", "a/b"].map(str::to_owned);
+        assert_eq!(prefix(&arguments), Some(Path::new("a/b")));
+        assert_eq!(prefix(&arguments[..1]), None);
+        assert!(help().contains("  install-c  --prefix DIR"));
     }
 
     #[test]

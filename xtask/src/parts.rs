@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use crate::step::Step;
-use crate::{python, site, sources};
+use crate::{c, python, site, sources};
 
 /// A part of the checks, or a task that takes too long to be one; each is a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,6 +28,8 @@ pub enum Part {
     Package,
     /// The oldest supported Rust.
     Oldest,
+    /// The C library, and programs with it.
+    C,
     /// The Python package.
     Python,
     /// The documentation site.
@@ -40,7 +42,7 @@ pub enum Part {
 
 impl Part {
     /// The parts of the checks, in the order in which they run.
-    pub const CI: [Self; 11] = [
+    pub const CI: [Self; 12] = [
         Self::Fmt,
         Self::Clippy,
         Self::Test,
@@ -50,6 +52,7 @@ impl Part {
         Self::Wasm,
         Self::Package,
         Self::Oldest,
+        Self::C,
         Self::Python,
         Self::Site,
     ];
@@ -69,6 +72,7 @@ impl Part {
             Self::Wasm => "wasm",
             Self::Package => "package",
             Self::Oldest => "oldest",
+            Self::C => "c",
             Self::Python => "python",
             Self::Site => "site",
             Self::Long => "long",
@@ -88,6 +92,7 @@ impl Part {
             Self::Wasm => "builds the libraries for wasm32-unknown-unknown",
             Self::Package => "makes the packages that would be published",
             Self::Oldest => "checks the workspace with the oldest Rust of Cargo.toml",
+            Self::C => "installs the C library, runs programs with it (needs gcc, valgrind, …)",
             Self::Python => "builds, installs and tests the Python package (needs Python 3.10)",
             Self::Site => "builds the documentation site, runs its notebooks (needs Python 3.11)",
             Self::Long => "what takes long: ignored tests, packages that are built",
@@ -95,7 +100,7 @@ impl Part {
         }
     }
 
-    /// The steps of the part, in order; sources, Python and the site have their own way.
+    /// The steps of the part, in order; sources, C, Python and the site have their own way.
     fn steps(self, workspace: &Path) -> Result<Vec<Step>, String> {
         Ok(match self {
             Self::Fmt => vec![Step::cargo("fmt --all --check")],
@@ -107,11 +112,12 @@ impl Part {
                 });
                 let all = Step::cargo("clippy --workspace --all-targets -- -D warnings");
                 // Targets that are built only when asked for are not among all.
-                let benches =
-                    ["schlupf --bench table", "schlupf-tasks --features parquet --bench sweep"]
-                        .map(|bench| {
-                            Step::cargo(&format!("clippy --package {bench} -- -D warnings"))
-                        });
+                let benches = [
+                    "schlupf --bench table",
+                    "schlupf-c --bench call",
+                    "schlupf-tasks --features parquet --bench sweep",
+                ]
+                .map(|bench| Step::cargo(&format!("clippy --package {bench} -- -D warnings")));
                 // So does the command.
                 let bare = "clippy --package schlupf-cli --no-default-features --all-targets";
                 let bare = Step::cargo(&format!("{bare} -- -D warnings"));
@@ -122,7 +128,7 @@ impl Part {
                 let doc = Step::cargo("doc --workspace --no-deps");
                 vec![Step { variable: Some(("RUSTDOCFLAGS", "-D warnings".to_owned())), ..doc }]
             }
-            Self::Sources | Self::Python | Self::Site => Vec::new(),
+            Self::Sources | Self::C | Self::Python | Self::Site => Vec::new(),
             // The build of the tests includes the examples; building them alone would be another
             // build.
             Self::Examples => {
@@ -154,6 +160,7 @@ impl Part {
             ],
             Self::Bench => vec![
                 Step::cargo("bench --package schlupf --bench table"),
+                Step::cargo("bench --package schlupf-c --bench call"),
                 Step::cargo("bench --package schlupf-tasks --features parquet --bench sweep"),
             ],
         })
@@ -162,6 +169,7 @@ impl Part {
     fn run(self, workspace: &Path) -> Result<(), String> {
         match self {
             Self::Sources => sources::report(workspace),
+            Self::C => c::run(workspace, &target()),
             Self::Python => python::run(workspace, &workspace.join(target())),
             Self::Site => site::run(workspace, &workspace.join(target()), &LIBRARIES),
             _ => self.steps(workspace)?.iter().try_for_each(|step| step.run(workspace)),
@@ -199,7 +207,7 @@ fn oldest(workspace: &Path) -> Result<String, String> {
 }
 
 /// The target directory of cargo, from the root of the workspace.
-fn target() -> PathBuf {
+pub fn target() -> PathBuf {
     std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| "target".into(), PathBuf::from)
 }
 

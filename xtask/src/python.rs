@@ -14,6 +14,7 @@ pub fn run(workspace: &Path, target: &Path) -> Result<(), String> {
     environment.install_package(workspace, target)?;
     let steps = ["ruff check --quiet python", "ruff format --quiet --diff python"];
     steps.iter().try_for_each(|module| environment.python(module).run(workspace))?;
+    Step::cargo("build --package schlupf-c").run(workspace)?;
     let variable = many_forces(target).map(|program| ("SCHLUPF_MANY_FORCES", program));
     Step { variable, ..environment.python("pytest --quiet") }.run(workspace)?;
     let steps = [

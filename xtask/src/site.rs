@@ -1,5 +1,6 @@
 //! The documentation site, with notebooks that run and a validation report that is computed.
 
+use std::env::consts::{DLL_PREFIX, DLL_SUFFIX};
 use std::path::Path;
 use std::process::Command;
 
@@ -23,12 +24,16 @@ pub fn run(workspace: &Path, target: &Path, libraries: &[&str]) -> Result<(), St
     // Not the extension module: maturin and cargo compile what it needs in turns.
     let packages = libraries.join(" --package ");
     Step::cargo(&format!("doc --no-deps --package {packages}")).run(workspace)?;
+    // Pages call the C library, too.
+    Step::cargo("build --package schlupf-c").run(workspace)?;
+    let library = target.join(format!("debug/{DLL_PREFIX}schlupf_c{DLL_SUFFIX}"));
+    let variable = Some(("SCHLUPF_LIBRARY", library.display().to_string()));
     let target = target.display();
     let build = format!(
         "sphinx --builder html --quiet --fail-on-warning --keep-going \
          --doctree-dir {target}/site-doctrees docs {target}/site"
     );
-    environment.python(&build).run(workspace)
+    Step { variable, ..environment.python(&build) }.run(workspace)
 }
 
 /// Fails where `python3`, of which the environment is made, is too old.

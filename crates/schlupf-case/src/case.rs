@@ -6,6 +6,8 @@
 //! holds a request in place of a normal contact: friction carries a part of the vertical force, so
 //! the contacts are found together with the tangential solution.
 
+mod force_element;
+
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -270,7 +272,7 @@ impl CaseFile {
     /// all overrides in it, comments and layout kept. Paths are those from `folder`, where the text
     /// is to be.
     pub fn edited(&self, values: &[(FieldPath, f64)], folder: &Path) -> Result<String, CaseError> {
-        let own = self.files.locate("");
+        let own = self.folder();
         let is_moved = edited::absolute(folder) != edited::absolute(&own);
         let mut text = edited::Edited::new(&self.source)?;
         text.take_over(&self.entries, is_moved.then_some(&own))?;
@@ -305,12 +307,17 @@ impl CaseFile {
         Ok(kept.finish())
     }
 
+    /// Where relative paths of files start.
+    pub fn folder(&self) -> PathBuf {
+        self.files.locate("")
+    }
+
     /// Files that the case names, each with the field that does, whether that has an effect or not.
     pub fn files(&self) -> Vec<(FieldPath, PathBuf)> {
         fields::all()
             .filter(|field| matches!(field.kind, fields::Kind::Path))
             .filter_map(|field| Some((field.path, self.settings.given_text(field.path)?)))
-            .filter(|(_, file)| !profiles::is_built_in(file))
+            .filter(|(_, file)| profiles::names_file(file))
             .map(|(field, file)| (field, self.files.locate(file)))
             .collect()
     }
@@ -364,6 +371,11 @@ impl Case {
     pub fn rolling(&self, initial_state: Option<State>) -> Result<Rolling, CaseError> {
         if self.history.is_none() && initial_state.is_none() {
             return Ok(Rolling::Steady);
+        }
+        let starts_rolling = self.history.as_ref().is_some_and(|history| history.starts_rolling);
+        if starts_rolling && initial_state.is_some() {
+            let reason = "must be \"rest\" with an initial state, from which it starts";
+            return Err(self.contradiction(field!("history.start"), reason));
         }
         let what = if self.history.is_some() { "a history" } else { "an initial state" };
         match (self.method.clone(), self.driver) {

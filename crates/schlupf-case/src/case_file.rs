@@ -10,7 +10,8 @@ use schlupf::wheel_rail::{WheelOnRail, WheelSolution};
 
 use crate::document::{self, Entry};
 use crate::error::{CaseError, CaseErrors};
-use crate::files::{Files, Folder, read_up_to};
+use crate::files::{Files, Folder, LARGEST_FILE, read_up_to};
+use crate::kept::Kept;
 use crate::laws::Laws;
 use crate::names::FieldNames;
 use crate::place::{Place, Source};
@@ -19,8 +20,20 @@ use crate::read::{self, Parts};
 use crate::settings::Settings;
 use crate::template::template;
 
-/// Largest case file that is read, in bytes.
-pub const LARGEST_CASE: u64 = 4 << 20;
+/// Largest case file that is read, in bytes, without data in place of files.
+const LARGEST_CASE: u64 = 4 << 20;
+
+/// Reads the text of a case or of a study, up to 4 MiB, or [`LARGEST_FILE`] where it has data in
+/// place of files.
+///
+/// # Errors
+/// Whatever keeps it from being read, and more bytes.
+pub fn read_case(mut reader: impl Read) -> io::Result<Vec<u8>> {
+    let mut start = Vec::new();
+    reader.by_ref().take(LARGEST_CASE + 1).read_to_end(&mut start)?;
+    let has_data = start.windows(5).any(|part| part == b"data:");
+    read_up_to(if has_data { LARGEST_FILE } else { LARGEST_CASE }, start.chain(reader))
+}
 
 /// What stands in place of fields of a case file.
 #[derive(Debug, Clone, Copy)]
@@ -80,23 +93,23 @@ impl CaseFile {
         for text in overrides.assignments {
             errors.extend(document::apply(&mut entries, &option, text).err());
         }
-        Self::from_entries(entries, errors, source, files)
+        Self::from_entries(entries, errors, source, (files, Kept::default()))
     }
 
     /// Reads a case file; relative paths start in its folder.
     pub fn from_path(path: &Path, overrides: Overrides<'_>) -> Result<Self, CaseErrors> {
-        let bytes = File::open(path).and_then(|file| read_up_to(LARGEST_CASE, file));
+        let bytes = File::open(path).and_then(read_case);
         Self::from_bytes(bytes, &path.display().to_string(), Folder::of(path), overrides)
     }
 
-    /// The same from whatever can be read, such as standard input, up to [`LARGEST_CASE`].
+    /// The same from whatever can be read, such as standard input, as [`read_case`] does.
     pub fn from_reader(
         reader: impl Read,
         name: &str,
         files: Arc<dyn Files>,
         overrides: Overrides<'_>,
     ) -> Result<Self, CaseErrors> {
-        Self::from_bytes(read_up_to(LARGEST_CASE, reader), name, files, overrides)
+        Self::from_bytes(read_case(reader), name, files, overrides)
     }
 
     fn from_bytes(
@@ -128,8 +141,8 @@ impl CaseFile {
         for assignment in assignments {
             document::apply(&mut entries, &option, assignment)?;
         }
-        let (source, files) = (Arc::clone(&self.source), Arc::clone(&self.files));
-        let file = Self::from_entries(entries, Vec::new(), source, files)?;
+        let files = (Arc::clone(&self.files), self.settings.kept.clone());
+        let file = Self::from_entries(entries, Vec::new(), Arc::clone(&self.source), files)?;
         Ok(file.with_laws(self.laws.clone())?)
     }
 
@@ -201,10 +214,11 @@ impl CaseFile {
         entries: Vec<Entry>,
         mut errors: Vec<CaseError>,
         source: Arc<Source>,
-        files: Arc<dyn Files>,
+        (files, kept): (Arc<dyn Files>, Kept),
     ) -> Result<Self, CaseErrors> {
-        let (settings, wrong_fields) =
+        let (mut settings, wrong_fields) =
             Settings::read(&entries, &source.name, FieldNames::CASE, Arc::clone(&files));
+        settings.kept = kept;
         errors.extend(wrong_fields);
         errors.sort_by_key(|error| error.place.order());
         CaseErrors::check(errors)?;

@@ -45,7 +45,7 @@ impl Edited {
             let is_path =
                 fields::find(&entry.path).is_some_and(|field| matches!(field.kind, Kind::Path));
             match (&entry.value.content, folder) {
-                (Content::Text(file), Some(folder)) if is_path && !profiles::is_built_in(file) => {
+                (Content::Text(file), Some(folder)) if is_path && profiles::names_file(file) => {
                     let file = absolute(&folder.join(file)).into_os_string().into_string();
                     let file = file.map_err(|file| self.no_text(&entry.path, &file))?;
                     self.set(&entry.path, file.into())?;

@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::io;
+use std::path::PathBuf;
 
 use crate::place::Place;
 use schlupf::reporting::shortened;
@@ -16,9 +17,22 @@ pub struct CaseError {
     /// Where it stands.
     pub place: Place,
     /// What to do about it.
-    pub help: Option<String>,
+    pub help: Option<Box<str>>,
     /// Whose fault it is.
     pub cause: Cause,
+    /// The file that cannot be read, where that is the fault.
+    pub unread: Option<Box<Unread>>,
+}
+
+/// A file that cannot be read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Unread {
+    /// Which one.
+    pub path: PathBuf,
+    /// Why.
+    pub kind: io::ErrorKind,
+    /// The system's number for that, if it has one.
+    pub code: Option<i32>,
 }
 
 /// Whose fault an error is.
@@ -45,23 +59,25 @@ impl CaseError {
             place,
             help: None,
             cause: Cause::Input,
+            unread: None,
         }
     }
 
     /// A file that cannot be read.
     pub(crate) fn unreadable(field: &str, what: &str, name: &str, error: &io::Error) -> Self {
         let place = Place::File { name: name.to_owned() };
-        Self::new(field, format!("{what} cannot be read: {error}"), place).of(Cause::FileSystem)
+        Self::new(field, format!("{what} cannot be read: {error}"), place).of_file(name, error)
     }
 
-    /// The same with another cause.
-    pub(crate) fn of(self, cause: Cause) -> Self {
-        Self { cause, ..self }
+    /// The same, because a file cannot be read.
+    pub fn of_file(self, path: impl Into<PathBuf>, error: &io::Error) -> Self {
+        let unread = Unread { path: path.into(), kind: error.kind(), code: error.raw_os_error() };
+        Self { cause: Cause::FileSystem, unread: Some(Box::new(unread)), ..self }
     }
 
     /// The same with advice.
     pub fn help(self, help: impl Into<Option<String>>) -> Self {
-        Self { help: help.into(), ..self }
+        Self { help: help.into().map(String::into_boxed_str), ..self }
     }
 }
 

@@ -13,6 +13,7 @@ use crate::error::{CaseError, CaseErrors};
 use crate::fields::{self, FieldPath};
 use crate::notice::Notice;
 use crate::place::Place;
+use crate::profiles;
 use crate::range::even_values;
 use schlupf::reporting::quoted;
 
@@ -70,7 +71,7 @@ impl Family {
 
     /// Files that its values name for a case.
     pub fn files(&self, case: &CaseFile) -> Vec<PathBuf> {
-        let named = self.values.iter().filter(|_| self.is_path);
+        let named = self.values.iter().filter(|file| self.is_path && profiles::names_file(file));
         named.map(|file| case.files.locate(file)).collect()
     }
 

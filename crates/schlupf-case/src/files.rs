@@ -7,6 +7,9 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
+
 /// Largest file of data that is read, in bytes.
 pub const LARGEST_FILE: u64 = 1 << 30;
 
@@ -37,6 +40,64 @@ pub trait Files: Debug + Send + Sync {
     /// Where it lies: what messages call it, and what tells whether two names mean the same file.
     fn locate(&self, name: &str) -> PathBuf {
         PathBuf::from(name)
+    }
+}
+
+/// Data in place of a file, as a URL: `data:text/csv,y [mm],z [mm]…` (RFC 2397). Text may stand as
+/// it is, with `%25` for `%`; bytes are in Base64. Lengths that are not in it stand in parameters,
+/// in m.
+#[derive(Debug, Clone, Copy)]
+pub struct DataUrl<'a> {
+    header: &'a str,
+    body: &'a str,
+}
+
+impl<'a> DataUrl<'a> {
+    /// That of a text, if it is one.
+    pub fn of(text: &'a str) -> Option<Self> {
+        let (header, body) = text.strip_prefix("data:")?.split_once(',')?;
+        Some(Self { header, body })
+    }
+
+    /// The value of a field as tables have it: of data their name, else the value.
+    pub fn label(value: &'a str) -> &'a str {
+        Self::of(value).map_or(value, Self::name)
+    }
+
+    /// What it is, as the ending of a file: `csv` of `text/csv`.
+    fn ending(self) -> &'a str {
+        let media = self.header.split(';').next().unwrap_or_default();
+        let kind = media.rsplit('/').next().unwrap_or_default();
+        kind.strip_prefix("x-").unwrap_or(kind)
+    }
+
+    fn parameter(self, name: &str) -> Option<&'a str> {
+        let mut parameters = self.header.split(';').filter_map(|text| text.split_once('='));
+        parameters.find_map(|(own, value)| (own == name).then_some(value))
+    }
+
+    fn pair(self, names: [&str; 2]) -> Option<[f64; 2]> {
+        let [x, y] = names.map(|name| self.parameter(name)?.parse().ok());
+        Some([x?, y?])
+    }
+
+    /// What messages call it.
+    fn name(self) -> &'a str {
+        self.parameter("name").unwrap_or("data")
+    }
+
+    fn bytes(self) -> io::Result<Vec<u8>> {
+        if self.header.ends_with(";base64") {
+            return BASE64_STANDARD.decode(self.body).map_err(io::Error::other);
+        }
+        let mut parts = self.body.split('%');
+        let mut bytes = parts.next().unwrap_or_default().as_bytes().to_vec();
+        for part in parts {
+            let code = part.get(..2).and_then(|code| u8::from_str_radix(code, 16).ok());
+            bytes.push(code.unwrap_or(b'%'));
+            bytes.extend(&part.as_bytes()[if code.is_some() { 2 } else { 0 }..]);
+        }
+        Ok(bytes)
     }
 }
 
@@ -104,9 +165,36 @@ impl InputFile {
         Self::new(name.clone(), Arc::new(BTreeMap::from([(name, path.to_owned())])))
     }
 
-    /// Where it lies.
+    /// The data that stand in its place, if they do.
+    pub fn data(&self) -> Option<DataUrl<'_>> {
+        DataUrl::of(&self.name)
+    }
+
+    /// What a case calls it.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Where it lies, or what messages call its data.
     pub fn path(&self) -> PathBuf {
-        self.files.locate(&self.name)
+        self.data().map_or_else(|| self.files.locate(&self.name), |data| data.name().into())
+    }
+
+    /// The ending of its name, which says its format, in small letters.
+    pub fn ending(&self) -> String {
+        let path = self.path();
+        let of_path = || path.extension().unwrap_or_default().to_string_lossy();
+        self.data().map_or_else(of_path, |data| data.ending().into()).to_lowercase()
+    }
+
+    /// Distances of its points along x and y (in m), where its data have them.
+    pub fn spacings(&self) -> Option<[f64; 2]> {
+        self.data()?.pair(["spacing_x", "spacing_y"])
+    }
+
+    /// Its first place along x and y (in m), where its data have it.
+    pub fn start(&self) -> Option<[f64; 2]> {
+        self.data()?.pair(["start_x", "start_y"])
     }
 
     /// What is in it.
@@ -114,12 +202,37 @@ impl InputFile {
     /// # Errors
     /// Whatever keeps it from being read.
     pub fn read(&self) -> io::Result<Vec<u8>> {
-        self.files.read(&self.name)
+        self.data().map_or_else(|| self.files.read(&self.name), DataUrl::bytes)
     }
 }
 
 impl PartialEq for InputFile {
     fn eq(&self, other: &Self) -> bool {
-        self.path() == other.path()
+        self.path() == other.path() && (self.data().is_none() || self.name == other.name)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The examples of RFC 2397 and of RFC 4648.
+    #[test]
+    fn data_stand_in_place_of_a_file() {
+        let read = |url: &str| InputFile::new(url, Folder::new("none")).read().unwrap();
+        assert_eq!(read("data:,A%20brief%20note"), b"A brief note");
+        assert_eq!(read("data:text/csv,y [mm]\n50 %\n%"), b"y [mm]\n50 %\n%");
+        assert_eq!(read("data:;base64,Zm9vYmE="), b"fooba");
+        assert!(InputFile::new("data:;base64,Zm9", Folder::new("none")).read().is_err());
+    }
+
+    #[test]
+    fn data_say_their_format_name_and_spacings() {
+        let url = "data:application/x-npy;name=heights;spacing_x=1e-6;spacing_y=2e-6;base64,";
+        let file = InputFile::new(url, Folder::new("none"));
+        assert_eq!((&*file.ending(), file.path()), ("npy", PathBuf::from("heights")));
+        assert_eq!(file.spacings(), Some([1e-6, 2e-6]));
+        assert_ne!(file, InputFile::new(format!("{url}AA=="), Folder::new("none")));
+        assert_eq!(InputFile::at(Path::new("a/B.CSV")).ending(), "csv");
     }
 }

@@ -35,6 +35,9 @@ impl Source {
     }
 }
 
+/// A column, the first of a table, of what its rows are called.
+pub const INDEX: &str = "index";
+
 /// Where in the input something stands.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Place {
@@ -70,9 +73,17 @@ impl Place {
         }
     }
 
-    /// A line of a text, numbered from 1.
+    /// A line of a text, numbered from 1. A row of a table is told by what stands in its first
+    /// column, if that is [`INDEX`].
     pub fn line(source: &Arc<Source>, number: usize) -> Self {
-        Self::Text { source: Arc::clone(source), span: source.line(number) }
+        let span = source.line(number);
+        let is_labelled = |text: &str| text.split(',').next() == Some(INDEX);
+        let row = source.text[span.clone()].split(',').next();
+        match row.filter(|_| source.text.lines().next().is_some_and(is_labelled)) {
+            Some(INDEX) => Self::File { name: source.name.clone() },
+            Some(row) => Self::File { name: format!("{}, row {row}", source.name) },
+            None => Self::Text { source: Arc::clone(source), span },
+        }
     }
 }
 

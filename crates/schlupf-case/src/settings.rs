@@ -14,6 +14,7 @@ use crate::fields::{
     self, ALTERNATIVES, Alternatives, Choose, Default, Field, NOT_PER_CENT, SECTIONS, UsedWith,
 };
 use crate::files::{Files, InputFile};
+use crate::kept::Kept;
 use crate::names::{self, FieldNames, Noting};
 use crate::notice::Notice;
 use crate::place::Place;
@@ -30,6 +31,8 @@ pub struct Settings {
     names: FieldNames,
     /// Files that fields name.
     files: Arc<dyn Files>,
+    /// What was made from them.
+    pub kept: Kept,
 }
 
 /// A field that was given.
@@ -51,7 +54,8 @@ impl Settings {
         files: Arc<dyn Files>,
     ) -> (Self, Vec<CaseError>) {
         let file = Place::File { name: name.to_owned() };
-        let mut settings = Self { given: HashMap::new(), file, names, files };
+        let kept = Kept::default();
+        let mut settings = Self { given: HashMap::new(), file, names, files, kept };
         let mut errors = Vec::new();
         for entry in entries {
             match fields::named(&entry.path, || entry.origin.place(&entry.key)) {
@@ -87,7 +91,7 @@ impl Settings {
                 "{path} must be the path of a readable file, but is {}: {error}",
                 quoted_path(&name)
             );
-            let error = self.error(path, message).of(Cause::FileSystem);
+            let error = self.error(path, message).of_file(&name, &error);
             error.help("paths are relative to the case file".to_owned())
         })?;
         Ok((name, bytes))

@@ -265,6 +265,21 @@ fn contradictions_name_both_sides() {
             &["together with elasticity.calibration", "the calibration gives all stiffnesses"],
         ),
         (
+            "[normal]\napproach = \"50 um\"\n[elasticity]\nmodel = \"viscoelastic\"",
+            "normal.approach",
+            &["must not be given for viscoelastic bodies"],
+        ),
+        (
+            "[normal]\nmodel = \"wheel-rail\"\n[elasticity]\nmodel = \"viscoelastic\"",
+            "elasticity.model",
+            &["must not be viscoelastic with normal.model"],
+        ),
+        (
+            "[elasticity]\nmodel = \"viscoelastic\"\n[rail]\nrelaxed_modulus = \"211 GPa\"",
+            "rail.relaxed_modulus",
+            &["2.1e11", "2.11e11"],
+        ),
+        (
             "[history]\nfile = \"h.csv\"\ntime = [\"0 s\", \"1 s\"]",
             "history.time",
             &["together with history.file"],

@@ -97,6 +97,19 @@ fn slices_make_a_ramp() {
     assert!((ahead.height - here.height - 5e-3).abs() < 1e-7, "{} {}", ahead.height, here.height);
 }
 
+/// A part in one slice only would be nowhere.
+#[test]
+fn a_part_of_one_slice_is_refused() {
+    let parts = RAMP
+        .replace("2 0 0         NFEAT", "3 0 0         NFEAT")
+        .replace("-0.5   0.0   999.", "-0.5   0.0  30.  999.")
+        .replace("-0.1   0.0   999.", "-0.1   0.0  30.  -1")
+        .replace("0.3    0.0   999.", "0.3    0.0  30.  -1");
+    let message = read(&parts, &[]).unwrap_err();
+    let text = "part 2 of the section of rail.profile at -0.4 must be part of a section beside it";
+    assert!(message.contains(text), "{message}");
+}
+
 /// The first line of the message for a changed file.
 fn refused(from: &str, to: &str) -> String {
     assert!(RAMP.contains(from), "{from}");
@@ -132,6 +145,11 @@ fn what_slices_cannot_be_names_line_requirement_and_value() {
         ("0.3    0.0   999.", "0.3  99.0 999.", "break 1 must be within the slice"),
         ("0.3    0.0   999.", "0.3  30. 10.", "breaks must ascend, but break 2 is 10 mm"),
         ("0.3    0.0   999.", "0.3  -1 999.", "section 3 of rail.profile"),
+        (
+            "0.3    0.0   999.",
+            "0.3  0.0 999.\n0.4 0. 999.",
+            "rails/ramp.slcs:13:1: rail.profile: the file must end here",
+        ),
         ("0.3    0.0   999.", "", "the file must go on with the breaks of a slice, but ends"),
     ];
     for (from, to, text) in expected {

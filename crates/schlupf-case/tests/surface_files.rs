@@ -1,8 +1,10 @@
 //! Files of surfaces, made by `surfaces/make.py` with NumPy and zipfile after ISO 25178-72 (none
 //! comes from an instrument), and what is wrong with bad ones.
 
+use std::collections::BTreeMap;
 use std::io::{Cursor, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use schlupf::surface::{HeightMap, Holes};
@@ -21,7 +23,8 @@ fn from_bytes(
     bytes: Vec<u8>,
     options: &SurfaceOptions,
 ) -> Result<MeasuredSurface, CaseError> {
-    surface::from_bytes(name, bytes, options, FieldNames::CASE)
+    let files = Arc::new(BTreeMap::from([(name.clone(), bytes)]));
+    surface::read(&InputFile::new(name, files), options, FieldNames::CASE)
 }
 
 fn sample(name: &str) -> PathBuf {

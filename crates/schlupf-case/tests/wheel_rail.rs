@@ -197,6 +197,12 @@ fn contradictions_are_told() {
         ),
         (
             with(profiles)
+                + "[history]\ntime = [\"0 s\", \"0 s\"]\nlateral_position = [\"0 mm\", \"1 mm\"]\n",
+            "history.lateral_position must be the same at equal times, at which a wheelset without \
+             history.shift_duration is not shifted, but changes at 0 s",
+        ),
+        (
+            with(profiles)
                 + "[history]\ntime = [\"0 s\", \"1 s\"]\n[solver]\nmethod = \"polach\"\n",
             "solver.method must be \"full\" with history.time",
         ),
@@ -322,6 +328,11 @@ fn a_force_turns_the_wheel() {
         (text.replace("force_x =", "creepage_x = 0.0\nforce_x ="), "longitudinal force determines"),
         (format!("{text}force_axis = \"rail\"\n"), "wheelset.force_axis"),
         (
+            text.clone()
+                + "[history]\ntime = [\"0 s\", \"1 ms\"]\nangular_velocity = [\"4 rad/s\", \"4 rad/s\"]\n",
+            "longitudinal force determines",
+        ),
+        (
             format!("{}force_axis = \"track\"\n", other("traction_coefficient = 0.08")),
             "wheelset.force_axis would be ignored: kinematics.force_x is not given",
         ),
@@ -340,6 +351,11 @@ fn a_force_turns_the_wheel() {
     // The contact that the case poses has the creepages that were found.
     let main = &wheel.contacts[0].solution.kinematics;
     assert_eq!(case.problem.kinematics.creepage_x, main.creepage_x);
+    // Over time, too, from the first step on.
+    let over_time = solve(&format!("{text}[history]\ntime = [\"0 ms\", \"1 ms\"]\n"));
+    for force in over_time.wheel.unwrap().contacts[0].solution.history.iter().map(|at| at.force.x) {
+        assert!((force + 800.0).abs() < 0.05, "{force}");
+    }
     let beyond = text.replace("-800 N", "-8 kN");
     let file = CaseFile::from_str(&beyond, "case.toml", Folder::new(""), Overrides::NONE).unwrap();
     let error = file.pose(&unwatched).unwrap_err().to_string();

@@ -5,6 +5,7 @@ use clap_complete::Shell;
 
 use crate::arguments::{CheckArguments, InitArguments};
 use crate::failure::{Failure, SUCCESS};
+use crate::fmu::Fmu;
 use crate::import::ImportArguments;
 use crate::sweep::{Merge, Sweep};
 use crate::table::Table;
@@ -65,8 +66,10 @@ pub enum Other {
     Sweep(Sweep),
     /// Put the tables of all shards of a study together
     Merge(Merge),
-    /// Make a look-up table of creep forces, for multibody codes
+    /// Make a look-up table of creep forces, or of the contacts of a wheel, for multibody codes
     Table(Table),
+    /// Write the force element of a case as an FMU, for simulators
+    Fmu(Fmu),
     /// Validate a case file and show what would be solved
     Check(CheckArguments),
     /// Write the cases of an input file of CONTACT as case files

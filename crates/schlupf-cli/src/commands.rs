@@ -4,8 +4,9 @@ use std::fmt::Write;
 use std::io::ErrorKind;
 use std::path::Path;
 
+use schlupf::solver::viscoelastic_rolling;
 use schlupf_case::{
-    Case, CaseErrors, Effective, FieldNames, FieldPath, Place, Preset, conditions, fields,
+    Case, CaseErrors, Effective, FieldNames, FieldPath, Place, Preset, conditions, field, fields,
     schema as case_schema, template, template_with,
 };
 use schlupf_tasks::contact_law;
@@ -37,12 +38,13 @@ pub fn check(arguments: &CheckArguments) -> Result<u8, Failure> {
         stdout::write(&profiles::text(&file))?;
     }
     let case = posed?;
-    let normal = case
-        .problem
-        .normal
-        .normal_contact(None)
-        .map_err(|error| Failure::Case(case.explain(&error).into()))?
-        .summary;
+    if file.given().any(|path| path == field!("element.contact_table")) {
+        case.element().map_err(CaseErrors::from)?;
+    }
+    let explain = |error| Failure::Case(case.explain(&error).into());
+    let rolling = viscoelastic_rolling(&case.problem, &schlupf::unwatched).map_err(explain)?;
+    let source = &rolling.as_ref().unwrap_or(&case.problem).normal;
+    let normal = source.normal_contact(None).map_err(explain)?.summary;
     let beyond = case.problem.interface.beyond_elastic(normal.peak_pressure);
     let beyond = schlupf_tasks::messages(&beyond);
     case.notices.iter().cloned().chain(beyond).for_each(|message| report::warn(&message));

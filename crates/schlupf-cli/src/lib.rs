@@ -8,6 +8,7 @@ mod commands;
 mod failure;
 mod import;
 mod figures;
+mod fmu;
 mod interrupt;
 mod kept_states;
 mod notice;
@@ -18,6 +19,7 @@ mod read_case;
 mod report;
 mod stdout;
 mod sweep;
+mod contact_table;
 mod table;
 mod task;
 
@@ -54,6 +56,7 @@ fn run(matches: &ArgMatches) -> Result<u8, Failure> {
         Other::Sweep(arguments) => sweep::sweep(&arguments),
         Other::Merge(arguments) => sweep::merge(&arguments),
         Other::Table(arguments) => table::table(&arguments),
+        Other::Fmu(arguments) => fmu::fmu(&arguments),
         Other::Check(arguments) => commands::check(&arguments),
         Other::Import(arguments) => import::import(&arguments),
         Other::Init(arguments) => commands::init(&arguments),

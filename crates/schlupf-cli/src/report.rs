@@ -80,7 +80,7 @@ struct Report {
 impl Report {
     fn new(error: &CaseError) -> Self {
         let message = format!("{}: {}", error.place, error.message);
-        let help = error.help.clone();
+        let help = error.help.clone().map(String::from);
         let (source, labels) = match &error.place {
             Place::Text { source, span } if is_quotable(source, span) => (
                 Some(NamedSource::new(&source.name, source.text.clone())),

@@ -7,6 +7,7 @@ use schlupf::analysis::table_building::{LONGER_SIDE_EXPONENT, TableOptions, buil
 use schlupf::{Error, Quantity};
 use schlupf_case::look_up_table::{StatedError, StoredTable, TableFileError};
 
+use crate::contact_table::{Common, ContactTableArguments, contact_table};
 use crate::failure::{Failure, NOT_CONVERGED, SUCCESS};
 use crate::kept_states::KeptStates;
 use crate::notice::Notice;
@@ -19,31 +20,39 @@ const OUTPUT: &str = "--output";
 /// Which look-up table, and where to write it.
 #[derive(Debug, Args)]
 pub struct Table {
-    /// Where to write the table: a .npz archive, which NumPy reads; run again after an
-    /// interruption, it resumes
+    #[command(flatten)]
+    pub contacts: ContactTableArguments,
+    /// Where to write the table: a .npz archive, which NumPy reads; that of creep forces resumes
+    /// where it was interrupted
     #[arg(long, value_name = "FILE", default_value = "table.npz")]
     pub output: PathBuf,
     /// Combined Poisson's ratio of both bodies
-    #[arg(long, value_name = "NU", default_value_t = TableOptions::default().poisson_ratio)]
+    #[arg(long, conflicts_with = "case", value_name = "NU",
+        default_value_t = TableOptions::default().poisson_ratio)]
     pub poisson_ratio: f64,
     /// Smallest a/b, length over width of the patch
-    #[arg(long, value_name = "RATIO", default_value_t = TableOptions::default().axis_ratios[0])]
+    #[arg(long, conflicts_with = "case", value_name = "RATIO",
+        default_value_t = TableOptions::default().axis_ratios[0])]
     pub smallest_axis_ratio: f64,
     /// Largest a/b
-    #[arg(long, value_name = "RATIO", default_value_t = TableOptions::default().axis_ratios[1])]
+    #[arg(long, conflicts_with = "case", value_name = "RATIO",
+        default_value_t = TableOptions::default().axis_ratios[1])]
     pub largest_axis_ratio: f64,
-    /// Largest error of forces over μN in random states
-    #[arg(long, value_name = "PART", default_value_t = TableOptions::default().tolerance)]
-    pub tolerance: f64,
-    /// Number of random states that decide, and of those that then measure the error
-    #[arg(long, value_name = "N", default_value_t = TableOptions::default().states)]
-    pub states: usize,
+    /// Largest error of forces over μN in random states [default: 0.01]; of contacts that of the
+    /// normal force between nodes [default: 0.005]
+    #[arg(long, value_name = "PART")]
+    pub tolerance: Option<f64>,
+    /// Number of random states that decide, and of those that then measure the error [default:
+    /// 1000]; of contacts that of random poses in which the error is measured [default: 400]
+    #[arg(long, value_name = "N")]
+    pub states: Option<usize>,
     /// Most nodes of the table: refining that would need more is not begun, and the first nodes are
     /// solved in any case
-    #[arg(long, value_name = "N", default_value_t = TableOptions::default().most_solutions)]
+    #[arg(long, conflicts_with = "case", value_name = "N",
+        default_value_t = TableOptions::default().most_solutions)]
     pub most_solutions: usize,
     /// A table made before, of the same Poisson's ratio: its nodes are not solved again
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, conflicts_with = "case", value_name = "FILE")]
     pub from: Option<PathBuf>,
     /// Print no summary
     #[arg(short, long)]
@@ -58,13 +67,22 @@ pub fn table(arguments: &Table) -> Result<u8, Failure> {
     }
     let output = Output { option: OUTPUT.to_owned(), path: arguments.output.clone() };
     outputs::check(std::slice::from_ref(&output), None)?;
+    if arguments.contacts.case.is_some() {
+        let common = Common {
+            tolerance: arguments.tolerance,
+            poses: arguments.states,
+            is_quiet: arguments.quiet,
+        };
+        return contact_table(&arguments.contacts, &common, &output);
+    }
+    let default = TableOptions::default();
     let options = TableOptions {
         poisson_ratio: arguments.poisson_ratio,
         axis_ratios: [arguments.smallest_axis_ratio, arguments.largest_axis_ratio],
-        tolerance: arguments.tolerance,
-        states: arguments.states,
+        tolerance: arguments.tolerance.unwrap_or(default.tolerance),
+        states: arguments.states.unwrap_or(default.states),
         most_solutions: arguments.most_solutions,
-        ..TableOptions::default()
+        ..default
     };
     let earlier =
         arguments.from.as_deref().map(|path| read(path, arguments, options.cells)).transpose()?;

@@ -303,11 +303,17 @@ impl Rows<'_> {
         let of_wheel = <WheelSolution as Record>::COLUMNS.iter().map(|column| column.quantity);
         let quantities = COLUMNS.into_iter().chain(of_wheel);
         for (column, quantity) in self.columns.iter_mut().zip(quantities) {
-            if matches!(quantity.unit(), "N" | "N m") || quantity == Quantity::ContactCount {
-                column[row] = 0.0;
-            }
+            let is_zero =
+                matches!(quantity.unit(), "N" | "N m") || quantity == Quantity::ContactCount;
+            column[row] = if is_zero { 0.0 } else { f64::NAN };
         }
         self.status[row] = Became::NoContact as u8;
+    }
+
+    /// Nothing is known.
+    fn set_failed(&mut self, row: usize) {
+        self.columns.iter_mut().take(COLUMNS.len()).for_each(|column| column[row] = f64::NAN);
+        self.status[row] = Became::Failed as u8;
     }
 }
 
@@ -388,7 +394,8 @@ fn block_of(
     watch: Watch,
 ) -> Result<Told, ()> {
     let (mut told, mut warnings) = (Told::default(), Tally::default());
-    rows.columns.iter_mut().for_each(|column| column.fill(f64::NAN));
+    // Those of a contact are set in every row.
+    rows.columns.iter_mut().skip(COLUMNS.len()).for_each(|column| column.fill(f64::NAN));
     let mut entries = conditions.entries(order.at(place));
     if watch(Progress::count(Stage::Curve, place)).is_break() {
         return Err(());
@@ -407,7 +414,7 @@ fn block_of(
             Ok(acting) => rows.set(row, &acting),
             Err(NoState::NoContact) => rows.set_none(row),
             Err(NoState::Failed(errors)) => {
-                rows.status[row] = Became::Failed as u8;
+                rows.set_failed(row);
                 told.fail(k, errors);
             }
             Err(NoState::Stopped) => return Err(()),

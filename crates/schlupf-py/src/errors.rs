@@ -1,9 +1,13 @@
 //! Errors as exceptions of the package, which are defined in `schlupf._errors`.
 
+use std::io;
+use std::path::Path;
+
 use pyo3::IntoPyObjectExt;
-use pyo3::exceptions::PyKeyboardInterrupt;
+use pyo3::exceptions::{PyKeyboardInterrupt, PyOSError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
+use schlupf_case::error::Unread;
 use schlupf_case::{CaseError, CaseErrors, Cause};
 
 /// The exception for errors of a case: `schlupf.CaseError`, or that of their cause.
@@ -11,8 +15,26 @@ pub fn of_case(py: Python<'_>, errors: &CaseErrors) -> PyErr {
     match errors.first.cause {
         Cause::Stopped => PyKeyboardInterrupt::new_err(errors.to_string()),
         Cause::Input | Cause::NoContact => raised(py, "CaseError", errors),
-        Cause::FileSystem => raised(py, "CaseFileError", errors),
+        Cause::FileSystem => raised(py, "file_error", errors),
         Cause::NotConverged => raised(py, "CaseNotConverged", errors),
+    }
+}
+
+/// An exception for a file that cannot be read or written, of the class that its reason has.
+pub fn of_file(py: Python<'_>, path: &Path, cause: &io::Error) -> PyErr {
+    let reason = errno(cause.kind(), cause.raw_os_error());
+    let arguments = (reason, cause.to_string(), path.as_os_str());
+    let made = py.get_type::<PyOSError>().call1(arguments);
+    made.map_or_else(|error| error, PyErr::from_value)
+}
+
+/// The number of C for a reason.
+fn errno(kind: io::ErrorKind, code: Option<i32>) -> i32 {
+    match kind {
+        io::ErrorKind::NotFound => 2,
+        io::ErrorKind::PermissionDenied => 13,
+        io::ErrorKind::IsADirectory => 21,
+        _ => code.unwrap_or(5),
     }
 }
 
@@ -33,6 +55,10 @@ fn entry<'py>(py: Python<'py>, error: &CaseError) -> PyResult<Bound<'py, PyDict>
     entry.set_item("field", &error.field)?;
     entry.set_item("message", &error.message)?;
     entry.set_item("place", error.place.to_string())?;
-    entry.set_item("help", error.help.as_ref().into_bound_py_any(py)?)?;
+    if let Some(Unread { path, kind, code }) = error.unread.as_deref() {
+        entry.set_item("filename", path.as_os_str())?;
+        entry.set_item("errno", errno(*kind, *code))?;
+    }
+    entry.set_item("help", error.help.as_deref().into_bound_py_any(py)?)?;
     Ok(entry)
 }

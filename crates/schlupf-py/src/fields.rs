@@ -6,7 +6,7 @@ use std::ffi::OsString;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use schlupf_case::fields::{ALTERNATIVES, Field, Kind, SECTIONS};
-use schlupf_case::{FieldNames, Preset};
+use schlupf_case::{FieldNames, Preset, TableColumn};
 
 /// Sections in the order of the case file; each a dictionary with `name`, `doc` and `fields`.
 #[pyfunction]
@@ -43,8 +43,15 @@ fn entry<'py>(py: Python<'py>, field: &Field) -> PyResult<Bound<'py, PyDict>> {
     entry.set_item("choices", choices.collect::<Vec<_>>())?;
     let uses = field.uses().map(|(path, names)| (path.as_str(), names.to_vec()));
     entry.set_item("used_with", uses.collect::<Vec<_>>())?;
+    let columns: Vec<_> = field.columns.iter().map(|kind| described_columns(kind)).collect();
+    entry.set_item("columns", columns)?;
     entry.set_item("doc", field.doc)?;
     Ok(entry)
+}
+
+/// The columns of a table: name, unit (SI).
+pub fn described_columns(columns: &[TableColumn]) -> Vec<(&'static str, &'static str)> {
+    columns.iter().map(|column| (column.name, column.unit())).collect()
 }
 
 /// Whether there are cases in which it has no value.

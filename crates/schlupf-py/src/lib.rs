@@ -8,6 +8,8 @@
 
 mod case_file;
 mod conditions;
+mod contact_table;
+mod element;
 mod errors;
 mod fields;
 mod imports;
@@ -29,6 +31,10 @@ mod _core {
     use super::case_file::CaseFile;
     #[pymodule_export]
     use super::conditions::{BatchSolver, batch, condition_status, conditions, force_names};
+    #[pymodule_export]
+    use super::contact_table::contact_table;
+    #[pymodule_export]
+    use super::element::{Element, element_status};
     #[pymodule_export]
     use super::fields::{command, error_codes, field_table, presets, warning_codes};
     #[pymodule_export]

@@ -9,6 +9,8 @@ use schlupf::numerics::parallel;
 use schlupf::problem::look_up_table::NormalisedForce;
 use schlupf_case::look_up_table::{StoredTable, TableFileError};
 
+use crate::errors;
+
 /// States that a thread computes in turn.
 const CHUNK: usize = 4096;
 
@@ -26,13 +28,13 @@ impl LookUpTable {
     /// The table in a file, or the standard one.
     #[new]
     #[pyo3(signature = (path=None))]
-    fn new(path: Option<PathBuf>) -> PyResult<Self> {
+    fn new(py: Python<'_>, path: Option<PathBuf>) -> PyResult<Self> {
         let Some(path) = path else {
             return schlupf_case::look_up_table::standard()
                 .map(Self)
                 .map_err(|error| refused("", &error));
         };
-        let bytes = std::fs::read(&path)?;
+        let bytes = std::fs::read(&path).map_err(|cause| errors::of_file(py, &path, &cause))?;
         let named = format!("{} ", path.display());
         schlupf_case::look_up_table::shared(&bytes)
             .map(Self)

@@ -5,13 +5,14 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use numpy::PyArray1;
 use pyo3::IntoPyObjectExt;
-use pyo3::exceptions::{PyKeyboardInterrupt, PyOSError, PyValueError};
+use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use schlupf_tasks::study::run::{self, Report, Run, Solved, Started};
 use schlupf_tasks::study::table::{Cells, Reader};
 use schlupf_tasks::study::{StudyError, run::run as run_study};
 
+use crate::case_file::CaseFile;
 use crate::errors;
 use crate::interruptible::interruptible;
 
@@ -19,7 +20,7 @@ use crate::interruptible::interruptible;
 pub fn raised(py: Python<'_>, error: StudyError) -> PyErr {
     match error {
         StudyError::Input(cause) => errors::of_case(py, &cause),
-        StudyError::File { .. } => PyOSError::new_err(error.to_string()),
+        StudyError::File { path, cause } => errors::of_file(py, &path, &cause),
         StudyError::Stopped => PyKeyboardInterrupt::new_err(error.to_string()),
         other => PyValueError::new_err(other.to_string()),
     }
@@ -49,6 +50,15 @@ impl Study {
     #[new]
     fn new(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
         let study = py.detach(|| schlupf_tasks::study::Study::from_path(&path));
+        Ok(Self { study: study.map_err(|error| raised(py, error))? })
+    }
+
+    /// Of a text about a case; relative paths start in a folder.
+    #[staticmethod]
+    fn of_case(py: Python<'_>, case: &CaseFile, text: &str, folder: PathBuf) -> PyResult<Self> {
+        let case = case.file();
+        let study =
+            py.detach(|| schlupf_tasks::study::Study::from_str(text, "study", &folder, Some(case)));
         Ok(Self { study: study.map_err(|error| raised(py, error))? })
     }
 

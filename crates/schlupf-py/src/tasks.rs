@@ -1,6 +1,5 @@
 //! What a case can be asked: see the crate of tasks.
 
-use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -16,6 +15,7 @@ use schlupf_tasks::{Asked, Entry, Face, Given, TASKS, TaskError, Value, Wanted, 
 
 use crate::case_file::CaseFile;
 use crate::errors;
+use crate::fields::described_columns;
 use crate::report::Report;
 use crate::study::raised;
 
@@ -87,9 +87,8 @@ fn converted(field: &Field, value: &Bound<'_, PyAny>) -> PyResult<Value> {
         return Ok(Value::Flag(flag));
     }
     let is_path = value.is_instance_of::<PyString>() || value.hasattr("__fspath__")?;
-    let is_one = is_path || value.extract::<(String, Vec<u8>)>().is_ok();
-    if field.form.is_file() && (field.need != Need::Several || is_one) {
-        return file(value);
+    if field.form.is_file() && (field.need != Need::Several || is_path) {
+        return Ok(Value::File(InputFile::at(&value.extract::<PathBuf>()?)));
     }
     if let Ok(text) = value.extract::<String>() {
         return Ok(Value::Text(text));
@@ -106,15 +105,6 @@ fn converted(field: &Field, value: &Bound<'_, PyAny>) -> PyResult<Value> {
     };
     let parts = parts.map(|part| converted(field, &part?));
     Ok(Value::List(parts.collect::<PyResult<_>>()?))
-}
-
-/// A path, or a name with bytes.
-fn file(value: &Bound<'_, PyAny>) -> PyResult<Value> {
-    if let Ok((name, bytes)) = value.extract::<(String, Vec<u8>)>() {
-        let files = BTreeMap::from([(name.clone(), bytes)]);
-        return Ok(Value::File(InputFile::new(name, Arc::new(files))));
-    }
-    Ok(Value::File(InputFile::at(&value.extract::<PathBuf>()?)))
 }
 
 /// All tasks: name, function, what it does, sources, what the case is, whether it is of an argument
@@ -146,16 +136,16 @@ pub fn tasks(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
 fn described<'py>(py: Python<'py>, field: &Field) -> PyResult<Bound<'py, PyDict>> {
     let entry = PyDict::new(py);
     entry.set_item("name", field.name)?;
-    entry.set_item("kind", kind(field.form))?;
     entry.set_item("is_several", field.need == Need::Several)?;
     entry.set_item("is_needed", field.is_needed())?;
     entry.set_item("default", field.default.as_deref())?;
     entry.set_item("units", field.form.unit())?;
     let choices = field.form.choices().iter().map(|choice| (choice.name, choice.doc));
     entry.set_item("choices", choices.collect::<Vec<_>>())?;
-    let columns = if let Form::File(columns) = field.form { columns } else { &[] };
-    let columns = columns.iter().map(|column| (column.name, column.unit()));
-    entry.set_item("columns", columns.collect::<Vec<_>>())?;
+    let columns = field.form.columns();
+    let kind = if columns.is_empty() { kind(field.form) } else { "table" };
+    entry.set_item("kind", kind)?;
+    entry.set_item("columns", described_columns(&columns))?;
     entry.set_item("doc", field.doc)?;
     Ok(entry)
 }
@@ -168,8 +158,7 @@ fn kind(form: Form) -> &'static str {
         Form::Depths | Form::Range(_) => "range",
         Form::Choice(_) => "choice",
         Form::Family => "family",
-        Form::File([]) => "file",
-        Form::File(_) => "table",
+        Form::File(_) => "file",
         Form::List(_) => "list",
         Form::OfCase(_) => match form.of_case() {
             Some(Kind::Flag) => "flag",

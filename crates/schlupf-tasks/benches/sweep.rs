@@ -67,6 +67,7 @@ fn main() {
     // First, because the peak of the memory stays.
     println!("{}\n", many());
     println!("{}\n", cores());
+    println!("{}\n", crossing());
     println!("{}", sizes());
 }
 
@@ -93,6 +94,31 @@ fn solved(kind: &Kind, cells: usize, states: usize, threads: usize) -> Taken {
     assert!(report.is_converged(), "{}: {report:?}", kind.name);
     assert_eq!(report.rows, states);
     taken
+}
+
+/// A wheel at places along the crossing of the gallery, from the wing rail to the nose.
+fn crossing() -> String {
+    const PLACES: usize = 60;
+    let folder = tempfile::tempdir().unwrap();
+    let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/crossing_nose.toml");
+    let case = case.canonicalize().unwrap();
+    let places: Vec<String> = (0..PLACES).map(|k| format!("\"{} mm\"", 140 + k)).collect();
+    let text = format!(
+        "case = \"{}\"\n[vary]\n\"wheelset.track_position\" = [{}]\n",
+        case.display(),
+        places.join(", ")
+    );
+    let path = folder.path().join("study.toml");
+    fs::write(&path, text).unwrap();
+    let study = Study::from_path(&path).unwrap();
+    let table = folder.path().join("table.parquet");
+    let start = Instant::now();
+    let report = run(&study, [1, 1], &table, &unwatched).unwrap();
+    assert!(report.is_converged() && report.rows == PLACES, "{report:?}");
+    format!(
+        "{PLACES} places along a crossing (cases/crossing_nose.toml): {:.1} s on all cores",
+        start.elapsed().as_secs_f64()
+    )
 }
 
 /// Cost of a million states by what is solved.

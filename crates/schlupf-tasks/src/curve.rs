@@ -9,7 +9,7 @@ use schlupf::analysis::creep_curve::{
 use schlupf::numerics::parallel;
 use schlupf::{Problem, Quantity, Watch};
 use schlupf_case::fields::Choice;
-use schlupf_case::{Case, Family, FieldNames, FieldPath, field, fields, quantity_field};
+use schlupf_case::{Case, DataUrl, Family, FieldNames, FieldPath, field, fields, quantity_field};
 
 use crate::TaskError;
 use crate::request::{Kind, Rule, request};
@@ -181,7 +181,7 @@ impl Request {
                 let members = family.members(case, watch)?;
                 for (text, member) in family.values.iter().zip(members) {
                     let number = member.number(family.field);
-                    let value = FieldValue { text: text.clone(), number };
+                    let value = FieldValue { text: DataUrl::label(text).to_owned(), number };
                     each.push(([values, &[value][..]].concat(), member));
                 }
             }

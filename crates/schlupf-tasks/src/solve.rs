@@ -8,7 +8,7 @@ use schlupf::reporting::{Message, Words};
 use schlupf::solver::march;
 use schlupf::wheel_rail::WheelSolution;
 use schlupf::{Error, Method, Quantity, Solution, Watch};
-use schlupf_case::{Case, CaseError, CaseFile, Cause, FieldNames, InputFile, Rolling};
+use schlupf_case::{Case, CaseError, CaseFile, FieldNames, InputFile, Rolling};
 
 use crate::output::{Report, figures};
 use crate::request::{Asked, Kind, request};
@@ -79,15 +79,14 @@ impl Request {
     }
 
     fn state(&self, file: &InputFile) -> Result<State, CaseError> {
-        let refused =
-            |cause, message| CaseError { cause, ..self.asked.refuse(INITIAL_STATE, message) };
+        let refused = |message| self.asked.refuse(INITIAL_STATE, message);
         let bytes = file.read().map_err(|cause| {
-            refused(Cause::FileSystem, format!("the state cannot be read: {cause}"))
+            refused(format!("the state cannot be read: {cause}")).of_file(file.path(), &cause)
         })?;
         serde_json::from_slice(&bytes).map_err(|error| {
             let name = self.asked.name(INITIAL_STATE);
             let message = format!("{name} must be a state that a run has written, but: {error}");
-            refused(Cause::Input, message)
+            refused(message)
         })
     }
 

@@ -134,6 +134,8 @@ pub struct Acting<'a> {
 pub struct StateSolver {
     file: CaseFile,
     fields: Vec<&'static Field>,
+    /// The place of the load among them.
+    load: Option<usize>,
     as_asked: bool,
     /// The first case, whose micro model serves all that have the same.
     base: Option<Case>,
@@ -165,7 +167,8 @@ struct Fast {
 impl StateSolver {
     /// For forces and fields of states that differ in the values of some fields.
     pub fn new(file: CaseFile, fields: Vec<&'static Field>) -> Self {
-        Self { file, fields, as_asked: false, base: None, posed: None }
+        let load = place_of_load(&fields);
+        Self { file, fields, load, as_asked: false, base: None, posed: None }
     }
 
     /// Has solutions contain all that the case asks for, such as derivatives, and the state of the
@@ -190,7 +193,7 @@ impl StateSolver {
             })
         });
         let (file, fields, base) = (self.file.clone(), self.fields.clone(), self.base.clone());
-        Self { file, fields, as_asked: self.as_asked, base, posed }
+        Self { file, fields, load: self.load, as_asked: self.as_asked, base, posed }
     }
 
     /// Poses the case with these values of the fields, unless that is done.
@@ -210,6 +213,7 @@ impl StateSolver {
     pub fn vary(&mut self, fields: Vec<&'static Field>) {
         let is_same = |(one, other): (&&Field, &&Field)| one.path == other.path;
         if self.fields.len() != fields.len() || !self.fields.iter().zip(&fields).all(is_same) {
+            self.load = place_of_load(&fields);
             self.fields = fields;
             self.posed = None;
         }
@@ -256,8 +260,7 @@ impl StateSolver {
         watch: Watch,
     ) -> Result<Acting<'_>, NoState> {
         let posed = self.pose(entries, name, watch)?;
-        if let Some(method) = posed.of_forces.clone() {
-            let (force, load) = posed.force(method, entries, warn)?;
+        if let Some((force, load)) = posed.force(entries, warn)? {
             return Ok(Acting { force, load, status: Status::Converged, wheel: None });
         }
         let solution = posed.solve(entries, watch)?;
@@ -279,8 +282,7 @@ impl StateSolver {
         name: impl FnOnce() -> String,
         watch: Watch,
     ) -> Result<&mut Posed, NoState> {
-        let load = self.fields.iter().position(|field| field.path == LOAD);
-        if load.and_then(|load| entries[load].number()) == Some(0.0) {
+        if self.load.and_then(|load| entries[load].number()) == Some(0.0) {
             return Err(NoState::NoContact);
         }
         let before = match self.posed.take() {
@@ -334,6 +336,10 @@ impl StateSolver {
             fast: None,
         }))
     }
+}
+
+fn place_of_load(fields: &[&'static Field]) -> Option<usize> {
+    fields.iter().position(|field| field.path == LOAD)
 }
 
 fn solver(case: &Case, as_asked: bool) -> Box<dyn Solver> {
@@ -413,22 +419,23 @@ impl Posed {
         found().map_err(|error| CaseErrors::from(case.explain(&error)).into())
     }
 
-    /// By a fast method, without fields.
+    /// By a fast method that finds forces alone, if there is one.
     fn force(
         &mut self,
-        method: FastMethod,
         entries: &[Entry],
         warn: &mut dyn FnMut(&Warning),
-    ) -> Result<(Resultant, f64), NoState> {
+    ) -> Result<Option<(Resultant, f64)>, NoState> {
         let (motion, load) = self.motion(entries);
-        let Self { case, fast, .. } = self;
-        let found = || -> Result<(Resultant, f64), Error> {
-            let fast = if let Some(fast) = fast {
-                fast
-            } else {
-                let contact = FastContact::new(&case.problem, method, &case.options)?;
-                let (load, warnings) = (contact.contact().normal.load, contact.warnings());
-                fast.insert(Fast { contact, load, warnings })
+        let Self { case, fast, of_forces, .. } = self;
+        let found = || -> Result<Option<(Resultant, f64)>, Error> {
+            let fast = match (fast, of_forces) {
+                (Some(fast), _) => fast,
+                (None, None) => return Ok(None),
+                (fast, Some(method)) => {
+                    let contact = FastContact::new(&case.problem, method.clone(), &case.options)?;
+                    let (load, warnings) = (contact.contact().normal.load, contact.warnings());
+                    fast.insert(Fast { contact, load, warnings })
+                }
             };
             if let Some(load) = load.filter(|load| *load != fast.load) {
                 fast.contact.set_load(load)?;
@@ -440,7 +447,7 @@ impl Posed {
             }
             let force = fast.contact.force(&motion)?;
             fast.warnings.iter().chain(&fast.contact.beyond_friction(&force)).for_each(warn);
-            Ok((force, fast.load))
+            Ok(Some((force, fast.load)))
         };
         found().map_err(|error| CaseErrors::from(case.explain(&error)).into())
     }

@@ -386,6 +386,7 @@ fn wrong_studies_are_refused_with_field_and_place() {
         ("[vary]\n\"normal.load\" = 60\n", &["normal.load must be a list"]),
         ("[vary]\n\"normal.load\" = []\n", &["normal.load must have values"]),
         ("[vary]\n\"normal.load\" = [\"1 kN\", \"1000 N\"]\n", &["\"1000 N\" is repeated"]),
+        ("[vary]\n\"kinematics.creepage_x\" = [0.0, -0.0]\n", &["-0.0 is repeated"]),
         ("[vary]\n\"history.time\" = [[1.0]]\n", &["history.time"]),
         ("[vary]\n[states]\nfile = \"run.csv\"\n", &["one of [vary] and [states]"]),
         ("[states]\nfile = \"missing.csv\"\n", &["missing.csv", "No such file"]),

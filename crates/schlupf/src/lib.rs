@@ -57,7 +57,8 @@
 //! ```
 //!
 //! What changes with time is a [`Transient`], which [`march`] follows step by step. Two
-//! profiles and the position of a wheelset are a [`WheelOnRail`](wheel_rail::WheelOnRail).
+//! profiles and the position of a wheelset are a [`WheelOnRail`](wheel_rail::WheelOnRail), and a
+//! contact in the loop of a simulation is an [`Element`](element::Element).
 //! [`analysis`] has what follows from solutions: stresses and temperatures below the surface, wear,
 //! creep curves, the laws behind measured ones, look-up tables.
 //!
@@ -86,6 +87,7 @@ pub mod problem;
 pub mod solution;
 pub mod solver;
 pub mod wheel_rail;
+pub mod element;
 pub mod analysis;
 
 pub use interface::Interface;

@@ -7,6 +7,8 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::cells;
+use schlupf::analysis::subsurface::SubsurfaceStress;
+use schlupf::analysis::temperature_field::Side as Below;
 use schlupf::bodies::{Body, Material, contact_modulus};
 use schlupf::elasticity::{HalfSpace, Rigid};
 use schlupf::interface::friction::Constant;
@@ -14,9 +16,9 @@ use schlupf::interface::heat::Heat;
 use schlupf::interface::{ContactLaw, Interface};
 use schlupf::normal::{Hertz, PressureSource, Radii};
 use schlupf::wheel_rail::{
-    Along, Deviation, Drive, Joining, Motion, NormalMethod, Pair, Position, ProfileCurve,
-    RailPlace, RailShape, RowsMove, Side, Sides, Support, Tangential, Track, WheelOnRail,
-    WheelShape, WheelSolution,
+    Along, Contact, Deviation, Drive, Joining, Motion, NormalMethod, Pair, Position, ProfileCurve,
+    RailPlace, RailShape, RowsMove, Side, Sides, Support, Tangential, Track, WheelAt, WheelOnRail,
+    WheelOverTime, WheelShape, WheelSolution,
 };
 use schlupf::{Options, Problem, Quantity, Status, Warning, solve, unwatched};
 
@@ -63,15 +65,7 @@ fn wheel(pairs: Sides<Arc<Pair>>, normal_method: NormalMethod) -> WheelOnRail {
         pairs,
         side: Side::Left,
         position: Position { lateral: 0.0, yaw: 0.0, roll: 0.0 },
-        motion: Motion {
-            speed: RADIUS,
-            lateral_velocity: 0.0,
-            vertical_velocity: 0.0,
-            angular_velocity: 1.001,
-            roll_rate: 0.0,
-            yaw_rate: 0.0,
-            curve_radius: f64::INFINITY,
-        },
+        motion: Motion::straight(RADIUS, 1.001),
         drive: Drive::AngularVelocity,
         support: Support::Force(10e3),
         joining: Joining::default(),
@@ -127,6 +121,26 @@ fn blanco_lorenzo_2016_balls_in_grooves() {
     }
 }
 
+/// Over time a contact on a curved surface grows into that of steady rolling.
+#[test]
+fn rolling_in_a_groove_becomes_steady() {
+    let ball = wheel(groove(10.1e-3), NormalMethod::Conformal);
+    let (interface, options) = (interface([STEEL; 2]), cells(16));
+    let tangential = Tangential::new(&interface, &options);
+    let steady = ball.solve(&tangential, &unwatched).unwrap();
+    let at = |time: f64| WheelAt { time, wheel: ball.clone() };
+    let instants = vec![at(0.0), at(0.06)];
+    let history =
+        WheelOverTime { instants, starts_rolling: false, rests: false, shift_duration: 0.0 };
+    let (last, _) = history.march(&tangential, &unwatched).unwrap();
+    assert_eq!(last.status(), Status::Converged);
+    for k in 0..3 {
+        assert_relative_eq!(last.force[k], steady.force[k], epsilon = 5e-3 * 3e3);
+    }
+    let [found, expected] = [&last, &steady].map(|wheel| &wheel.contacts[0].solution.normal);
+    assert_relative_eq!(found.peak_pressure, expected.peak_pressure, max_relative = 5e-3);
+}
+
 /// Where the surface hardly turns, it is a plane.
 #[test]
 fn contacts_that_hardly_turn_are_plane() {
@@ -160,6 +174,39 @@ fn curved_contacts_of_both_sides_are_mirror_images() {
     assert_relative_eq!(left.force[0], right.force[0], max_relative = 1e-6);
     let middle = |side: &WheelSolution| side.contacts[0].position[1].abs();
     assert_relative_eq!(middle(left), middle(right), max_relative = 1e-9);
+}
+
+/// What drives a wheel on a curved surface is the resultant of tractions where they are: with
+/// lateral creepage in a groove over the vertical force, and about the axle.
+#[test]
+fn forces_that_turn_a_wheel_are_those_along_the_surface() {
+    let radius = 10.1e-3;
+    let ball = wheel(groove(radius), NormalMethod::Conformal);
+    let motion = Motion { lateral_velocity: 1e-3, ..ball.motion };
+    let driven = |drive: Drive| solved(&WheelOnRail { drive, motion, ..ball.clone() });
+    let braked = driven(Drive::OverLoad(0.1));
+    assert_relative_eq!(-braked.force[0] / braked.force[2], 0.1, max_relative = 1e-5);
+    // The lateral force turns with the surface.
+    let contact = &braked.contacts[0];
+    let [normal, across] = [contact.solution.normal.load, contact.solution.force.y];
+    let plane = normal * contact.angle.cos() - across * contact.angle.sin();
+    assert!((plane / braked.force[2] - 1.0).abs() > 1e-3, "{plane} {:?}", braked.force);
+    let torque = 300.0;
+    let found = driven(Drive::Torque(torque));
+    let contact = &found.contacts[0];
+    let fields = &contact.solution.fields;
+    let [x0, y0] = contact.solution.normal.origin.unwrap();
+    let middle = ((contact.position[1] - 0.68) / radius).asin();
+    let sum: f64 = (0..fields.x.len())
+        .map(|k| {
+            let angle = middle + (fields.y[k] + y0) / radius;
+            let below = RADIUS + found.height - radius * (1.0 - angle.cos());
+            let x = contact.position[0] + x0 + fields.x[k];
+            fields.traction_x[k] * below + fields.traction_y[k] * angle.sin() * x
+        })
+        .sum();
+    let sum = sum * fields.grid.cell_area();
+    assert_relative_eq!(sum, torque, max_relative = 1e-4);
 }
 
 /// Profiles of constant curvature are Hertz's bodies: steel on aluminium has the pressure and the
@@ -197,6 +244,30 @@ fn unlike_wheels_and_rails_are_those_of_hertz() {
     assert_relative_eq!(found, expected, max_relative = 0.5 * change.abs());
 }
 
+/// The lightest contacts are those of Hertz, too: down to 1 µN, on a patch of 2 µm.
+#[test]
+fn loads_of_any_size_are_those_of_hertz() {
+    let (interface, options) = (interface([STEEL; 2]), cells(20));
+    let round = arc(-0.6, 40e-3, Quantity::WheelProfile);
+    let wheel =
+        wheel(pair(round, arc(0.3, 40e-3, Quantity::RailProfile)), NormalMethod::HalfSpaces);
+    for load in [1.0, 1e-3, 1e-6] {
+        // Off the middle, so that first touch is between two points of the profile.
+        let position = Position { lateral: 3.3e-3, yaw: 1e-3, ..wheel.position };
+        let wheel = WheelOnRail { support: Support::Force(load), position, ..wheel.clone() };
+        let found = wheel.solve(&Tangential::new(&interface, &options), &unwatched).unwrap();
+        assert_eq!(found.status(), Status::Converged);
+        let normal = &found.contacts[0].solution.normal;
+        let radii = [Radii { x: RADIUS, y: 0.6 }, Radii { x: f64::INFINITY, y: 0.3 }];
+        let modulus = contact_modulus(&STEEL, &STEEL);
+        let hertz = Hertz::new(radii[0], radii[1], modulus, normal.load).unwrap();
+        let hertz = hertz.normal_contact(None).unwrap().summary;
+        assert_relative_eq!(normal.peak_pressure, hertz.peak_pressure, max_relative = 5e-3);
+        let [found, expected] = [normal, &hertz].map(|of| of.approach.unwrap());
+        assert_relative_eq!(found, expected, max_relative = 5e-3);
+    }
+}
+
 /// With derivatives, too, which solve each contact once more, a pressure that does not settle is
 /// told, and one that does is said to be neglected in the derivatives only.
 #[test]
@@ -219,6 +290,41 @@ fn derivatives_keep_what_is_said_of_the_pressure() {
         };
         assert!(!solution.warnings.iter().any(neglected), "{:?}", solution.warnings);
     }
+}
+
+/// Where a gauge corner of 13 mm meets a crown of 80 mm, the curvature varies over the contact:
+/// said with the angle that the mean is off. Stresses below curved surfaces are refused.
+#[test]
+fn varying_curvature_is_told() {
+    let profile = |[crown, corner]: [f64; 2], quantity| {
+        let (step, mut points) = (5e-5, vec![]);
+        for [radius, end] in [[crown, -20e-3], [corner, 10e-3]] {
+            let count = (end / step).abs() as i32;
+            points.extend((0..=count).map(|k| {
+                let angle = step * f64::from(k).copysign(end) / radius;
+                [radius * angle.sin(), radius * (angle.cos() - 1.0)]
+            }));
+        }
+        points.sort_by(|one, two| one[0].total_cmp(&two[0]));
+        points.dedup_by_key(|point| point[0]);
+        ProfileCurve::new(&points, 0.0, quantity).unwrap()
+    };
+    let wheel_profile = profile([84e-3, 13.1e-3], Quantity::WheelProfile);
+    let pairs = pair(wheel_profile, profile([80e-3, 13e-3], Quantity::RailProfile));
+    let wheel = wheel(pairs, NormalMethod::Conformal);
+    let wheel = WheelOnRail { support: Support::Force(30e3), ..wheel };
+    let (interface, options) = (interface([STEEL; 2]), cells(20));
+    let found = wheel.solve(&Tangential::new(&interface, &options), &unwatched).unwrap();
+    let warnings = found.warnings();
+    let [Warning::UnevenCurvature { angle, curvature }] = warnings[..] else {
+        panic!("{warnings:?}");
+    };
+    let turn = found.contacts[0].turn;
+    assert!(angle > 0.1 && angle < 0.5 * turn, "{angle} of {turn}");
+    assert!(curvature > 1.0 / 80e-3 && curvature < 1.0 / 13e-3, "{curvature}");
+    let Contact { problem, solution, .. } = &found.contacts[0];
+    let error = SubsurfaceStress::new(problem, solution, Below::Rail).map(drop).unwrap_err();
+    assert_eq!(error.code(), "curved-below");
 }
 
 /// Only half-spaces can be bent.

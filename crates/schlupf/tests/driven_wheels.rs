@@ -68,16 +68,8 @@ fn wheel(pair: &Arc<Pair>, side: Side, position: Position, drive: Drive) -> Whee
         pairs: Sides::both(Arc::clone(pair)),
         side,
         position,
-        motion: Motion {
-            speed: 2.0,
-            lateral_velocity: 0.0,
-            vertical_velocity: 0.0,
-            // Not used where a force turns the wheel.
-            angular_velocity: 4.0,
-            roll_rate: 0.0,
-            yaw_rate: 0.0,
-            curve_radius: f64::INFINITY,
-        },
+        // Where a force turns the wheel, its angular velocity is not used.
+        motion: Motion::straight(2.0, 4.0),
         drive,
         support: Support::Force(10e3),
         joining: Joining::default(),

@@ -15,8 +15,9 @@ use schlupf::elasticity::{CalibratedLayer, Winkler};
 use schlupf::interface::Incremental;
 use schlupf::interface::friction::TemperatureLinear;
 use schlupf::interface::heat::{Duhamel, Heat, Partition};
+use schlupf::normal::AtLoad;
 use schlupf::problem::History;
-use schlupf::{Problem, Solution, Warning, unwatched};
+use schlupf::{Problem, Solution, Warning, solver, unwatched};
 
 /// With bristles that are nearly rigid.
 fn reference() -> Problem {
@@ -47,6 +48,33 @@ fn vollebregt_contact_transients() {
     assert!(products < 32.0, "{products}");
     let off = largest_difference(&run(swinging(0.3, 36e-3, 36e-3), 40), &contact("T4"));
     assert!(off < 6e-3, "T4: {off}");
+}
+
+/// A history that starts rolling begins with the steady state of the driver that finds it directly
+/// under its first load, on the cells of the largest one, and goes on as it is; so does a shift of
+/// nothing.
+#[test]
+fn steady_rolling_goes_on() {
+    let from_steady = |time: [f64; 3], shift_x: Option<Vec<f64>>| {
+        let load = Some([0.8, 0.8, 1.0].map(|factor| LOAD * factor).to_vec());
+        let history = History { time: time.to_vec(), shift_x, load, ..History::default() };
+        run(History { starts_rolling: true, ..history }, 24).history
+    };
+    let history = from_steady([0.0, 2e-3, 5e-3], None);
+    let mut under_first = reference();
+    under_first.normal = Arc::new(AtLoad::new(under_first.normal, 0.8 * LOAD).unwrap());
+    let expected = solver::solve(&under_first, &cells(24), &unwatched).unwrap().force.x;
+    assert_relative_eq!(history[0].force.x, expected, epsilon = 2e-3 * LIMIT);
+    assert_eq!([history[0].time, history[0].distance], [0.0; 2]);
+    for instant in history.iter().take_while(|instant| instant.time < 2e-3) {
+        assert_relative_eq!(instant.force.x, history[0].force.x, max_relative = 1e-5);
+    }
+    assert!(history.last().unwrap().force.x < 1.05 * expected);
+    let shifted = from_steady([0.0, 0.0, 1e-3], Some(vec![0.0; 3]));
+    assert_eq!(shifted[1].shift, Some([0.0; 3]));
+    for k in [0, 1] {
+        assert_relative_eq!(shifted[k].force.x, history[0].force.x, max_relative = 1e-6);
+    }
 }
 
 /// While the force builds up from rest, it converges at an order of at least 1.2; the differences
@@ -255,7 +283,7 @@ fn a_history_starts_with_a_shift() {
         });
         let history = History { shift_x: Some(vec![0.015e-3, 0.0]), ..constant(60e-3) };
         let end = solve_over(&problem, history, &cells(40)).normalised.x;
-        let steady = schlupf::solver::solve(&problem, &cells(40), &unwatched).unwrap();
+        let steady = solver::solve(&problem, &cells(40), &unwatched).unwrap();
         assert_relative_eq!(end, steady.normalised.x, epsilon = 1e-4);
     }
     // Nothing of the speed and creepages counts in the shift.

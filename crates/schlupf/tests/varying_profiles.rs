@@ -1,7 +1,7 @@
 //! Profiles that change along the way, against closed expressions: a ramp, an eccentric wheel, a
 //! flat, and a wheel that goes over from a wing rail to a nose.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
 use schlupf::bodies::{Body, Material, contact_modulus};
@@ -82,15 +82,7 @@ fn on(wheel: Surface, rail: Surface, support: Support) -> WheelOnRail {
         pairs: Sides::both(Arc::new(Pair::new(&wheel, &rail, &Track::default()).unwrap())),
         side: Side::Left,
         position: Position { lateral: 0.0, yaw: 0.0, roll: 0.0 },
-        motion: Motion {
-            speed: 10.0,
-            lateral_velocity: 0.0,
-            vertical_velocity: 0.0,
-            angular_velocity: 10.0 / RADIUS,
-            roll_rate: 0.0,
-            yaw_rate: 0.0,
-            curve_radius: f64::INFINITY,
-        },
+        motion: Motion::straight(10.0, 10.0 / RADIUS),
         drive: Drive::AngularVelocity,
         support,
         joining: Joining::default(),
@@ -196,6 +188,48 @@ fn an_eccentric_wheel_is_a_displaced_cylinder() {
             [&wheel, &round].map(|wheel| wheel.contacts[0].solution.normal.peak_pressure);
         close("peak", one / other, 1.0, 2e-3);
     }
+}
+
+/// Sections that cover the circumference are a smooth surface all around, wherever they begin: a
+/// wave of 3 lobes has the same heights and slopes as at places where no section begins or ends.
+#[test]
+fn sections_around_a_wheel_go_on_at_half_a_turn() {
+    let quantity = Quantity::WheelProfile;
+    let lobes = |angle: f64| 1e-3 * (3.0 * angle + 0.4).sin();
+    let sections = |from: f64, count: usize| -> Vec<Section> {
+        (0..count)
+            .map(|k| from + TAU * k as f64 / 72.0)
+            .map(|u| section(u, curve(|_| lobes(u), WIDTH, quantity)))
+            .collect()
+    };
+    let around = |sections: &[Section], method| Sections::around(sections, method);
+    for (from, count) in [(-PI, 72), (-3.0, 72), (0.0, 72), (-PI, 73)] {
+        let mut sections = sections(from, count);
+        sections.truncate(72);
+        if count == 73 {
+            let first = sections[0].clone();
+            sections.push(Section { place: PI, ..first });
+        }
+        for method in [Interpolation::Through, Interpolation::Smooth] {
+            let surface = Surface::around(Arc::new(around(&sections, method).unwrap()), 0.0);
+            let height = |angle: f64| surface.point(angle, 0.02).unwrap().place[1];
+            for k in -400..400 {
+                // A third of a turn apart everything is the same.
+                let angle = 0.0131 * f64::from(k);
+                close("lobe", height(angle), height(angle + TAU / 3.0), 1e-14);
+                if method == Interpolation::Through {
+                    close("height", height(angle), lobes(angle), 2e-8);
+                }
+            }
+        }
+    }
+    let refused =
+        |sections: &[Section]| around(sections, Interpolation::Through).unwrap_err().to_string();
+    let mut open = sections(-PI, 72);
+    open.push(section(PI, curve(|_| 1e-3, WIDTH, quantity)));
+    assert!(refused(&open).contains("must be the first one again"));
+    assert!(refused(&sections(1.0, 36)).contains("or cover the whole circumference"));
+    assert!(around(&sections(-1.0, 12), Interpolation::Through).unwrap().span()[1] < 0.0);
 }
 
 /// A fresh flat, 1 mm deep, straight down: a plane of the length of the chord on the crown of the

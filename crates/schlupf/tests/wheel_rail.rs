@@ -11,8 +11,8 @@ use schlupf::interface::{ContactLaw, Incremental};
 use schlupf::reporting::WheelRailError;
 use schlupf::wheel_rail::{
     Contact, Deviation, Drive, Joining, Motion, NormalMethod, Pair, Position, ProfileCurve,
-    RailShape, RestingWheelset, Roll, RollingRadiusDifference, RowsMove, Side, Sides, Support,
-    Tangential, Track, WheelOnRail, WheelShape, WheelSolution,
+    RailPlace, RailShape, RestingWheelset, Roll, RollingRadiusDifference, RowsMove, Side, Sides,
+    Support, Tangential, Track, WheelOnRail, WheelShape, WheelSolution,
 };
 use schlupf::{Error, Options, Problem, Quantity, Status, unwatched};
 
@@ -46,25 +46,12 @@ fn benchmark(gauge: f64) -> Arc<Pair> {
     Arc::new(Pair::new(&wheel, &rail, &Track { gauge, ..Track::default() }).unwrap())
 }
 
-/// Rolling straight ahead.
-fn rolling(speed: f64, angular_velocity: f64) -> Motion {
-    Motion {
-        speed,
-        lateral_velocity: 0.0,
-        vertical_velocity: 0.0,
-        angular_velocity,
-        roll_rate: 0.0,
-        yaw_rate: 0.0,
-        curve_radius: f64::INFINITY,
-    }
-}
-
 fn wheel(pair: &Arc<Pair>, side: Side, position: Position) -> WheelOnRail {
     WheelOnRail {
         pairs: Sides::both(Arc::clone(pair)),
         side,
         position,
-        motion: rolling(2.0, 2.0 / 0.46),
+        motion: Motion::straight(2.0, 2.0 / 0.46),
         drive: Drive::AngularVelocity,
         support: Support::Force(10e3),
         joining: Joining::default(),
@@ -119,7 +106,7 @@ fn manchester() -> Vec<Row> {
         let side = if row[0] == "left" { Side::Left } else { Side::Right };
         let [y, yaw, roll, pitch_rate] = [0, 1, 2, 3].map(|k| numbers[k]);
         let position = Position { lateral: -1e-3 * y, yaw: -yaw, roll };
-        let motion = rolling(2.0, -pitch_rate);
+        let motion = Motion::straight(2.0, -pitch_rate);
         Row {
             name: format!("{} {y}", row[0]),
             wheel: WheelOnRail { motion, ..wheel(&pair, side, position) },
@@ -283,8 +270,43 @@ fn hertz_1882_a_cone_on_an_arc() {
     }
 }
 
+/// Boussinesq 1885: contacts in planes of their own, which raise each other's surface as point
+/// forces do, carry what they carry as parts of one patch. Each alone would carry 7 % more.
+#[test]
+fn separate_contacts_carry_what_they_carry_as_one_patch() {
+    let radius = 0.1;
+    let crowns = |y: f64| (radius * radius - (y.abs() - 15e-3).powi(2)).sqrt() - radius;
+    let points = |z: &dyn Fn(f64) -> f64| -> Vec<[f64; 2]> {
+        (-300..=300).map(|k| 1e-4 * f64::from(k)).map(|y| [y, z(y)]).collect()
+    };
+    let curve = |z: &dyn Fn(f64) -> f64, quantity| ProfileCurve::new(&points(z), 0.0, quantity);
+    let wheel_shape = WheelShape {
+        profile: curve(&|_| 0.0, Quantity::WheelProfile).unwrap().into(),
+        nominal_radius: 0.46,
+        flange_back_position: -70e-3,
+        deviation: Deviation::default(),
+    };
+    let rail = curve(&crowns, Quantity::RailProfile).unwrap();
+    let rail = RailShape { place: RailPlace::Origin([0.75, 0.0]), ..RailShape::new(rail, 0.0) };
+    let pair = Arc::new(Pair::new(&wheel_shape, &rail, &Track::default()).unwrap());
+    let position = Position { lateral: 0.0, yaw: 0.0, roll: 0.0 };
+    let approach = 60e-6;
+    let [separate, one] = [1e-3, 0.1].map(|distance| {
+        let joining = Joining { distance, angle: 1.0 };
+        let support = Support::Height(-approach);
+        let wheel = WheelOnRail { joining, support, ..wheel(&pair, Side::Left, position) };
+        solve(&wheel).unwrap()
+    });
+    assert_eq!([separate.contacts.len(), one.contacts.len()], [2, 1]);
+    close("vertical force", separate.force[2] / one.force[2], 1.0, 5e-3);
+    let [.., alone] = hertz([0.46_f64.recip(), radius.recip()], 0.5 * one.force[2]);
+    let alone = (approach / alone).powf(1.5);
+    assert!(alone > 1.07, "{alone}");
+}
+
 /// Piotrowski and Kik 2008: by virtual penetration the patch of an ellipse has the sizes √(ε δ/A),
-/// √(ε δ/B); with ε from Hertz's theory it is that of Hertz, and so is the equivalent ellipse.
+/// √(ε δ/B); with ε from Hertz's theory it is that of Hertz, and so are the equivalent ellipse and
+/// that of every row.
 #[test]
 fn approximate_contacts_of_a_cone_on_an_arc() {
     let pair = cone_on_arc();
@@ -295,6 +317,7 @@ fn approximate_contacts_of_a_cone_on_an_arc() {
         NormalMethod::KikPiotrowski,
         NormalMethod::EllipseCorrected,
         NormalMethod::EquivalentEllipse,
+        NormalMethod::Analyn,
     ] {
         let support = Support::Force(load);
         let cone =
@@ -364,6 +387,7 @@ fn approximate_contacts_over_a_thousand_positions() {
         (NormalMethod::KikPiotrowski, [[0.031, 0.035], [0.076, 0.174], [0.069, 0.139]]),
         (NormalMethod::EllipseCorrected, [[0.001, 0.033], [0.004, 0.155], [0.002, 0.135]]),
         (NormalMethod::EquivalentEllipse, [[0.002, 0.032], [0.007, 0.311], [0.003, 0.142]]),
+        (NormalMethod::Analyn, [[0.001, 0.089], [0.004, 0.137], [0.005, 0.101]]),
     ];
     for (method, bounds) in bounds {
         let mut errors: [Vec<f64>; 3] = Default::default();

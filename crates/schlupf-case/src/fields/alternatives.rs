@@ -126,6 +126,7 @@ pub const ALTERNATIVES: &[Alternatives] = &[
             "kinematics.creepage_x",
             "kinematics.angular_velocity",
             "history.creepage_x",
+            "history.angular_velocity",
             "history.shift_x",
             "history.shifts_x",
         ],

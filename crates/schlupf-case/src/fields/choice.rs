@@ -103,6 +103,7 @@ choices! {
         EllipseCorrected "ellipse-corrected"
             "the same with shares of the approach from Hertz's theory, exact for ellipses";
         EquivalentEllipse "equivalent-ellipse" "Hertz's ellipse with the curvatures of the distance";
+        Analyn "analyn" "row by row as in Hertz's ellipse with the curvatures there";
     }
 
     /// `wheelset.side`.
@@ -121,6 +122,7 @@ choices! {
     ElasticityModel {
         ElasticLayer "elastic-layer" "a bed of springs, each coupled with its neighbours";
         HalfSpace "half-space" "Boussinesq and Cerruti: exact for bodies that are large compared with the patch";
+        Viscoelastic "viscoelastic" "half-spaces of standard linear solids in steady rolling, which change the pressure of \"hertz\", \"line\" and \"profile\", too";
         Winkler "winkler" "a bed of springs without coupling";
         Rigid "rigid" "no deformation: the slip is prescribed";
     }
@@ -136,7 +138,7 @@ choices! {
     UnlikeBodiesModel {
         Coupled "coupled"
             "pressure displaces the surfaces tangentially, and tractions change the pressure of \
-             \"hertz\" and \"profile\"";
+             \"hertz\", \"line\" and \"profile\"";
         OneWay "one-way" "pressure displaces the surfaces tangentially, but does not change";
         Neglected "neglected" "neither";
     }
@@ -203,6 +205,12 @@ choices! {
         Marching "marching" "step by step in time: to the steady state, or along a history";
     }
 
+    /// `history.start`.
+    StartChoice {
+        Rest "rest" "no tangential tractions";
+        Steady "steady" "steady rolling with the values of the first instant";
+    }
+
     /// `solver.branch`.
     BranchChoice {
         LowSlip "low-slip" "the state that is reached when the creepages grow from zero";
@@ -219,6 +227,19 @@ choices! {
         Fastsim "fastsim" "Kalker 1982: bristles without coupling, with heat";
         ModifiedFastsim "modified-fastsim"
             "Spiryagin, Polach and Cole 2013: FASTSIM with a slope that falls with the creepage";
+    }
+
+    /// `element.motion`.
+    ElementMotion {
+        Velocities "velocities"
+            "v_x, v_y, ω and spin rate: slip (v_x − ωR, v_y, ω_z), speed (v_x + ωR)/2";
+        Creepages "creepages" "ξ, η, φ and the speed";
+    }
+
+    /// `element.normal`.
+    ElementNormal {
+        Load "load" "the normal load";
+        Approach "approach" "the approach of the bodies, of given radii";
     }
 
     /// `fastsim.flexibilities`.

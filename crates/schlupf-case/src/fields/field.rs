@@ -6,6 +6,7 @@ use super::suggestion::{NOT_PER_CENT, closest, creepage_in_per_cent, is_per_cent
 use super::{Requirement, readable};
 use crate::document::{Content, Value};
 use crate::setting::{Refusal, Setting};
+use crate::tables::TableColumn;
 use crate::units::{Measure, QuantityError, comma, comma_readings, parse_quantity, parse_unit};
 use schlupf::Quantity;
 use schlupf::reporting::Names;
@@ -54,6 +55,8 @@ pub struct Field {
     pub shapes_contact: bool,
     /// Whether it is a constant of a material, which is given with the others, used or not.
     pub is_of_material: bool,
+    /// The columns that its file may have, if it is a table: those of each kind of table.
+    pub columns: &'static [&'static [TableColumn]],
     /// Its meaning, with the symbol.
     pub doc: &'static str,
 }
@@ -203,6 +206,7 @@ impl Field {
             idle_with: None,
             shapes_contact: false,
             is_of_material: false,
+            columns: &[],
             doc,
         }
     }

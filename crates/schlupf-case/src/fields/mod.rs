@@ -16,6 +16,7 @@ mod table;
 
 use crate::error::CaseError;
 use crate::place::Place;
+use schlupf::numerics::parallel;
 use schlupf::reporting::shortened;
 
 pub use alternatives::{
@@ -122,10 +123,18 @@ pub fn section(name: &str) -> Option<&'static Section> {
     SECTIONS.iter().find(|section| section.name == name)
 }
 
+/// Values that a thread looks at in turn.
+const PART: usize = 65536;
+
 /// Which of some values of a field (in SI units) is farthest from what it is in almost all cases,
 /// and how many are beyond that, if there are any.
 pub fn unusual(field: &Field, values: &[f64]) -> Option<(usize, usize)> {
     let usual = field.usual?;
+    let has_some = |part: &[f64]| part.iter().any(|value| !usual.holds(*value));
+    let parts = parallel::map(values.chunks(PART).collect(), has_some);
+    if !parts.contains(&true) {
+        return None;
+    }
     let beyond = || (0..values.len()).filter(|place| !usual.holds(values[*place]));
     let remoteness = |place: &usize| usual.remoteness(values[*place]);
     let farthest = beyond().max_by(|one, other| remoteness(one).total_cmp(&remoteness(other)));

@@ -42,11 +42,13 @@ mod wheel_rail;
 
 use super::choice::{
     Choose, HeatChoice, LateralAxis, NormalModel, NormalSolution, PartitionChoice, Reference,
-    RowMotion, VerticalAxis,
+    RowMotion, StartChoice, VerticalAxis,
 };
 use super::field::Default::{Computed, Nothing, Same, Text};
 use super::field::{Field, Kind, Section};
 use super::path::FieldPath;
+use crate::profiles::COLUMNS as PROFILE_COLUMNS;
+use crate::tables::{TableColumn, layouts};
 use crate::units::Measure;
 use schlupf::Quantity;
 use schlupf::reporting::Requirement::{self, Between, Finite, Inside, Magnitude, Radius};
@@ -66,6 +68,11 @@ impl Field {
     /// The same; a constant of a material, which is given with the others, used or not.
     const fn of_material(self) -> Self {
         Self { is_of_material: true, ..self }
+    }
+
+    /// The same; its file is a table with such columns.
+    const fn of_columns(self, columns: &'static [&'static [TableColumn]]) -> Self {
+        Self { columns, ..self }
     }
 
     const fn example(self, text: &'static str) -> Self {
@@ -142,6 +149,7 @@ sections! {
     solver::Grid,
     solver::Solver,
     solver::Fastsim,
+    solver::Element,
     History,
 }
 
@@ -164,6 +172,7 @@ const SEMI_AXIS: Requirement = Between(1e-7, 1e2);
 const SPACING: Requirement = Between(1e-9, 1e2);
 const COOLED_AREA: Requirement = Between(1e-9, 1e6);
 const INSTANT: Requirement = Magnitude(1e9);
+const RETARDATION: Requirement = Between(0.0, 1e9);
 const SCALE: Requirement = Between(1e-6, 1e6);
 const SMOOTHING: Requirement = Between(0.0, 0.1);
 /// Bodies that are shifted by more than the size of a wheel, or turned by more than a radian, do
@@ -254,7 +263,7 @@ macro_rules! body {
     (
         $section:ident $body:literal $about:literal, $radius_x:literal, $radius_y:literal,
         $along:expr, $usual:expr, { $($profile:tt)* };
-        $young:ident, [$($poisson:ident)*], $conductivity:ident, $density:ident,
+        $young:ident, $relaxed:ident, $time:ident, [$($poisson:ident)*], $conductivity:ident, $density:ident,
         $specific_heat:ident, $temperature:ident, $of_radius_x:ident, $of_radius_y:ident
     ) => { section! {
         $section $body $about;
@@ -262,6 +271,13 @@ macro_rules! body {
         "young_modulus" [$young] quantity(&Measure::PRESSURE), MODULUS, Text("210 GPa"),
             "E, Young's modulus", shaping(),
             usually(Between(1e6, 2e12));
+        "relaxed_modulus" [$relaxed] quantity(&Measure::PRESSURE), MODULUS,
+            Same(field!($body, ".young_modulus")),
+            "E∞, Young's modulus after a long time, where young_modulus is the instantaneous one",
+            shaping(), example("1.6 GPa"), with(elasticity::MODEL, elasticity::VISCOELASTIC);
+        "retardation_time" [$time] quantity(&Measure::TIME), RETARDATION, Text("0 s"),
+            "τ, retardation time: under constant stress the rest of the creep falls as exp(-t/τ)",
+            shaping(), example("9 ms"), with(elasticity::MODEL, elasticity::VISCOELASTIC);
         "poisson_ratio" [$($poisson)*] Kind::Number, Between(0.0, 0.5), Text("0.28"),
             "ν, Poisson's ratio", shaping();
         "conductivity" [$conductivity] quantity(&Measure::CONDUCTIVITY), THERMAL,
@@ -293,7 +309,7 @@ body! {
         "profile" [WheelProfile] Kind::Path, Finite, Nothing,
             "profile: a file (CSV with the header `y [mm],z [mm]`, Simpack, Miniprof, or two columns in \
              mm) or the name of one that is built in, such as \"S1002\"",
-            shaping(), example("S1002"), with(NORMAL_MODEL, WHEEL_RAIL);
+            shaping(), example("S1002"), with(NORMAL_MODEL, WHEEL_RAIL), of_columns(&[&PROFILE_COLUMNS]);
         "profile_z" [] Kind::Choice(VerticalAxis::CHOICES), Finite, Text("auto"),
             "direction of z in the file", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
         "profile_y" [] Kind::Choice(LateralAxis::CHOICES), Finite, Text("auto"),
@@ -308,7 +324,7 @@ body! {
             "y of the flange back in the profile, with y outwards", shaping(), example("-70 mm"),
             with(NORMAL_MODEL, WHEEL_RAIL), usually(Magnitude(0.2));
     };
-    WheelYoungModulus, [WheelPoissonRatio PoissonRatio], WheelConductivity, WheelDensity,
+    WheelYoungModulus, WheelRelaxedModulus, WheelRetardationTime, [WheelPoissonRatio PoissonRatio], WheelConductivity, WheelDensity,
     WheelSpecificHeat, WheelBulkTemperature, WheelRadiusX, WheelRadiusY
 }
 
@@ -320,7 +336,7 @@ body! {
             with(NORMAL_MODEL, &["hertz", "line", "profile", "wheel-rail"]);
         "profile" [RailProfile] Kind::Path, Finite, Nothing,
             "profile: a file or the name of one that is built in, such as \"60E1\"; as for the wheel",
-            shaping(), example("60E1"), with(NORMAL_MODEL, WHEEL_RAIL);
+            shaping(), example("60E1"), with(NORMAL_MODEL, WHEEL_RAIL), of_columns(&[&PROFILE_COLUMNS]);
         "profile_z" [] Kind::Choice(VerticalAxis::CHOICES), Finite, Text("auto"),
             "direction of z in the file", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
         "profile_y" [] Kind::Choice(LateralAxis::CHOICES), Finite, Text("auto"),
@@ -341,7 +357,7 @@ body! {
         "origin_z" [] quantity(&Measure::LENGTH), Magnitude(10.0), Text("0 mm"),
             "z of that origin in the track", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);
     };
-    RailYoungModulus, [RailPoissonRatio], RailConductivity, RailDensity,
+    RailYoungModulus, RailRelaxedModulus, RailRetardationTime, [RailPoissonRatio], RailConductivity, RailDensity,
     RailSpecificHeat, RailBulkTemperature, RailRadiusX, RailRadiusY
 }
 
@@ -381,7 +397,8 @@ section! {
          [mm],distance [um]`, `y [mm],distance [mm]` (across at x = 0) or `x [mm],distance [mm]` \
          (along, for a line contact); or .npy in Pa or \
          m, each row along x",
-        shaping(), example("pressure.csv"), with(NORMAL_MODEL, FILES);
+        shaping(), example("pressure.csv"), with(NORMAL_MODEL, FILES),
+        of_columns(&[&layouts::PRESSURE, &layouts::DISTANCE]);
     "spacing_x" [] quantity(&Measure::LENGTH), SPACING, Nothing,
         "spacing of the columns of an .npy file", shaping(), example("0.5 mm"),
         with(NORMAL_MODEL, FILES);
@@ -451,6 +468,8 @@ section! {
 
     "time" [Time] Kind::Quantities(&Measure::TIME), INSTANT, Nothing,
         "instants, ascending; the wheel is at rest between equal ones", shaping(), example("[\"0 s\", \"1 ms\"]");
+    "start" [] Kind::Choice(StartChoice::CHOICES), Finite, Text("rest"),
+        "the state at the first instant";
     "creepage_x" [HistoryCreepageX] Kind::Numbers, CREEPAGE, Nothing,
         "ξ at these instants; likewise the others", example("[0.0, 0.002]"),
         usually(PART_OF_SPEED);
@@ -511,7 +530,10 @@ section! {
     "angular_velocity" [] Kind::Quantities(&Measure::ANGULAR_VELOCITY), TURNING, Nothing,
         "angular velocity of the wheel, in place of creepage_x", shaping(),
         example("[\"60 rad/s\", \"64.7 rad/s\"]"), with(NORMAL_MODEL, WHEEL_RAIL);
+    "shift_duration" [ShiftDuration] quantity(&Measure::TIME), Between(0.0, 1e3), Text("0 s"),
+        "how long the motion of the wheelset acts between equal times, as a shift at rest",
+        example("1 s"), with(NORMAL_MODEL, WHEEL_RAIL);
     "file" [] Kind::Path, Finite, Nothing,
         "CSV with a header such as `time [s],creepage_x,load [kN]`, in place of the arrays",
-        shaping(), example("history.csv");
+        shaping(), example("history.csv"), of_columns(&[&layouts::HISTORY]);
 }

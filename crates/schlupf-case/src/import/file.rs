@@ -8,8 +8,7 @@ use std::sync::Arc;
 
 use crate::import::contact::{self, Import, ImportedCase, Options, WheelBody};
 use crate::{
-    CaseError, CaseErrors, CaseFile, Cause, Files, LARGEST_FILE, Overrides, Place, Source,
-    read_up_to,
+    CaseError, CaseErrors, CaseFile, Files, LARGEST_FILE, Overrides, Place, Source, read_up_to,
 };
 
 /// Largest input file that is read, in bytes.
@@ -76,17 +75,16 @@ fn resolved(path: &Path) -> PathBuf {
 /// A file that cannot be read. What is wrong in it, or not available, is part of the result.
 pub fn contact_file(request: Request) -> Result<Import, CaseErrors> {
     let name = request.path.display().to_string();
-    let unreadable = |cause: Cause, message: String| {
-        let place = Place::File { name: name.clone() };
-        CaseErrors::from(CaseError { cause, ..CaseError::new("", message, place) })
-    };
+    let unreadable =
+        |message: String| CaseError::new("", message, Place::File { name: name.clone() });
     let bytes = File::open(request.path).and_then(|file| read_up_to(LARGEST_INPUT, file));
     let bytes = bytes.map_err(|error| {
-        unreadable(Cause::FileSystem, format!("the input file cannot be read: {error}"))
+        let message = format!("the input file cannot be read: {error}");
+        unreadable(message).of_file(request.path, &error)
     })?;
     if bytes.contains(&0) {
         let message = "the input file must be text, but is not".to_owned();
-        return Err(unreadable(Cause::Input, message));
+        return Err(unreadable(message).into());
     }
     // Comments are in any code page; all else is in ASCII.
     let text = match String::from_utf8(bytes) {
@@ -144,8 +142,12 @@ fn at_case(case: &ImportedCase, error: &CaseError) -> CaseError {
         let number = case.numbers.first().copied().unwrap_or_default();
         (case.place.clone(), format!("case {number}: {}", error.message))
     };
-    CaseError { cause: error.cause, ..CaseError::new(&error.field, message, place) }
-        .help(error.help.clone())
+    CaseError {
+        cause: error.cause,
+        help: error.help.clone(),
+        unread: error.unread.clone(),
+        ..CaseError::new(&error.field, message, place)
+    }
 }
 
 fn folder_of(path: &Path) -> &Path {

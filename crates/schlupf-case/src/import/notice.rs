@@ -65,8 +65,14 @@ messages! {
 
     /// Close contacts are one; CONTACT attenuates their influence on each other.
     "whole-contacts" WholeContacts {} field!("normal.join_distance").as_str(), |subject, words| "contacts closer than \
-        D_SEP are one contact: CONTACT attenuates their influence on each other down to D_COMB"
-        .to_owned();
+        D_SEP are one contact: CONTACT attenuates their influence on each other down to D_COMB, and \
+        turns their planes up to D_TURN; others move each other's surfaces apart, which CONTACT \
+        leaves out".to_owned();
+
+    /// Friction follows the inclination of every row.
+    "friction-by-row" FrictionByRow {} field!("friction.variation_inclination").as_str(), |subject, words| "V = 1: \
+        friction is that at the inclination of every row of cells; a contact in a plane of CONTACT \
+        has that at the inclination of the plane".to_owned();
 
     /// Thresholds for kinks and errors of a profile have no counterpart.
     "thresholds-left-out" ThresholdsLeftOut {

@@ -42,7 +42,7 @@ pub enum TableFileError {
     Unusable(schlupf::Error),
 }
 
-const METADATA: &str = "metadata.json";
+pub const METADATA: &str = "metadata.json";
 
 /// Names of the arrays, in the order of the alphabet.
 const ARRAYS: [&str; 6] =
@@ -70,20 +70,7 @@ impl StoredTable {
         let fail = |cause: String| TableFileError::NotATable(cause);
         let text = serde_json::to_vec_pretty(&self.metadata);
         let text = text.map_err(|error| fail(error.to_string()))?;
-        let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
-        // Numbers hardly compress; a fixed time makes the file the same whenever it is written.
-        let options = SimpleFileOptions::default()
-            .compression_method(CompressionMethod::Stored)
-            .last_modified_time(zip::DateTime::default());
-        let arrays = arrays(self.table.nodes());
-        let arrays = ARRAYS.into_iter().zip(&arrays);
-        let members = arrays.map(|(name, bytes)| (format!("{name}.npy"), bytes));
-        for (name, bytes) in std::iter::once((METADATA.to_owned(), &text)).chain(members) {
-            archive.start_file(name, options).map_err(|error| fail(error.to_string()))?;
-            archive.write_all(bytes).map_err(|error| fail(error.to_string()))?;
-        }
-        let done = archive.finish().map_err(|error| fail(error.to_string()))?;
-        Ok(done.into_inner())
+        pack(&text, &ARRAYS, &arrays(self.table.nodes()))
     }
 
     /// Reads a file.
@@ -91,14 +78,8 @@ impl StoredTable {
     /// # Errors
     /// A file that is no table, is damaged, or has another version.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, TableFileError> {
-        let mut archive = ZipArchive::new(Cursor::new(bytes))
-            .map_err(|error| TableFileError::NotATable(format!("is no archive ({error})")))?;
-        let metadata = read_metadata(&member(&mut archive, METADATA)?)?;
-        let members = ARRAYS.map(|name| member(&mut archive, &format!("{name}.npy")));
-        let mut arrays = Vec::new();
-        for member in members {
-            arrays.push(member?);
-        }
+        let (metadata, arrays) = unpack(bytes, &ARRAYS)?;
+        let metadata = read_metadata(&metadata)?;
         if digest(&arrays) != metadata.sha256 {
             let cause = "its checksum is not that of its numbers".to_owned();
             return Err(TableFileError::Damaged(cause));
@@ -107,6 +88,37 @@ impl StoredTable {
         let table = LookUpTable::new(nodes).map_err(TableFileError::Unusable)?;
         Ok(Self { table: Arc::new(table), metadata })
     }
+}
+
+/// An archive with metadata and the named arrays.
+pub fn pack(
+    metadata: &[u8],
+    names: &[&str],
+    arrays: &[Vec<u8>],
+) -> Result<Vec<u8>, TableFileError> {
+    let fail = |cause: String| TableFileError::NotATable(cause);
+    let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+    // Numbers hardly compress; a fixed time makes the file the same whenever it is written.
+    let options = SimpleFileOptions::default()
+        .compression_method(CompressionMethod::Stored)
+        .last_modified_time(zip::DateTime::default());
+    let arrays = names.iter().zip(arrays);
+    let members = arrays.map(|(name, bytes)| (format!("{name}.npy"), bytes.as_slice()));
+    for (name, bytes) in std::iter::once((METADATA.to_owned(), metadata)).chain(members) {
+        archive.start_file(name, options).map_err(|error| fail(error.to_string()))?;
+        archive.write_all(bytes).map_err(|error| fail(error.to_string()))?;
+    }
+    let done = archive.finish().map_err(|error| fail(error.to_string()))?;
+    Ok(done.into_inner())
+}
+
+/// Metadata and the named arrays of an archive.
+pub fn unpack(bytes: &[u8], names: &[&str]) -> Result<(Vec<u8>, Vec<Vec<u8>>), TableFileError> {
+    let mut archive = ZipArchive::new(Cursor::new(bytes))
+        .map_err(|error| TableFileError::NotATable(format!("is no archive ({error})")))?;
+    let metadata = member(&mut archive, METADATA)?;
+    let arrays = names.iter().map(|name| member(&mut archive, &format!("{name}.npy")));
+    Ok((metadata, arrays.collect::<Result<_, _>>()?))
 }
 
 fn read_metadata(bytes: &[u8]) -> Result<Metadata, TableFileError> {
@@ -187,7 +199,7 @@ fn arrays(nodes: &TableNodes) -> [Vec<u8>; 6] {
     ]
 }
 
-fn digest(arrays: &[Vec<u8>]) -> String {
+pub fn digest(arrays: &[Vec<u8>]) -> String {
     let mut hasher = Sha256::new();
     for bytes in arrays {
         hasher.update(bytes);

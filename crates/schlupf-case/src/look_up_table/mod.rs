@@ -5,9 +5,9 @@
 //! `metadata.json`, with the version of the format, what the table holds for, its error, and a
 //! checksum of the numbers.
 
-mod archive;
+pub(crate) mod archive;
 mod metadata;
-mod npy;
+pub(crate) mod npy;
 mod shared;
 mod standard;
 

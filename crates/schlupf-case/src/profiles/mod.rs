@@ -25,6 +25,7 @@ use schlupf::wheel_rail::{ProfileCurve, Sections, Side, Surface};
 use crate::FieldPath;
 use crate::error::CaseError;
 use crate::fields::choice::{LateralAxis, VerticalAxis};
+use crate::files::DataUrl;
 use crate::notice::Notice;
 use crate::settings::Settings;
 use crate::side::sided;
@@ -32,9 +33,14 @@ use outline::{Change, NoLine, Outline};
 use points::{Axes, Content, File, Row};
 use reading::millimetres;
 
-pub use built_in::is_name as is_built_in;
+pub use plain::COLUMNS;
 pub use reading::ProfileReading;
 pub use slices::is_one as has_slices;
+
+/// Whether a text names a file, not a profile that is built in, nor data in its place.
+pub fn names_file(text: &str) -> bool {
+    !built_in::is_name(text) && DataUrl::of(text).is_none()
+}
 
 /// Paths of the fields of a profile.
 #[derive(Debug, Clone, Copy, PartialEq)]

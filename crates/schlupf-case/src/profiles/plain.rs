@@ -5,6 +5,7 @@ use schlupf::reporting::shortened;
 use super::points::{Content, File, Row, Separator, begins_with_number, number};
 use crate::error::CaseError;
 use crate::fields::closest;
+use crate::tables::TableColumn as Column;
 use crate::units::{Conversion, Measure, parse_unit};
 
 const MILLIMETRE: f64 = 1e-3;
@@ -15,6 +16,13 @@ const COMMENTS: &[char] = &['#', '!', '%'];
 const EXPECTED: &str = "y [m],z [m]";
 
 const NAMES: [&str; 2] = ["y", "z"];
+
+/// The columns that a file with a header needs.
+pub const COLUMNS: [Column; 2] = [coordinate(NAMES[0]), coordinate(NAMES[1])];
+
+const fn coordinate(name: &'static str) -> Column {
+    Column { name, measure: Some(&Measure::LENGTH), required: true, holes: false }
+}
 
 /// The points of a file whose header names `y` and `z` with their units, `y [mm],z [mm]` or
 /// `y_mm,z_mm`, beside other columns, or of one without a header: y and z in mm. Where columns are

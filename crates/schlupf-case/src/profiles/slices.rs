@@ -1,9 +1,8 @@
 //! Slices along a rail (`.slcs`) or around a wheel (`.slcw`), as CONTACT has them: a list of
 //! profiles and their places, with breaks between parts that belong together.
 
-use std::f64::consts::PI;
 use std::path::Path;
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 
 use schlupf::reporting::{quoted, quoted_path};
 use schlupf::wheel_rail::{Interpolation, ProfileCurve, Section, Sections};
@@ -13,7 +12,7 @@ use super::points::{File, Row};
 use super::{
     Oriented, Profile, ProfileFields, ProfileReading, Reader, Shape, Taken, file_content, places,
 };
-use crate::error::{CaseError, Cause};
+use crate::error::CaseError;
 use crate::settings::Settings;
 
 const COMMENTS: &[char] = &['%', '!', '"'];
@@ -69,52 +68,22 @@ pub fn read(
             let message =
                 format!("a slice must be a readable file, but is {}: {error}", quoted_path(&path));
             let help = "paths are relative to the file of the slices".to_owned();
-            file.error(slice.line, message).of(Cause::FileSystem).help(help)
+            file.error(slice.line, message).of_file(&path, &error).help(help)
         })?;
         Ok((path, bytes))
     });
     let files = files.collect::<Result<Vec<_>, CaseError>>()?;
-    let key = Key {
-        name,
-        fields: *fields,
-        settings: fields.shown(settings),
-        files: std::iter::once(bytes.to_vec())
-            .chain(files.iter().map(|(_, bytes)| bytes.clone()))
-            .collect(),
-    };
-    if let Some(profile) = known(&key) {
+    // All states of a series along a crossing have the same surface.
+    let texts = [name, fields.profile.to_string()].into_iter().chain(fields.shown(settings));
+    let contents = std::iter::once(bytes).chain(files.iter().map(|(_, bytes)| bytes.as_slice()));
+    let key: Vec<Vec<u8>> =
+        texts.map(String::into_bytes).chain(contents.map(<[u8]>::to_vec)).collect();
+    if let Some(profile) = settings.kept.known(&key) {
         return Ok(profile);
     }
     let profile = surface(settings, fields, (&file, &list), &files)?;
-    keep(key, &profile);
+    settings.kept.keep(key, &profile);
     Ok(profile)
-}
-
-/// From what a profile was read.
-#[derive(PartialEq)]
-struct Key {
-    name: String,
-    fields: ProfileFields,
-    settings: Vec<String>,
-    files: Vec<Vec<u8>>,
-}
-
-/// The last profiles that were read: all states of a series along a crossing have the same one.
-static LAST: Mutex<Vec<(Key, Profile)>> = Mutex::new(Vec::new());
-
-/// How many of them are kept.
-const KEPT: usize = 4;
-
-fn known(key: &Key) -> Option<Profile> {
-    let last = LAST.lock().ok()?;
-    last.iter().find(|(other, _)| other == key).map(|(_, profile)| profile.clone())
-}
-
-fn keep(key: Key, profile: &Profile) {
-    if let Ok(mut last) = LAST.lock() {
-        last.insert(0, (key, profile.clone()));
-        last.truncate(KEPT);
-    }
 }
 
 /// The surface through slices of which a list and the files have been read.
@@ -161,8 +130,12 @@ fn surface(
             }
         }
     }
-    let sections = Sections::new(&sections, *interpolation, fields.quantity)
-        .map_err(|error| file.error_of_all(error.text(&settings.names())))?;
+    let sections = if is_wheel {
+        Sections::around(&sections, *interpolation)
+    } else {
+        Sections::new(&sections, *interpolation, fields.quantity)
+    };
+    let sections = sections.map_err(|error| file.error_of_all(error.text(&settings.names())))?;
     let sections = Arc::new(sections);
     let shape = if is_wheel { Shape::Around(sections) } else { Shape::Along(sections) };
     let (reading, flange_back, _) =
@@ -287,11 +260,6 @@ impl<'a> Groups<'a> {
                     before.given
                 )));
             }
-            if is_wheel && place.abs() > PI {
-                return Err(self.error(format!(
-                    "slices around a wheel must be within -π and π rad, but {given} is at {place} rad"
-                )));
-            }
             slices.push(Slice { line, given, place, name, breaks: None });
         }
         for _ in 0..usize::from(kinks > 0) + usize::from(accelerations > 0) {
@@ -309,6 +277,10 @@ impl<'a> Groups<'a> {
             }
             let lengths = numbers.map(|length| (length >= 0.0).then_some(1e-3 * length)).collect();
             slice.breaks = Some((self.line, lengths));
+        }
+        if let Some((line, text)) = self.lines.next() {
+            let message = format!("the file must end here, but goes on with {}", quoted(text));
+            return Err(self.file.error(line, message));
         }
         Ok(List { slices, interpolation })
     }

@@ -5,11 +5,14 @@ use std::sync::Arc;
 use schlupf::analysis::calibration::KalkerBed;
 use schlupf::bodies::Material;
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness, Springs};
-use schlupf::elasticity::{CalibratedLayer, Elasticity, HalfSpace, Rigid, UnlikeBodies, Winkler};
+use schlupf::elasticity::{
+    CalibratedLayer, Elasticity, HalfSpace, Rigid, StandardLinearSolid, UnlikeBodies,
+    ViscoelasticHalfSpace, Winkler,
+};
 
 use crate::FieldPath;
 use crate::error::CaseError;
-use crate::fields::choice::{ElasticityModel, UnlikeBodiesModel};
+use crate::fields::choice::{ElasticityModel, NormalModel, UnlikeBodiesModel};
 use crate::settings::Settings;
 
 const BEDDINGS: [FieldPath; 2] = fields!["elasticity.bedding_x", "elasticity.bedding_y"];
@@ -42,6 +45,7 @@ pub fn elasticity(
             };
             Arc::new(half_space(settings, bodies)?.with_unlike_bodies(unlike_bodies))
         }
+        ElasticityModel::Viscoelastic => Arc::new(viscoelastic(settings, bodies)?),
         ElasticityModel::Winkler if settings.any_given(&BEDDINGS) => Arc::new(winkler(settings)?),
         ElasticityModel::Winkler => Arc::new(KalkerBed { bodies: half_space(settings, bodies)? }),
         ElasticityModel::ElasticLayer => layer(settings, bodies)?,
@@ -62,6 +66,35 @@ fn layer(settings: &Settings, bodies: [&Material; 2]) -> Result<Arc<dyn Elastici
 
 fn half_space(settings: &Settings, bodies: [&Material; 2]) -> Result<HalfSpace, CaseError> {
     HalfSpace::new(bodies[0], bodies[1]).map_err(|error| settings.explain(&error))
+}
+
+fn viscoelastic(
+    settings: &Settings,
+    bodies: [&Material; 2],
+) -> Result<ViscoelasticHalfSpace, CaseError> {
+    let model = field!("elasticity.model");
+    if settings.chosen::<NormalModel>(field!("normal.model"))? == NormalModel::WheelRail {
+        let message = format!(
+            "{model} must not be viscoelastic with normal.model = \"wheel-rail\", whose pressure is \
+             that of elastic bodies"
+        );
+        return Err(settings.error(model, message));
+    }
+    let approach = field!("normal.approach");
+    if settings.is_given(approach) {
+        let message =
+            format!("{approach} must not be given for viscoelastic bodies: give normal.load");
+        return Err(settings.error(approach, message));
+    }
+    let solid = |modulus, time| -> Result<StandardLinearSolid, CaseError> {
+        let relaxed_modulus = settings.number(modulus)?;
+        Ok(StandardLinearSolid { relaxed_modulus, retardation_time: settings.number(time)? })
+    };
+    let solids = [
+        solid(field!("wheel.relaxed_modulus"), field!("wheel.retardation_time"))?,
+        solid(field!("rail.relaxed_modulus"), field!("rail.retardation_time"))?,
+    ];
+    ViscoelasticHalfSpace::new(bodies, solids).map_err(|error| settings.explain(&error))
 }
 
 /// A bed with the stiffnesses that are given.

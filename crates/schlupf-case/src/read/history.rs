@@ -3,6 +3,7 @@
 use schlupf::problem::History;
 
 use crate::error::CaseError;
+use crate::fields::choice::StartChoice;
 use crate::notice::Notice;
 use crate::settings::Settings;
 use crate::{FieldPath, tables};
@@ -23,9 +24,15 @@ const SERIES: [FieldPath; 11] = fields![
 
 const SHIFT: [FieldPath; 3] = fields!["history.shift_x", "history.shift_y", "history.turn"];
 
+/// Whether a history starts with steady rolling.
+pub fn starts_rolling(settings: &Settings) -> Result<bool, CaseError> {
+    Ok(settings.chosen::<StartChoice>(field!("history.start"))? == StartChoice::Steady)
+}
+
 /// Values over time and shifts, where the case has them.
 pub fn history(settings: &Settings) -> Result<Option<History>, CaseError> {
     let Some(mut history) = over_time(settings)? else { return Ok(None) };
+    history.starts_rolling = starts_rolling(settings)?;
     let count = history.time.len();
     let tables = [&mut history.shift_x, &mut history.shift_y, &mut history.turn];
     for (table, path) in tables.into_iter().zip(SHIFT) {
@@ -76,7 +83,7 @@ fn over_time(settings: &Settings) -> Result<Option<History>, CaseError> {
                 SERIES.iter().find_map(|path| settings.series(*path)).map_or(1, <[f64]>::len);
             vec![0.0; rows.max(1)]
         }
-        None if settings.any_given(&SERIES) => {
+        None if settings.any_given(&SERIES) || starts_rolling(settings)? => {
             return settings.setting(field!("history.time")).map(|_| None);
         }
         None => return Ok(None),

@@ -25,13 +25,14 @@ use schlupf::interface::heat::Partition;
 use schlupf::interface::{ContactLaw, Interface};
 use schlupf::normal::{NormalContact, PressureSource};
 use schlupf::problem::{Branch, History, PrescribedForces};
+use schlupf::solver::viscoelastic_rolling;
 use schlupf::wheel_rail::{WheelOnRail, WheelSolution};
 use schlupf::{Error, Options, Problem, Watch};
 
 pub use cooling::{cooling, missing as missing_cooling};
 pub use damage::damage;
 pub use history::unusual as unusual_history;
-pub use options::{driver, method};
+pub use options::{driver, element, method};
 pub use subsurface::subsurface;
 
 use crate::error::CaseError;
@@ -192,10 +193,25 @@ impl Parts {
                 problem.normal.normal_contact(None).map_err(explain)
             }
             Contact::Pressure(normal) => {
+                let problem = self.problem(normal, self.interface.clone());
+                if let Some(rolling) = viscoelastic_rolling(&problem, watch).map_err(explain)? {
+                    return rolling.normal.normal_contact(None).map_err(explain);
+                }
                 let load = self.history.as_ref().and_then(History::largest_load);
                 normal.prepare(load, watch).map_err(explain)?;
                 normal.normal_contact(load).map_err(explain)
             }
+        }
+    }
+
+    fn problem(&self, normal: &Arc<dyn PressureSource>, interface: Interface) -> Problem {
+        Problem {
+            kinematics: self.kinematics,
+            prescribed: self.prescribed,
+            reference: self.reference,
+            branch: self.branch,
+            normal: Arc::clone(normal),
+            interface,
         }
     }
 
@@ -227,14 +243,7 @@ impl Parts {
                 found
             }
         };
-        let problem = Problem {
-            kinematics: self.kinematics,
-            prescribed: self.prescribed,
-            reference: self.reference,
-            branch: self.branch,
-            normal: Arc::clone(normal),
-            interface,
-        };
+        let problem = self.problem(normal, interface);
         Ok(Posed { problem, stiffness, motion: self.kinematics, wheel: None })
     }
 

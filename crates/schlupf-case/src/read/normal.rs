@@ -1,6 +1,5 @@
 //! `[normal]`.
 
-use std::path::Path;
 use std::sync::Arc;
 
 use schlupf::bodies::{Material, contact_modulus};
@@ -117,26 +116,28 @@ struct File {
     bytes: Vec<u8>,
     /// Along x and y (in m), of an .npy file.
     spacings: Option<[f64; 2]>,
+    start: Option<[f64; 2]>,
 }
 
 impl File {
     /// It as an .npy file, if it is one.
     fn npy(&self, settings: &Settings) -> Option<NpyFile<'_>> {
         let (name, bytes, place) = (&self.name, &self.bytes, settings.place(FILE));
-        self.spacings.map(|spacings| NpyFile { name, bytes, spacings, place })
+        let start = self.start;
+        self.spacings.map(|spacings| NpyFile { name, bytes, spacings, start, place })
     }
 
     fn read(settings: &Settings) -> Result<Self, CaseError> {
         let (name, bytes) = settings.read_file(FILE)?;
-        let ending = Path::new(&name).extension();
-        let is_npy = ending.is_some_and(|ending| ending.eq_ignore_ascii_case("npy"));
-        if is_npy {
-            let spacing = |path| {
-                let given = settings.optional_number(path)?;
-                given.ok_or_else(|| settings.missing_beside(path, FILE))
+        let file = settings.input_file(FILE)?;
+        if file.ending() == "npy" {
+            let own = file.spacings().map(|own| own.map(Some)).unwrap_or_default();
+            let spacing = |k: usize| {
+                let given = settings.optional_number(SPACINGS[k])?.or(own[k]);
+                given.ok_or_else(|| settings.missing_beside(SPACINGS[k], FILE))
             };
-            let spacings = Some([spacing(SPACINGS[0])?, spacing(SPACINGS[1])?]);
-            return Ok(Self { name, bytes, spacings });
+            let spacings = Some([spacing(0)?, spacing(1)?]);
+            return Ok(Self { name, bytes, spacings, start: file.start() });
         }
         if let Some(spacing) = SPACINGS.into_iter().find(|path| settings.is_given(*path)) {
             let message = format!(
@@ -146,6 +147,6 @@ impl File {
             );
             return Err(settings.error(spacing, message));
         }
-        Ok(Self { name, bytes, spacings: None })
+        Ok(Self { name, bytes, spacings: None, start: None })
     }
 }

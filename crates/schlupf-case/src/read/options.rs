@@ -1,8 +1,9 @@
-//! `[grid]`, `[solver]` and `[fastsim]`.
+//! `[grid]`, `[solver]`, `[fastsim]` and `[element]`.
 
 use crate::FieldPath;
 use std::sync::Arc;
 
+use schlupf::element;
 use schlupf::problem::look_up_table::LookUpTable;
 use schlupf::problem::{
     AreaReduction, Branch, Brush, Driver, FastMethod, Flexibilities, SlopeReduction, TractionBound,
@@ -11,7 +12,8 @@ use schlupf::{Method, Options};
 
 use crate::error::CaseError;
 use crate::fields::choice::{
-    BoundChoice, BranchChoice, DriverChoice, FlexibilitiesChoice, MethodChoice,
+    BoundChoice, BranchChoice, DriverChoice, ElementMotion, ElementNormal, FlexibilitiesChoice,
+    MethodChoice,
 };
 use crate::settings::Settings;
 
@@ -30,6 +32,23 @@ pub fn options(settings: &Settings) -> Result<Options, CaseError> {
         fields_every: 0,
         extrapolate: settings.flag(field!("solver.extrapolate"))?,
         keeps_state: true,
+    })
+}
+
+/// What a force element takes, and how it behaves at standstill.
+pub fn element(settings: &Settings) -> Result<element::Settings, CaseError> {
+    Ok(element::Settings {
+        motion: match settings.chosen(field!("element.motion"))? {
+            ElementMotion::Velocities => element::Motion::Velocities,
+            ElementMotion::Creepages => element::Motion::Creepages,
+        },
+        normal: match settings.chosen(field!("element.normal"))? {
+            ElementNormal::Load => element::Normal::Load,
+            ElementNormal::Approach => element::Normal::Approach,
+        },
+        has_memory: settings.flag(field!("element.memory"))?,
+        standstill_speed: settings.number(field!("element.standstill_speed"))?,
+        rolling_radius: settings.number(field!("kinematics.wheel_radius"))?,
     })
 }
 

@@ -5,9 +5,10 @@ use schlupf::wheel_rail::{
     Along, Drive, Joining, Motion, NormalMethod, Position, RowsMove, Side, Support, Tangential,
     WheelAt, WheelOnRail, WheelOverTime, WheelSolution,
 };
-use schlupf::{Error, Method, Options, Watch};
+use schlupf::{Error, Method, Watch};
 
 use super::friction;
+use super::history::starts_rolling;
 use super::pairs::{self, Placed};
 use super::roughness::OfRoughness;
 use crate::FieldPath;
@@ -84,6 +85,7 @@ pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
             NormalSolution::KikPiotrowski => NormalMethod::KikPiotrowski,
             NormalSolution::EllipseCorrected => NormalMethod::EllipseCorrected,
             NormalSolution::EquivalentEllipse => NormalMethod::EquivalentEllipse,
+            NormalSolution::Analyn => NormalMethod::Analyn,
         },
         friction_variation: friction::variation_over_rail(settings)?,
         cells: settings
@@ -91,8 +93,8 @@ pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
             .map_or(CELLS, |cells| cells as usize),
     };
     wheel.check().map_err(explain)?;
-    let over_time = over_time(settings, &wheel)?;
     let rests = !settings.is_given(ROLL) && !settings.is_given(field!("history.roll_angle"));
+    let over_time = over_time(settings, &wheel, rests)?;
     Ok(Some(WheelRequest { wheel, over_time, rests, readings, notices }))
 }
 
@@ -133,6 +135,7 @@ pub fn refuse_others(settings: &Settings, stiffness: &OfRoughness) -> Result<(),
 const BRANCH: FieldPath = field!("solver.branch");
 
 const TIME: FieldPath = field!("history.time");
+const SHIFT_DURATION: FieldPath = field!("history.shift_duration");
 
 /// What a wheelset over time does not have.
 fn refuse_in_history(settings: &Settings) -> Result<(), CaseError> {
@@ -143,13 +146,6 @@ fn refuse_in_history(settings: &Settings) -> Result<(), CaseError> {
         );
         Err(settings.error(path, message))
     };
-    if let Some(path) = FORCES.into_iter().find(|path| settings.is_given(*path)) {
-        return refuse(path, "be left out");
-    }
-    let method = field!("normal.method");
-    if settings.chosen::<NormalSolution>(method)? == NormalSolution::Conformal {
-        return refuse(method, "be that of contacts in planes");
-    }
     if super::method(settings)? != Method::Full {
         return refuse(field!("solver.method"), "be \"full\"");
     }
@@ -160,7 +156,8 @@ fn refuse_in_history(settings: &Settings) -> Result<(), CaseError> {
 }
 
 /// What one contact and a wheelset both may have over time.
-const OF_BOTH: [FieldPath; 3] = fields!["history.speed", "history.creepage_x", "history.load"];
+const OF_BOTH: [FieldPath; 4] =
+    fields!["history.start", "history.speed", "history.creepage_x", "history.load"];
 
 /// Fields of a history: those that only one contact has, or those that a wheelset has over time.
 fn of_history(is_of_one_contact: bool) -> impl Iterator<Item = FieldPath> {
@@ -173,9 +170,15 @@ fn of_history(is_of_one_contact: bool) -> impl Iterator<Item = FieldPath> {
 }
 
 /// The wheel over time, if the case has it.
-fn over_time(settings: &Settings, wheel: &WheelOnRail) -> Result<Option<WheelOverTime>, CaseError> {
+fn over_time(
+    settings: &Settings,
+    wheel: &WheelOnRail,
+    rests: bool,
+) -> Result<Option<WheelOverTime>, CaseError> {
     let Some(times) = settings.series(TIME) else {
-        let given = of_history(false).any(|path| settings.is_given(path));
+        let is_series = |path: &FieldPath| *path != field!("history.start");
+        let given = of_history(false).filter(is_series).any(|path| settings.is_given(path))
+            || starts_rolling(settings)?;
         return if given { settings.setting(TIME).map(|_| None) } else { Ok(None) };
     };
     if let Some(path) = of_history(false)
@@ -203,16 +206,20 @@ fn over_time(settings: &Settings, wheel: &WheelOnRail) -> Result<Option<WheelOve
         wheel.check().map_err(|error| settings.explain(&error))?;
         Ok(WheelAt { time: *time, wheel })
     });
-    let mut instants: Vec<WheelAt> = instants.collect::<Result<_, CaseError>>()?;
-    follow_positions(settings, &mut instants);
-    Ok(Some(WheelOverTime { instants }))
+    let instants: Vec<WheelAt> = instants.collect::<Result<_, CaseError>>()?;
+    let shift_duration = settings.number(SHIFT_DURATION)?;
+    let starts_rolling = starts_rolling(settings)?;
+    let mut history = WheelOverTime { instants, starts_rolling, rests, shift_duration };
+    follow_positions(settings, &mut history)?;
+    Ok(Some(history))
 }
 
 /// Velocities that are not given follow from the positions that are: in a row as the mean of the
-/// intervals beside it. A shift at rest takes one second.
-fn follow_positions(settings: &Settings, instants: &mut [WheelAt]) {
+/// intervals beside it.
+fn follow_positions(settings: &Settings, history: &mut WheelOverTime) -> Result<(), CaseError> {
     type Place = fn(&WheelOnRail) -> f64;
     type Rate = fn(&mut WheelOnRail) -> &mut f64;
+    let WheelOverTime { instants, shift_duration, .. } = history;
     let height: Place = |wheel| match wheel.support {
         Support::Height(height) => height,
         Support::Force(_) => 0.0,
@@ -252,9 +259,19 @@ fn follow_positions(settings: &Settings, instants: &mut [WheelAt]) {
             let duration = pair[1].time - pair[0].time;
             let is_rest = duration == 0.0;
             let way = place(&pair[1].wheel) - place(&pair[0].wheel);
-            (is_rest, if is_rest { way } else { way / duration })
+            if is_rest && way != 0.0 && *shift_duration == 0.0 {
+                let message = format!(
+                    "{position} must be the same at equal times, at which a wheelset without \
+                     {SHIFT_DURATION} is not shifted, but changes at {} s",
+                    pair[1].time
+                );
+                return Err(settings.error(position, message));
+            }
+            let duration = if is_rest { *shift_duration } else { duration };
+            Ok((is_rest, if way == 0.0 { 0.0 } else { way / duration }))
         };
-        let slopes: Vec<(bool, f64)> = instants.windows(2).map(slope).collect();
+        let slopes: Vec<(bool, f64)> =
+            instants.windows(2).map(slope).collect::<Result<_, CaseError>>()?;
         for (row, instant) in instants.iter_mut().enumerate() {
             let before = row.checked_sub(1).map(|k| slopes[k]);
             let after = slopes.get(row).copied().filter(|(is_rest, _)| !is_rest);
@@ -265,6 +282,7 @@ fn follow_positions(settings: &Settings, instants: &mut [WheelAt]) {
             };
         }
     }
+    Ok(())
 }
 
 /// The wheel with the values of a row of its history.
@@ -436,8 +454,8 @@ impl WheelRequest {
         tangential: &Tangential,
         watch: Watch,
     ) -> Result<Vec<WheelSolution>, Error> {
-        match place {
-            Some(lateral) => {
+        match (place, &self.over_time) {
+            (Some(lateral), _) => {
                 let position = Position { lateral, ..self.wheel.position };
                 // A force is that on the wheel of the case.
                 let own = WheelOnRail { position, ..self.wheel.clone() };
@@ -445,32 +463,19 @@ impl WheelRequest {
                 both.sort_by_key(|wheel| wheel.side == Side::Right);
                 Ok(Vec::from(both))
             }
-            None if self.over_time.is_some() => Ok(vec![self.march(tangential, watch)?]),
-            None if self.rests => self.wheel.solve_resting(tangential, watch).map(Vec::from),
-            None => Ok(vec![self.wheel.solve(tangential, watch)?]),
-        }
-    }
-
-    /// The wheel at the end of its history, with that as the history of its main contact.
-    fn march(&self, tangential: &Tangential, watch: Watch) -> Result<WheelSolution, Error> {
-        let Some(history) = &self.over_time else {
-            return self.wheel.solve(tangential, watch);
-        };
-        let steady =
-            Options { sensitivity: false, extrapolate: false, ..tangential.options.clone() };
-        let steady = Tangential { driver: Driver::Steady, options: &steady, ..*tangential };
-        let mut contacts = |wheel: &WheelOnRail| {
-            if !self.rests {
-                return wheel.solve(&steady, watch);
+            (None, Some(history)) => {
+                let (mut wheel, instants) = history.march(tangential, watch)?;
+                // The history of the wheel is told as that of its main contact.
+                if let Some(main) = wheel.contacts.first_mut() {
+                    main.solution.history = instants;
+                }
+                Ok(vec![wheel])
             }
-            let [own, _] = wheel.solve_resting(&steady, watch)?;
-            Ok(own)
-        };
-        let (mut wheel, instants) = history.march(tangential, &mut contacts, watch)?;
-        if let Some(main) = wheel.contacts.first_mut() {
-            main.solution.history = instants;
+            (None, None) if self.rests => {
+                self.wheel.solve_resting(tangential, watch).map(Vec::from)
+            }
+            (None, None) => Ok(vec![self.wheel.solve(tangential, watch)?]),
         }
-        Ok(wheel)
     }
 
     /// What was read of the profiles.

@@ -11,13 +11,14 @@ use schlupf::Error;
 use schlupf::surface::{HeightMap, Holes, Lattice, Profile, require_few};
 
 use crate::FieldPath;
-use crate::error::{CaseError, Cause};
+use crate::error::CaseError;
 use crate::fields::readable;
 use crate::files::InputFile;
 use crate::names::{self, FieldNames};
 use crate::place::Place;
 use crate::units::{Measure, parse_unit};
 
+pub use points::COLUMNS as HEIGHT_COLUMNS;
 pub use source::{RoughSurface, SurfaceOrigin, SurfaceSource};
 
 /// Fields that errors of surfaces name.
@@ -86,34 +87,31 @@ pub fn read(
     Reading { options, names, field: FILE }.file(file)
 }
 
-/// The same from the bytes of a file.
-pub fn from_bytes(
-    name: String,
-    bytes: Vec<u8>,
-    options: &SurfaceOptions,
-    names: FieldNames,
-) -> Result<MeasuredSurface, CaseError> {
-    Reading { options, names, field: FILE }.bytes(name, bytes)
-}
-
 impl Reading<'_> {
     fn file(self, file: &InputFile) -> Result<MeasuredSurface, CaseError> {
         let name = file.path().display().to_string();
         let bytes = file.read().map_err(|error| {
-            let error =
-                self.refusal(&name, format!("must be a readable file, but is not: {error}"));
-            error.of(Cause::FileSystem)
+            let message = format!("must be a readable file, but is not: {error}");
+            self.refusal(&name, message).of_file(&name, &error)
         })?;
-        self.bytes(name, bytes)
+        // Arrays of a program are in SI units.
+        let unit = self.options.unit.clone().or_else(|| file.data().map(|_| "m".to_owned()));
+        let spacing = self.options.spacing.or(file.spacings());
+        let how = Reading { options: &SurfaceOptions { unit, spacing, ..*self.options }, ..self };
+        how.bytes(name, &file.ending(), bytes)
     }
 
-    fn bytes(self, name: String, bytes: Vec<u8>) -> Result<MeasuredSurface, CaseError> {
-        let ending = Path::new(&name).extension().and_then(|ending| ending.to_str());
-        match ending.map(str::to_lowercase).as_deref() {
-            Some("csv") => points::from_csv(name, bytes, self),
-            Some("xyz") => points::from_xyz(name, bytes, self),
-            Some("npy") => npy::read(&name, &bytes, self),
-            Some("x3p") => x3p::read(&name, bytes, self),
+    fn bytes(
+        self,
+        name: String,
+        ending: &str,
+        bytes: Vec<u8>,
+    ) -> Result<MeasuredSurface, CaseError> {
+        match ending {
+            "csv" => points::from_csv(name, bytes, self),
+            "xyz" => points::from_xyz(name, bytes, self),
+            "npy" => npy::read(&name, &bytes, self),
+            "x3p" => x3p::read(&name, bytes, self),
             _ => Err(self.refusal(&name, "must be a .csv, .npy, .x3p or .xyz file, but is not")),
         }
     }

@@ -16,7 +16,7 @@ const fn length(name: &'static str, required: bool, holes: bool) -> Column {
 
 /// Without y, or all along x or all along y, it is a profile; with heights alone, one whose spacing
 /// is given beside it.
-const COLUMNS: [Column; 3] =
+pub const COLUMNS: [Column; 3] =
     [length("x", false, false), length("y", false, false), length("height", true, true)];
 
 /// A lattice with more points than this for each row is no map with holes, but no map at all.

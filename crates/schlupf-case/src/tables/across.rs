@@ -1,18 +1,13 @@
 //! Tables over y.
 
-use super::columns::{Column, Columns};
+use super::columns::Columns;
+use super::layouts::VARIATION as COLUMNS;
 use crate::FieldPath;
 use crate::error::CaseError;
 use crate::fields::readable;
 use crate::names::FieldNames;
-use crate::units::Measure;
 
 const FILE: FieldPath = field!("friction.variation_file");
-
-const COLUMNS: [Column; 2] = [
-    Column { name: "y", measure: Some(&Measure::LENGTH), required: true, holes: false },
-    Column { name: "factor", measure: None, required: true, holes: false },
-];
 
 /// Fields whose arrays hold the same.
 const FIELDS: [FieldPath; 2] = fields!["friction.variation_y", "friction.variation_factor"];

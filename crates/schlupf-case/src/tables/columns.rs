@@ -7,7 +7,7 @@ use schlupf::reporting::{quoted, shortened};
 use super::records::Records;
 use crate::error::CaseError;
 use crate::fields::{NOT_PER_CENT, closest, is_per_cent};
-use crate::place::{Place, Source};
+use crate::place::{INDEX, Place, Source};
 use crate::units::{Conversion, Measure, comma, comma_readings, parse_unit};
 
 /// A column that a file may have.
@@ -146,21 +146,26 @@ impl Columns {
         let source = Arc::clone(&self.source);
         let mut header: Option<Vec<Assigned>> = None;
         let mut records = Records::new(&source.text);
+        let mut first = 0;
         while let Some(line) = records.read() {
             let cells = records.cells();
+            if header.is_none() {
+                first = usize::from(cells.first() == Some(&INDEX));
+            }
+            let cells = cells.get(first..).unwrap_or_default();
             if cells.iter().any(|cell| cell.contains('\n')) {
                 return Err(self.error(line, "a quotation mark must be closed in its line"));
             }
             match &header {
                 None => {
                     self.header_line = line;
-                    let assigned = self.header(&cells, wanted)?;
+                    let assigned = self.header(cells, wanted)?;
                     for column in &assigned {
                         self.present[column.index] = true;
                     }
                     header = Some(assigned);
                 }
-                Some(header) => self.row(&cells, line, header, wanted)?,
+                Some(header) => self.row(cells, line, header, wanted)?,
             }
         }
         if header.is_some() {
@@ -356,6 +361,17 @@ mod tests {
             let message = read(text).unwrap_err();
             assert!(message.starts_with(&expected), "{message}");
         }
+    }
+
+    /// As tables of programs have.
+    #[test]
+    fn rows_may_have_names() {
+        let columns = read("index,time [s],factor\n10,1,2\nb,3,4\n").unwrap();
+        assert_eq!(columns.values, [[1.0, 3.0], [2.0, 4.0]]);
+        let message = read("index,time [s],factor\n10,1,2\nb,3,x\n").unwrap_err();
+        assert!(message.starts_with("f.csv, row b: factor must be a finite number"), "{message}");
+        let message = read("index,factor\n10,1\n").unwrap_err();
+        assert!(message.starts_with("f.csv: column `time` is missing"), "{message}");
     }
 
     #[test]

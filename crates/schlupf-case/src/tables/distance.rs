@@ -2,17 +2,11 @@
 
 use schlupf::normal::profile::UndeformedDistance;
 
-use super::columns::{Column, Columns};
+use super::columns::Columns;
 use super::lattice::{self, FILE, NpyFile};
+use super::layouts::DISTANCE as COLUMNS;
 use crate::error::CaseError;
 use crate::names::FieldNames;
-use crate::units::Measure;
-
-const COLUMNS: [Column; 3] = [
-    Column { name: "x", measure: Some(&Measure::LENGTH), required: false, holes: false },
-    Column { name: "y", measure: Some(&Measure::LENGTH), required: false, holes: false },
-    Column { name: "distance", measure: Some(&Measure::LENGTH), required: true, holes: false },
-];
 
 /// The distance from a CSV file: with columns x, y and distance on a lattice, its rows in any
 /// order; with y and distance alone across at x = 0, where `rolling_radius` gives the relative

@@ -122,7 +122,7 @@ pub fn from_columns(
     Ok(Table { x: lattice.x.positions(), y: lattice.y.positions(), values })
 }
 
-/// An .npy file, centred on the origin.
+/// An .npy file, centred on the origin unless it says where it starts.
 #[derive(Debug)]
 pub struct NpyFile<'a> {
     /// For messages.
@@ -131,6 +131,8 @@ pub struct NpyFile<'a> {
     pub bytes: &'a [u8],
     /// Along x and y, in m.
     pub spacings: [f64; 2],
+    /// Its first place along x and y, in m.
+    pub start: Option<[f64; 2]>,
     /// Where it is named.
     pub place: Place,
 }
@@ -150,11 +152,16 @@ impl NpyFile<'_> {
                 "must hold {requirement}, but is {value} in row {row}, column {column}"
             )));
         }
-        let axis = |count: usize, spacing: f64| -> Vec<f64> {
-            let middle = 0.5 * (count as f64 - 1.0);
-            (0..count).map(|index| (index as f64 - middle) * spacing).collect()
+        let axis = |count: usize, side: usize| -> Vec<f64> {
+            let (spacing, middle) = (self.spacings[side], 0.5 * (count as f64 - 1.0));
+            let start = self.start.map(|start| start[side]);
+            let at = |index: usize| match start {
+                Some(start) => start + index as f64 * spacing,
+                None => (index as f64 - middle) * spacing,
+            };
+            (0..count).map(at).collect()
         };
-        let (x, y) = (axis(array.columns, self.spacings[0]), axis(array.rows, self.spacings[1]));
+        let (x, y) = (axis(array.columns, 0), axis(array.rows, 1));
         Ok(Table { x, y, values: array.values })
     }
 

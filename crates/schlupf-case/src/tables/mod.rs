@@ -9,6 +9,7 @@ mod creep_data;
 mod displacements;
 mod distance;
 pub(crate) mod lattice;
+pub(crate) mod layouts;
 pub(crate) mod npy;
 mod points;
 mod pressure;

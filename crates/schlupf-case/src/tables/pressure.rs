@@ -2,17 +2,11 @@
 
 use schlupf::normal::PressureTable;
 
-use super::columns::{Column, Columns};
+use super::columns::Columns;
 use super::lattice::{self, FILE, NpyFile};
+use super::layouts::PRESSURE as COLUMNS;
 use crate::error::CaseError;
 use crate::names::FieldNames;
-use crate::units::Measure;
-
-const COLUMNS: [Column; 3] = [
-    Column { name: "x", measure: Some(&Measure::LENGTH), required: true, holes: false },
-    Column { name: "y", measure: Some(&Measure::LENGTH), required: true, holes: false },
-    Column { name: "pressure", measure: Some(&Measure::PRESSURE), required: true, holes: false },
-];
 
 /// A table from a CSV file with columns x, y and pressure, its rows in any order.
 pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<PressureTable, CaseError> {

@@ -3,28 +3,13 @@
 use schlupf::problem::History;
 
 use super::columns::{Column, Columns};
+use super::layouts::HISTORY as COLUMNS;
 use crate::FieldPath;
 use crate::error::CaseError;
 use crate::fields::{self, Requirement, readable};
 use crate::names::FieldNames;
-use crate::units::Measure;
 
 const FILE: FieldPath = field!("history.file");
-
-const COLUMNS: [Column; 12] = [
-    Column { name: "time", measure: Some(&Measure::TIME), required: true, holes: false },
-    Column { name: "shifts_x", measure: Some(&Measure::LENGTH), required: false, holes: false },
-    Column { name: "shifts_y", measure: Some(&Measure::LENGTH), required: false, holes: false },
-    Column { name: "turns", measure: Some(&Measure::ANGLE), required: false, holes: false },
-    Column { name: "creepage_x", measure: None, required: false, holes: false },
-    Column { name: "creepage_y", measure: None, required: false, holes: false },
-    Column { name: "spin", measure: Some(&Measure::SPIN), required: false, holes: false },
-    Column { name: "speed", measure: Some(&Measure::SPEED), required: false, holes: false },
-    Column { name: "load", measure: Some(&Measure::FORCE), required: false, holes: false },
-    Column { name: "force_x", measure: Some(&Measure::FORCE), required: false, holes: false },
-    Column { name: "force_y", measure: Some(&Measure::FORCE), required: false, holes: false },
-    Column { name: "moment_z", measure: Some(&Measure::TORQUE), required: false, holes: false },
-];
 
 /// What the numbers of a column must be: the same as in the array of its name.
 fn requirement(column: &Column) -> Requirement {

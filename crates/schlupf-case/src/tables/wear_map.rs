@@ -3,20 +3,14 @@
 use schlupf::analysis::damage::WearMap;
 use schlupf::reporting::Requirement;
 
-use super::columns::{Column, Columns};
+use super::columns::Columns;
+use super::layouts::WEAR_MAP as COLUMNS;
 use crate::FieldPath;
 use crate::error::CaseError;
 use crate::fields::readable;
 use crate::names::FieldNames;
-use crate::units::Measure;
 
 const FILE: FieldPath = field!("damage.wear_map");
-
-const COLUMNS: [Column; 3] = [
-    Column { name: "slip_speed", measure: Some(&Measure::SPEED), required: true, holes: false },
-    Column { name: "pressure_ratio", measure: None, required: true, holes: false },
-    Column { name: "coefficient", measure: None, required: true, holes: false },
-];
 
 /// A map from a CSV file: in each row the slip speed and the pressure over the hardness from which
 /// on a coefficient holds, up to the next of each. There is a row for every pair, in any order.

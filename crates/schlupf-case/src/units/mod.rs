@@ -10,4 +10,4 @@ mod symbol;
 pub use dimension::Dimension;
 pub use error::{QuantityError, comma};
 pub use measure::{Measure, Scale};
-pub use quantity::{Conversion, comma_readings, parse_quantity, parse_unit};
+pub use quantity::{Conversion, comma_readings, dimension, parse_quantity, parse_unit};

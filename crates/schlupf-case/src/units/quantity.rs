@@ -72,6 +72,14 @@ fn wrong_dimension(unit: &str, dimension: Dimension) -> QuantityError {
     QuantityError::WrongDimension { unit: unit.to_owned(), kind }
 }
 
+/// The dimension of a unit that is no temperature scale.
+///
+/// # Errors
+/// What is no unit.
+pub fn dimension(unit: &str) -> Result<Dimension, QuantityError> {
+    Ok(expression::parse(unit)?.dimension)
+}
+
 /// From an absolute temperature scale to degC.
 fn absolute_temperature(unit: &str) -> Option<Conversion> {
     match unit {

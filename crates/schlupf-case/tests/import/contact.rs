@@ -64,6 +64,23 @@ fn iterations_between_pressure_and_tractions() {
     }
 }
 
+/// M = 1: FG = E/E∞ − 1 and TC of both bodies, of which the wheel is the first or the second.
+#[test]
+fn standard_linear_solids() {
+    let solids = ("GG 1,2\n", "GG 1,2\n 1.0 0.0 0.009 0.0\n");
+    let text = with(BALL, &[("022020", "022120"), solids]);
+    let polymer = ["relaxed_modulus = \"105 GPa\"", "retardation_time = \"0.009 s\""];
+    let steel = ["relaxed_modulus = \"210 GPa\"", "retardation_time = \"0 s\""];
+    let first = one(&text).text;
+    has(&first, &["model = \"viscoelastic\"", "model = \"coulomb\""]);
+    let second = import_with(&text, WheelBody::Second).cases.swap_remove(0).text;
+    for (text, [of_wheel, of_rail]) in [(first, [polymer, steel]), (second, [steel, polymer])] {
+        let (wheel, rail) = text.split_once("[rail]").unwrap();
+        has(wheel, &of_wheel);
+        has(rail, &of_rail);
+    }
+}
+
 /// Hertz's contact in all descriptions, with a load and with an approach. A sphere of R = 300 mm
 /// has A1 = B1 = 1/(2 R), an approach of a²/R and N = 4 E* a³/(3 R) (Johnson 1985, Eqs. 4.22–4.24).
 #[test]
@@ -462,12 +479,12 @@ fn steps_become_a_history() {
     let text = format!("{begin}{}{} 0\n", step("52359.878", "0.001"), step("60000.", "0.002"));
     let case = one(&text);
     assert_eq!(case.numbers, [1, 2, 3]);
-    // 0.25 mm at 30 m/s.
-    let time = "time = [\"0 ms\", \"0.008333333333333 ms\", \"0.01666666666667 ms\", \"0.025 ms\"]";
+    // 0.25 mm at 30 m/s; a step has one creepage throughout.
     let lines = [
-        time,
-        "creepage_x = [0.001, 0.001, 0.001, 0.002]",
-        "load = [\"52.359878 kN\", \"52.359878 kN\", \"52.359878 kN\", \"60 kN\"]",
+        "time = [\"0 ms\", \"0.008333333333333 ms\", \"0.01666666666667 ms\", \"0.01666666666667 ms\", \
+         \"0.025 ms\"]",
+        "creepage_x = [0.001, 0.001, 0.001, 0.002, 0.002]",
+        "load = [\"52.359878 kN\", \"52.359878 kN\", \"52.359878 kN\", \"52.359878 kN\", \"60 kN\"]",
     ];
     has(&case.text, &lines);
     assert!(!case.text.contains("shift") && case.text.starts_with("# Cases 1 to 3 of ball.inp"));
@@ -491,8 +508,15 @@ fn steps_become_a_history() {
     ];
     has(&import.cases[0].text, &lines);
     let steady = with(BALL, &[(" 0 MODULE\n", "")]);
-    let found = errors(&format!("{steady}{} 0\n", step("52359.878", "0.001")));
-    assert!(found[0].contains("T = 3: a step that goes on from steady rolling"), "{found:?}");
+    let import = crate::support::import(&format!("{steady}{} 0\n", step("60000.", "0.001")));
+    assert!(import.errors.is_empty(), "{:?}", import.errors);
+    assert_eq!([0, 1].map(|k| import.cases[k].numbers.clone()), [[1], [2]]);
+    let lines = [
+        "start = \"steady\"",
+        "time = [\"0 ms\", \"0.008333333333333 ms\"]",
+        "load = [\"52.359878 kN\", \"60 kN\"]",
+    ];
+    has(&import.cases[1].text, &lines);
 }
 
 /// What a change of the ball's input must be refused for, and in which line.
@@ -520,9 +544,19 @@ fn digits_that_are_not_available_are_named() {
         (
             &[("203100", "253000"), (" 52359.878", " 0.1")],
             5,
-            "B = 5: the approximate contact of Kik",
+            "B = 5: approximate contacts (KPEC, ANALYN) need",
         ),
-        (&[("022020", "022120"), (gg, "GG 1,2\n 1 1 1 1\n")], 6, "M = 1: viscoelastic bodies"),
+        (
+            &[("203100", "202100"), ("022020", "022120"), (gg, "GG 1,2\n 1 1 1 1\n")],
+            6,
+            "M = 1: viscoelastic bodies",
+        ),
+        (
+            &[("203100", "223100"), ("022020", "022120"), (gg, "GG 1,2\n 1 1 1 1\n")],
+            5,
+            "B = 2: a given pressure of viscoelastic bodies",
+        ),
+        (&[("022020", "022120"), (gg, "GG 1,2\n 1 -1 1 1\n")], 13, "FG2 = -1: must not be neg"),
         (&[("022020", "022220"), (gg, "GG 1,2\n 1e-5 1 1 0\n")], 6, "M = 2: FASTSIM with a flexib"),
         (&[("022020", "022520"), (gg, "GG 1,2\n 1 1 0\n")], 6, "M = 5: FaStrip is not available"),
         (
@@ -626,12 +660,12 @@ fn everything_is_told_once() {
         BALL,
         &[
             ("203100", "213100"),
-            ("022020", "022120"),
-            (gg, "GG 1,2\n 1e-4\n 1 1 1 1\n"),
+            ("022020", "022520"),
+            (gg, "GG 1,2\n 1e-4\n 1 1 0\n"),
             (" 0 MODULE\n", ""),
         ],
     );
-    let second = " 3\n 203100\n 100100\n 0100111\n 52359.878 0.002 0 0\n 0\n";
+    let second = " 3\n 203100\n 100500\n 0100111\n 52359.878 0.002 0 0\n 0\n";
     let found = errors(&(several + second));
     assert_eq!(found.len(), 3, "{found:#?}");
 }

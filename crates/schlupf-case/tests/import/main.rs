@@ -6,3 +6,4 @@ mod elements;
 mod layers;
 mod placing;
 mod results;
+mod wheels;

@@ -4,22 +4,11 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::support::{BALL, one, posed, with};
+use crate::support::{BALL, one, posed, rows, with};
 use schlupf::solver::march;
 use schlupf::wheel_rail::WheelSolution;
 use schlupf_case::import::contact::{self, Options};
 use schlupf_case::{CaseFile, Folder, Overrides, Rolling, Source};
-
-fn data(name: &str) -> String {
-    std::fs::read_to_string(format!("{}/../../data/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
-}
-
-/// Rows of a table: names of columns and their values.
-fn rows(name: &str) -> Vec<Vec<String>> {
-    let text = data(name);
-    let lines = text.lines().filter(|line| !line.starts_with('#')).skip(1);
-    lines.map(|line| line.split(',').map(str::to_owned).collect()).collect()
-}
 
 /// CONTACT (rev. 2707), steady rolling of Hertz contacts with Coulomb friction: an input with the
 /// creepages of a row has its forces and its moment, within 0.3 % of μN and μN√(ab) on 40 cells and
@@ -228,7 +217,7 @@ fn forces_of_the_manchester_benchmark() {
 }
 
 /// Friction over the inclination of the rail (V = 1) and along the track (V = 2), the latter at the
-/// place S of the wheelset; approximate contacts (B = 5) with FASTSIM (M = 3).
+/// place S of the wheelset; approximate contacts (B = 5, 6) with FASTSIM (M = 3).
 #[test]
 fn friction_and_methods_of_module_1() {
     let row = &rows("manchester_a22.csv")[2];
@@ -256,6 +245,9 @@ fn friction_and_methods_of_module_1() {
         &["method = \"ellipse-corrected\"", "method = \"fastsim\""],
     );
     assert!(import.notices.iter().any(|notice| notice.code == "other-shares"));
+    let analyn = imported(plain.replace("2031", "2631"));
+    assert!(analyn.errors.is_empty(), "{:#?}", analyn.errors);
+    crate::support::has(&analyn.cases[0].text, &["method = \"analyn\""]);
 }
 
 /// Contacts on a curved surface (D = 4), with bent half-spaces (C3 = 4), which are ours, or not.
@@ -336,8 +328,21 @@ fn steps_of_module_1() {
         let import = imported(text("2011", "1001100", &format!("{forward} 0 0 0 0 0")));
         crate::support::has(&import.cases[0].text, &[&format!("time = [{times}]")]);
     }
-    let steady = imported(text("2031", "1002100", "2000. 0 0 0 0 -4.4")).errors;
-    assert!(steady[0].to_string().contains("goes on from steady rolling"), "{steady:?}");
+    // From steady rolling; a shift goes on at its speed.
+    for (digits, motion, time) in
+        [("1002100", "2000. 0 0 0 0 -4.4", "0.0001"), ("1001100", "0.2 0 0 0 0 -0.00044", "0.0001")]
+    {
+        let import = imported(text("2031", digits, motion));
+        assert!(import.errors.is_empty(), "{:#?}", import.errors);
+        let lines = [
+            "start = \"steady\"",
+            &format!("time = [\"0 s\", \"{time} s\"]"),
+            "load = [\"10 kN\", \"12 kN\"]",
+            "angular_velocity = [\"4.3 rad/s\", \"4.4 rad/s\"]",
+            "speed = \"2 m/s\"",
+        ];
+        crate::support::has(&import.cases[1].text, &lines);
+    }
 }
 
 /// CONTACT (rev. 2707), T = 2 from a contact without tractions: forty steps over 12 mm with a

@@ -51,6 +51,15 @@ impl Form {
         matches!(self, Self::File(_)) || matches!(self.of_case(), Some(fields::Kind::Path))
     }
 
+    /// The columns that a file may have, if it is a table.
+    pub fn columns(self) -> Vec<TableColumn> {
+        match self {
+            Self::File(columns) => columns.to_vec(),
+            Self::OfCase(path) => path.field().columns.concat(),
+            _ => Vec::new(),
+        }
+    }
+
     /// Whether it begins with a number that may have a sign, if a wrong one.
     pub fn is_signed(self) -> bool {
         matches!(self, Self::Range(_)) || !self.unit().is_empty()

@@ -10,7 +10,8 @@ use schlupf::reporting::quoted;
 use schlupf_case::document::without_quotes;
 use schlupf_case::fields::Kind;
 use schlupf_case::{
-    CaseError, FieldNames, FieldPath, Files, GivenByOption, RoughnessRequest, field, pressures,
+    CaseError, FieldNames, FieldPath, Files, GivenByOption, InputFile, RoughnessRequest, field,
+    pressures,
 };
 
 use super::Request;
@@ -117,9 +118,13 @@ impl Request {
 
     /// The files that it names, by its fields: paths need not be text.
     fn files(&self) -> BTreeMap<String, PathBuf> {
-        let files = [("surface", &self.surface), ("second", &self.second)];
-        let named = files.into_iter().filter_map(|(name, file)| Some((name, file.as_ref()?)));
-        named.map(|(name, file)| (name.to_owned(), file.path())).collect()
+        let named =
+            ["surface", "second"].map(|name| Some((name.to_owned(), self.file(name)?.path())));
+        named.into_iter().flatten().collect()
+    }
+
+    fn file(&self, name: &str) -> Option<&InputFile> {
+        if name == "surface" { self.surface.as_ref() } else { self.second.as_ref() }
     }
 
     /// The fields of the case that it gives; pressures, too, where there is no case that has them.
@@ -133,7 +138,10 @@ impl Request {
             let value = match Form::OfCase(path).of_case() {
                 Some(Kind::Flag) => "true".to_owned(),
                 // Paths need not be text: see `files`.
-                Some(Kind::Path) => format!("{name:?}"),
+                Some(Kind::Path) => {
+                    let data = self.file(name).filter(|file| file.data().is_some());
+                    data.map_or(name, InputFile::name).to_owned()
+                }
                 Some(Kind::Text | Kind::Quantity(_)) => format!("{:?}", without_quotes(&text)),
                 Some(Kind::Quantities(_)) => array(pressures(&option, &text)?),
                 _ => text.clone(),

@@ -4,6 +4,7 @@ use crate::states::{CONTACTS, FAILED, NO_CONTACT};
 use schlupf::reporting::{Column as ResultColumn, Message, Record, Value};
 use schlupf::wheel_rail::{Contact, WheelSolution};
 use schlupf::{Quantity, Solution};
+use schlupf_case::DataUrl;
 
 use crate::study::design::{Design, Entry, Values};
 use crate::study::table::{Cells, Column, Kind, Rows};
@@ -162,7 +163,7 @@ pub(crate) fn push(rows: &mut Rows, row: &Row) {
     for entry in *entries {
         put(match entry {
             Entry::Number(number) => Put::Number(*number),
-            Entry::Text(text) => Put::Text(text.clone()),
+            Entry::Text(text) => Put::Text(DataUrl::label(text).to_owned()),
         });
     }
     put(Put::Text(outcome.status().to_owned()));

@@ -9,8 +9,8 @@ use schlupf::Method;
 use schlupf_case::document::{Content, Value};
 use schlupf_case::fields::{self, Field, Kind};
 use schlupf_case::{
-    CaseError, CaseErrors, CaseFile, FieldPath, Folder, LARGEST_CASE, Overrides, Place, Setting,
-    Source, field, read_up_to,
+    CaseError, CaseErrors, CaseFile, FieldPath, Folder, InputFile, Overrides, Place, Setting,
+    Source, field, read_case,
 };
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -64,7 +64,7 @@ impl Study {
     /// # Errors
     /// A file that cannot be read, or in which something is wrong.
     pub fn from_path(path: &Path) -> Result<Self, StudyError> {
-        let bytes = File::open(path).and_then(|file| read_up_to(LARGEST_CASE, file));
+        let bytes = File::open(path).and_then(read_case);
         let bytes = bytes.map_err(|cause| StudyError::file(path, cause))?;
         let name = path.display().to_string();
         let text = String::from_utf8(bytes).map_err(|_| {
@@ -72,16 +72,22 @@ impl Study {
             CaseError::new("", "the study must be text in UTF-8, but is not", place)
         })?;
         let folder = path.parent().unwrap_or(Path::new(""));
-        let mut study = Self::from_str(&text, &name, folder)?;
+        let mut study = Self::from_str(&text, &name, folder, None)?;
         study.inputs.insert(0, path.to_owned());
         Ok(study)
     }
 
-    /// Reads the text of a study; `name` is what messages call it.
+    /// Reads the text of a study; `name` is what messages call it, `case` stands in place of the
+    /// one that it names.
     ///
     /// # Errors
     /// What is wrong in it, or in a file that it names.
-    pub fn from_str(text: &str, name: &str, folder: &Path) -> Result<Self, StudyError> {
+    pub fn from_str(
+        text: &str,
+        name: &str,
+        folder: &Path,
+        case: Option<&CaseFile>,
+    ) -> Result<Self, StudyError> {
         let source = Arc::new(Source { name: name.to_owned(), text: text.to_owned() });
         let table = DeTable::parse(&source.text).map_err(|error| {
             let span = error.span().unwrap_or(0..0);
@@ -89,7 +95,7 @@ impl Study {
             let message = error.message().trim().replace('\n', "; ");
             CaseError::new("", format!("not TOML: {message}"), place)
         })?;
-        let reader = StudyReader { source: &source, folder };
+        let reader = StudyReader { source: &source, folder, case };
         reader.study(table.get_ref())
     }
 
@@ -115,13 +121,7 @@ impl Study {
 
     /// Whether any of its states may be of a wheel with profiles.
     pub(crate) fn has_wheel(&self) -> bool {
-        let varied = self.design.varied().iter();
-        let mut models = varied.filter(|varied| varied.field.path == NORMAL_MODEL);
-        self.case.value(NORMAL_MODEL) == Some(Setting::Choice(WHEEL_RAIL))
-            || models.any(|varied| match &varied.values {
-                Values::Texts(names) => names.iter().any(|name| name == WHEEL_RAIL),
-                Values::Numbers(_) => false,
-            })
+        self.design.has_wheel(&self.case)
     }
 
     /// Files that were read for it, or that its case names.
@@ -147,6 +147,7 @@ impl Study {
 struct StudyReader<'a> {
     source: &'a Arc<Source>,
     folder: &'a Path,
+    case: Option<&'a CaseFile>,
 }
 
 type Key<'a> = Spanned<std::borrow::Cow<'a, str>>;
@@ -186,8 +187,7 @@ impl StudyReader<'_> {
         }
         let fields = fields.map(|value| self.fields(value)).transpose()?;
         // Paths are as the case has them, wherever it lies.
-        let folder = path.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
-        let text = case.edited(&[], folder)?;
+        let text = case.edited(&[], &case.folder())?;
         let digest = digest(&text, &design, (batch, fields.as_deref()), &inputs)?;
         let name = self.source.name.clone();
         Ok(Study { case, design, rows, batch, fields, name, text, digest, inputs })
@@ -213,7 +213,8 @@ impl StudyReader<'_> {
             }
             _ => {
                 let file = self.states(section, &value.span())?;
-                Ok((read_states(&file)?, vec![file]))
+                let path = file.data().is_none().then(|| file.path());
+                Ok((read_states(&file)?, path.into_iter().collect()))
             }
         }
     }
@@ -257,7 +258,7 @@ impl StudyReader<'_> {
             return Err(self.error(&value.span(), format!("{path} must have values, but has none")));
         }
         let values = self.values(field, &entries)?;
-        if let Some(twice) = repeated(&values) {
+        if let Some(twice) = values.repeated() {
             let span = &entries[twice].span;
             let shown = entries[twice].content.shown();
             let message = format!("the values of {path} must differ, but {shown} is repeated");
@@ -460,7 +461,7 @@ impl StudyReader<'_> {
         &self,
         section: &Table<'_>,
         span: &std::ops::Range<usize>,
-    ) -> Result<PathBuf, CaseError> {
+    ) -> Result<InputFile, CaseError> {
         for (key, _) in section {
             self.known(key, "states", &["file"])?;
         }
@@ -468,7 +469,7 @@ impl StudyReader<'_> {
         let file = file.ok_or_else(|| {
             self.error(span, format!("states.file must be the path of a {ENDINGS} file"))
         })?;
-        Ok(self.folder.join(file))
+        Ok(InputFile::new(file, Folder::new(self.folder)))
     }
 
     /// The case with its path, if it is a file.
@@ -482,23 +483,25 @@ impl StudyReader<'_> {
         let assignments: Vec<String> =
             given.map(|(varied, entry)| assignment(varied.field, entry)).collect();
         let of_row = Overrides { option: FIRST_ROW, assignments: &assignments };
-        let Some(value) = table.get("case") else {
-            let read = |overrides| {
+        let path = table.get("case").filter(|_| self.case.is_none()).map(|value| {
+            let path = value.get_ref().as_str();
+            let message = "case must be the path of a case file";
+            path.map(|path| self.folder.join(path))
+                .ok_or_else(|| self.error(&value.span(), message))
+        });
+        let path = path.transpose()?;
+        let read = |overrides: Overrides<'_>| match (&path, self.case) {
+            (Some(path), _) => CaseFile::from_path(path, overrides),
+            (None, Some(case)) => case.with(overrides.option, overrides.assignments),
+            (None, None) => {
                 let text = CaseFile::default_text();
                 CaseFile::from_str(&text, "default case", Folder::new(""), overrides)
-            };
-            return Ok((read(Overrides::NONE).or_else(|_| read(of_row))?, None));
+            }
         };
-        let path = value
-            .get_ref()
-            .as_str()
-            .ok_or_else(|| self.error(&value.span(), "case must be the path of a case file"))?;
-        let path = self.folder.join(path);
-        let read = |overrides| CaseFile::from_path(&path, overrides);
         // Where it is no case without what varies, it is one with it.
         let case =
             read(Overrides::NONE).or_else(|errors: CaseErrors| read(of_row).map_err(|_| errors))?;
-        Ok((case, Some(path)))
+        Ok((case, path))
     }
 
     fn section<'t>(
@@ -564,10 +567,6 @@ impl StudyReader<'_> {
     }
 }
 
-/// The field with the source of the pressure, and its name for two profiles.
-const NORMAL_MODEL: FieldPath = field!("normal.model");
-const WHEEL_RAIL: &str = "wheel-rail";
-
 /// The field with the method.
 const METHOD: FieldPath = field!("solver.method");
 
@@ -583,11 +582,6 @@ fn in_order<'t, 'i>(table: &'t Table<'i>) -> Vec<(&'t Key<'i>, &'t Spanned<DeVal
 
 fn joined(parent: &str, name: &str) -> String {
     if parent.is_empty() { name.to_owned() } else { format!("{parent}.{name}") }
-}
-
-/// The place of a value that stands before it, too.
-fn repeated(values: &Values) -> Option<usize> {
-    (1..values.len()).find(|k| (0..*k).any(|other| values.entry(other) == values.entry(*k)))
 }
 
 /// Whether all rows are solved by a fast method.

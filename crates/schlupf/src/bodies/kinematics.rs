@@ -72,9 +72,14 @@ impl Kinematics {
         }
     }
 
+    /// ξ, η (dimensionless) and φ, in 1/m.
+    pub fn creepages(&self) -> [f64; 3] {
+        [self.creepage_x, self.creepage_y, self.spin]
+    }
+
     /// Whether there is neither creepage nor spin.
     pub fn is_pure_rolling(&self) -> bool {
-        [self.creepage_x, self.creepage_y, self.spin] == [0.0; 3]
+        self.creepages() == [0.0; 3]
     }
 
     /// Circumferential speed of the wheel ω R = (cos α − ξ) v0, in m/s.

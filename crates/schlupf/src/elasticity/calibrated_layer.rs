@@ -125,6 +125,10 @@ impl Elasticity for CalibratedLayer {
         Ok(Box::new(layer.growing(SIZE_EXPONENT)))
     }
 
+    fn is_scale_free(&self) -> bool {
+        self.margin.is_none()
+    }
+
     fn assumes_ellipse(&self) -> bool {
         true
     }

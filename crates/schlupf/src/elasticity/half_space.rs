@@ -11,7 +11,7 @@ use super::ellipsoidal_traction::EllipsoidalTraction;
 use super::{Compliance, Elasticity, PressureCoupling, UnlikeBodies};
 use crate::bodies::{Material, shear_modulus_and_poisson_ratio};
 use crate::normal::{Grid, VectorField};
-use crate::numerics::fourier::smooth_from;
+use crate::numerics::fourier::{smooth_from, wrapped};
 use crate::numerics::love;
 use crate::reporting::{Error, Quantity, Warning, require_positive};
 
@@ -89,7 +89,7 @@ impl HalfSpace {
     }
 
     /// K, if the bodies are unlike.
-    fn unlike(&self) -> Option<f64> {
+    pub(super) fn unlike(&self) -> Option<f64> {
         (self.dissimilarity.abs() > NOTICEABLE).then_some(self.dissimilarity)
     }
 
@@ -128,14 +128,10 @@ impl HalfSpace {
 
     /// Integrals of A_xx, A_yy and A_xy from the origin to a corner (x, y), in m³/N.
     fn corner(&self, [x, y]: [f64; 2]) -> [f64; 3] {
-        let [along, across] = love::corner([x, y]);
         let nu = self.poisson_ratio;
         let over = (PI * self.shear_modulus).recip();
-        [
-            over * ((1.0 - nu) * along + across),
-            over * (along + (1.0 - nu) * across),
-            -over * nu * (x * x + y * y).sqrt(),
-        ]
+        let [xx, yy] = love::tangential(nu, love::corner([x, y]));
+        [over * xx, over * yy, -over * nu * (x * x + y * y).sqrt()]
     }
 }
 
@@ -159,14 +155,7 @@ impl Influences {
         let mut quadrant = Vec::with_capacity(columns * rows);
         for j in 0..rows as isize {
             for i in 0..columns as isize {
-                let here = plain.at(i, j);
-                let beside = |j: isize| if grid.rows > 1 { plain.at(i, j) } else { here };
-                let neighbours =
-                    [plain.at(i + 1, j), plain.at(i - 1, j), beside(j + 1), beside(j - 1)];
-                quadrant.push(std::array::from_fn(|c| {
-                    let around: f64 = neighbours.iter().map(|neighbour| neighbour[c]).sum();
-                    here[c] + (4.0 * here[c] - around) / 12.0
-                }));
+                quadrant.push(without_mean(|i, j| plain.at(i, j), grid, [i, j]));
             }
         }
         Self { quadrant, columns }
@@ -195,11 +184,31 @@ impl Influences {
     }
 }
 
+/// The influence at a distance in columns and rows with the averaging over the cell removed to
+/// second order, from that `at` distances.
+pub(super) fn without_mean(
+    at: impl Fn(isize, isize) -> [f64; 3],
+    grid: &Grid,
+    [i, j]: [isize; 2],
+) -> [f64; 3] {
+    let here = at(i, j);
+    let beside = |j: isize| if grid.rows > 1 { at(i, j) } else { here };
+    let neighbours = [at(i + 1, j), at(i - 1, j), beside(j + 1), beside(j - 1)];
+    std::array::from_fn(|c| {
+        let around: f64 = neighbours.iter().map(|neighbour| neighbour[c]).sum();
+        here[c] + (4.0 * here[c] - around) / 12.0
+    })
+}
+
 impl Elasticity for HalfSpace {
     fn compliance(&self, grid: &Grid) -> Result<Box<dyn Compliance>, Error> {
         let influences = Influences::new(self, grid);
         let convolution = Convolution::new(grid, |i, j| influences.at(i, j));
         Ok(Box::new(HalfSpaceCompliance { convolution, is_plane: self.curvature == 0.0 }))
+    }
+
+    fn is_scale_free(&self) -> bool {
+        self.curvature == 0.0
     }
 
     fn under_ellipsoid(&self, semi_axes: [f64; 2]) -> Option<EllipsoidalTraction> {
@@ -343,15 +352,11 @@ impl Convolution {
     /// three transforms are real, two fit into one complex field, and a quarter of them is enough.
     fn set_influence(&mut self, influence: &dyn Fn(isize, isize) -> [f64; 3]) {
         let [nx, ny] = self.size;
-        let distance = |k: usize, count: usize| {
-            let k = k as isize;
-            if 2 * k < count as isize { k } else { k - count as isize }
-        };
         let mut axial = vec![ZERO; nx * ny];
         let mut cross = vec![ZERO; nx * ny];
         for j in 0..ny {
             for i in 0..nx {
-                let [xx, yy, xy] = influence(distance(i, nx), distance(j, ny));
+                let [xx, yy, xy] = influence(wrapped(i, nx), wrapped(j, ny));
                 axial[j * nx + i] = Complex::new(0.5 * (xx + yy), 0.5 * (xx - yy));
                 // Half way around, an odd function meets itself with the opposite sign.
                 let is_half_way = 2 * i == nx || 2 * j == ny;

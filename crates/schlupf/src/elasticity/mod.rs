@@ -5,6 +5,7 @@ pub mod elastic_layer;
 mod ellipsoidal_traction;
 mod pressure_coupling;
 mod half_space;
+mod viscoelastic;
 mod calibrated_layer;
 mod rigid;
 mod winkler;
@@ -17,6 +18,7 @@ pub use calibrated_layer::{
 };
 pub use ellipsoidal_traction::EllipsoidalTraction;
 pub use rigid::Rigid;
+pub use viscoelastic::{StandardLinearSolid, ViscoelasticHalfSpace};
 pub use winkler::Winkler;
 
 use std::fmt::Debug;
@@ -98,6 +100,17 @@ pub trait Elasticity: Debug + Send + Sync {
         None
     }
 
+    /// The bodies, if they are viscoelastic and their speed is that of a problem.
+    fn viscoelastic(&self) -> Option<&ViscoelasticHalfSpace> {
+        None
+    }
+
+    /// Whether displacements under a traction grow with the size of the grid, all lengths growing
+    /// alike: bodies without a length of their own.
+    fn is_scale_free(&self) -> bool {
+        false
+    }
+
     /// Whether its stiffnesses are those for an elliptic patch.
     fn assumes_ellipse(&self) -> bool {
         false
@@ -114,7 +127,8 @@ pub trait Elasticity: Debug + Send + Sync {
     }
 }
 
-/// Displacement from traction on the cells of one grid; symmetric and positive semidefinite.
+/// Displacement from traction on the cells of one grid; positive semidefinite, and symmetric where
+/// the bodies are elastic.
 pub trait Compliance: Debug + Send + Sync {
     /// Displacement difference u, wheel minus rail (in m), of every cell of the grid under the
     /// traction t on the wheel (in Pa).

@@ -114,9 +114,8 @@ impl PressureCoupling {
         if self.curvature != 0.0 {
             let nu = self.poisson_ratio;
             let plane = love::cells([grid.spacing_x, grid.spacing_y], reach, |[x, y]| {
-                let [along, across] = love::corner([x, y]);
-                [(1.0 - nu) * along + across, along + (1.0 - nu) * across, -nu * x.hypot(y)]
-                    .map(|part| over * part)
+                let [xx, yy] = love::tangential(nu, love::corner([x, y]));
+                [xx, yy, -nu * x.hypot(y)].map(|part| over * part)
             });
             for (k, (both, [xx, yy, xy])) in quadrant.iter_mut().zip(plane).enumerate() {
                 let turn = self.curvature * (k / reach[0]) as f64 * grid.spacing_y;

@@ -22,6 +22,10 @@ impl Elasticity for Rigid {
     fn compliance(&self, _grid: &Grid) -> Result<Box<dyn Compliance>, Error> {
         Ok(Box::new(Self))
     }
+
+    fn is_scale_free(&self) -> bool {
+        true
+    }
 }
 
 impl Compliance for Rigid {

@@ -46,6 +46,10 @@ impl PressureSource for AtLoad {
         self.source.undeformed_distance(x, y)
     }
 
+    fn distance_bounds(&self) -> [[f64; 2]; 2] {
+        self.source.distance_bounds()
+    }
+
     fn cells(&self) -> usize {
         self.source.cells()
     }

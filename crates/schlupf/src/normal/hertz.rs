@@ -192,11 +192,24 @@ fn axis_ratio(curvature_ratio: f64) -> f64 {
 /// ellipse, dimensionless, for the ratio A/B of curvature sums; from the largest ratio on those of
 /// a line.
 pub(crate) fn approach_shares(curvature_ratio: f64) -> [f64; 2] {
+    shares_and_integral(curvature_ratio).0
+}
+
+/// These shares, and p0/(a A E*), dimensionless: the largest pressure over what it is in proportion
+/// to, whatever the load.
+pub(crate) fn shares_and_pressure(curvature_ratio: f64) -> ([f64; 2], f64) {
+    let (shares, integral) = shares_and_integral(curvature_ratio);
+    (shares, 1.0 / (shares[0] * integral))
+}
+
+/// The shares and R_F(0, a²/b², 1), with δ = p0 a/E* R_F.
+fn shares_and_integral(curvature_ratio: f64) -> ([f64; 2], f64) {
     let range = [1.0 / LARGEST_CURVATURE_RATIO, LARGEST_CURVATURE_RATIO];
     let curvature_ratio = curvature_ratio.clamp(range[0], range[1]);
     let square = axis_ratio(curvature_ratio).powi(2);
-    let under = 3.0 * carlson_f(square, 1.0);
-    [square * carlson_d(1.0, square) / under, carlson_d(square, 1.0) / under]
+    let integral = carlson_f(square, 1.0);
+    let under = 3.0 * integral;
+    ([square * carlson_d(1.0, square) / under, carlson_d(square, 1.0) / under], integral)
 }
 
 /// ∫₀¹ √((1 − t²)/(t² + η²)) dt, dimensionless: what a row of a semi-elliptic pressure does at a

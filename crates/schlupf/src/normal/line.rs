@@ -98,6 +98,11 @@ impl PressureSource for Line {
         Ok(NormalContact { summary, pressure: Pressure::Line, rows: None })
     }
 
+    fn undeformed_distance(&self, x: &[f64], y: &[f64]) -> Option<Vec<f64>> {
+        let along: Vec<f64> = x.iter().map(|x| 0.5 * self.curvature * x * x).collect();
+        Some(along.repeat(y.len()))
+    }
+
     // Its length is given, and only its width grows.
     fn load_exponent(&self) -> Option<f64> {
         None

@@ -12,7 +12,7 @@ pub mod profile;
 mod opened;
 
 pub use hertz::{Hertz, Radii};
-pub(crate) use hertz::{approach_shares, row_potential};
+pub(crate) use hertz::{approach_shares, row_potential, shares_and_pressure};
 
 pub use at_load::AtLoad;
 pub use ellipse::Ellipse;
@@ -88,6 +88,11 @@ pub trait PressureSource: Debug + Send + Sync {
         None
     }
 
+    /// The rectangle on which it is known, x and y in m in the contact frame.
+    fn distance_bounds(&self) -> [[f64; 2]; 2] {
+        [[f64::NEG_INFINITY, f64::INFINITY]; 2]
+    }
+
     /// Cells across the contact in each direction on which that change is solved.
     fn cells(&self) -> usize {
         profile::Profile::DEFAULT_CELLS
@@ -154,6 +159,22 @@ impl NormalSummary {
     /// Semi-axes along and across rolling, in m.
     pub fn semi_axes(&self) -> [f64; 2] {
         [self.semi_axis_x, self.semi_axis_y]
+    }
+
+    /// That of the same bodies under another load (in N), with lengths that grow with a power of
+    /// the load.
+    pub(crate) fn under(&self, load: f64, exponent: f64) -> Self {
+        let part = load / self.load;
+        let growth = part.powf(exponent);
+        Self {
+            load,
+            semi_axis_x: growth * self.semi_axis_x,
+            semi_axis_y: growth * self.semi_axis_y,
+            peak_pressure: part / (growth * growth) * self.peak_pressure,
+            // N ∝ d^(3/2) where a ∝ N^(1/3).
+            approach: self.approach.map(|approach| growth * growth * approach),
+            ..*self
+        }
     }
 }
 

@@ -67,6 +67,50 @@ pub(crate) fn catmull_rom(t: f64) -> [f64; 4] {
     [-0.5 * out, from - 0.5 * into, to + 0.5 * out, 0.5 * into]
 }
 
+/// Derivatives of these weights with respect to t.
+pub(crate) fn catmull_rom_slope(t: f64) -> [f64; 4] {
+    let [from, to, out, into] = hermite_slope(t);
+    [-0.5 * out, from - 0.5 * into, to + 0.5 * out, 0.5 * into]
+}
+
+/// Functions of one number, from their values at equal steps, by cubics with continuous slopes;
+/// constant beyond the ends.
+#[derive(Debug, Clone)]
+pub(crate) struct Cubics<const N: usize> {
+    start: f64,
+    step: f64,
+    at: Vec<[f64; N]>,
+}
+
+impl<const N: usize> Cubics<N> {
+    /// Between two ends (in the unit of the number), in at least three steps.
+    pub fn new<E>(
+        [start, end]: [f64; 2],
+        steps: usize,
+        values: impl Fn(f64) -> Result<[f64; N], E>,
+    ) -> Result<Self, E> {
+        let step = (end - start) / steps as f64;
+        let at = (0..=steps).map(|k| values(start + step * k as f64)).collect::<Result<_, E>>()?;
+        Ok(Self { start, step, at })
+    }
+
+    /// Values (in the unit of the function) and slopes, in that over the unit of the number.
+    pub fn at(&self, position: f64) -> [[f64; 2]; N] {
+        let last = (self.at.len() - 1) as f64;
+        let place = (position - self.start) / self.step;
+        let inside = place.clamp(0.0, last);
+        let first = inside.floor().clamp(1.0, last - 2.0);
+        let t = inside - first;
+        let part = if inside == place { self.step.recip() } else { 0.0 };
+        let (weights, slopes) = (catmull_rom(t), catmull_rom_slope(t).map(|slope| part * slope));
+        let points = &self.at[first as usize - 1..][..4];
+        std::array::from_fn(|k| {
+            [weights, slopes]
+                .map(|all| points.iter().zip(all).map(|(point, weight)| weight * point[k]).sum())
+        })
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use approx::assert_relative_eq;

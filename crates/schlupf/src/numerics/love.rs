@@ -11,6 +11,11 @@ pub(crate) fn corner([x, y]: [f64; 2]) -> [f64; 2] {
     [times_asinh(x, y), times_asinh(y, x)]
 }
 
+/// π G A_xx and π G A_yy of half-spaces from the two integrals for y²/r³ and x²/r³, in their unit.
+pub(crate) fn tangential(poisson_ratio: f64, [along, across]: [f64; 2]) -> [f64; 2] {
+    [(1.0 - poisson_ratio) * along + across, along + (1.0 - poisson_ratio) * across]
+}
+
 /// ½ (A_yy − A_nn) and ½ (A_yy + A_nn) of half-spaces, in their unit, from A_xx and A_yy: A_nn = (1
 /// − ν)/(2 − ν) (A_xx + A_yy).
 pub(crate) fn halves(poisson_ratio: f64, [xx, yy]: [f64; 2]) -> [f64; 2] {

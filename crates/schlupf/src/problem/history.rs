@@ -12,8 +12,8 @@ use crate::reporting::{Error, ForceError, Place, Quantity, Requirement, require_
 ///
 /// Where a time is that of the row before it, the bodies do not roll from one row to the next: in
 /// one step everything changes at rest, and the wheel is shifted over the rail. A history with
-/// shifts begins with one, from bodies apart. What follows a shift begins at the end of the time
-/// step that reaches it.
+/// shifts begins with one, from bodies apart, unless it starts rolling. What follows a shift begins
+/// at the end of the time step that reaches it.
 ///
 /// ```
 /// use schlupf::problem::History;
@@ -28,6 +28,8 @@ use crate::reporting::{Error, ForceError, Place, Quantity, Requirement, require_
 pub struct History {
     /// Times, ascending, in s; empty if nothing changes.
     pub time: Vec<f64>,
+    /// Whether the first row is a state of steady rolling, not one without tangential tractions.
+    pub starts_rolling: bool,
     /// Shift of the wheel over the rail along rolling, on the way to each row, in m.
     pub shift_x: Option<Vec<f64>>,
     /// The same across rolling, in m.
@@ -68,8 +70,10 @@ impl History {
     /// Checks the tables, and that the wheel rolls at every time.
     pub fn check(&self, otherwise: &Kinematics) -> Result<(), Error> {
         let count = self.time.len();
-        let fewest = if self.has_shifts() { 1 } else { 2 };
-        let is_over_time = count > 0 || self.tables().iter().any(|(_, table)| table.is_some());
+        let fewest = if self.has_shifts() || self.starts_rolling { 1 } else { 2 };
+        let is_over_time = count > 0
+            || self.starts_rolling
+            || self.tables().iter().any(|(_, table)| table.is_some());
         if count < fewest && is_over_time {
             return Err(Error::TooFew { quantity: Quantity::Time, fewest, count });
         }
@@ -135,7 +139,7 @@ impl History {
     fn is_at_rest(&self, row: usize) -> bool {
         match row.checked_sub(1) {
             Some(before) => self.time[row] == self.time[before],
-            None => self.has_shifts(),
+            None => self.has_shifts() && !self.starts_rolling,
         }
     }
 
@@ -165,10 +169,11 @@ impl History {
     }
 
     /// Some rows, without shifts.
-    fn rows(&self, rows: Range<usize>) -> Self {
+    pub(crate) fn rows(&self, rows: Range<usize>) -> Self {
         let of = |table: &Option<Vec<f64>>| table.as_ref().map(|all| all[rows.clone()].to_vec());
         Self {
             time: self.time[rows.clone()].to_vec(),
+            starts_rolling: self.starts_rolling && rows.start == 0,
             shift_x: None,
             shift_y: None,
             turn: None,

@@ -189,6 +189,11 @@ fn is_zero(way: &f64) -> bool {
 }
 
 impl State {
+    /// Cells without previous tangential load.
+    pub(crate) fn without_tractions(grid: Grid) -> Self {
+        Self { grid, time: 0.0, elements: vec![Element::default()], motion: None }
+    }
+
     /// A patch without previous tangential load.
     pub fn at_rest(patch: &Patch) -> Self {
         let element = |cell: &Cell| Element { index: cell.index, ..Element::default() };

@@ -26,6 +26,9 @@ impl Transient {
     /// Performs all checks possible before the patch is known.
     pub fn check(&self) -> Result<(), Error> {
         self.problem.check()?;
+        if self.problem.interface.elasticity.viscoelastic().is_some() {
+            return Err(Error::ViscoelasticUnsteady {});
+        }
         self.history.check_forces(&self.problem.prescribed)?;
         self.history.check(&self.problem.kinematics)
     }

@@ -136,7 +136,7 @@ impl Resultant {
 
     /// |F|, in the unit of the forces.
     pub fn tangential(&self) -> f64 {
-        self.x.hypot(self.y)
+        (self.x * self.x + self.y * self.y).sqrt()
     }
 
     /// Forces and moment, each multiplied by its factor.

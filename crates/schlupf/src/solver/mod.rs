@@ -3,6 +3,7 @@
 pub(crate) mod settings;
 pub(crate) mod equilibrium;
 pub(crate) mod summary;
+mod viscoelastic;
 pub(crate) mod reference_point;
 pub mod reference;
 pub mod kalker_coefficients;
@@ -11,10 +12,11 @@ pub(crate) mod prescribed;
 pub(crate) mod unlike_bodies;
 pub(crate) mod rolling;
 
-pub use rolling::MarchingSolver;
 pub(crate) use rolling::marching::march_from;
-pub use rolling::marching::{march, shift};
+pub use rolling::marching::shift;
 pub use rolling::steady::{SteadySolver, solve};
+pub use rolling::{MarchingSolver, march};
+pub use viscoelastic::viscoelastic_rolling;
 
 use crate::bodies::Kinematics;
 use crate::problem::{Method, Options, Problem};
@@ -63,6 +65,8 @@ pub trait Solver: Send + Sync {
         if self.method() != Method::Full {
             return prescribed::find(self, problem, watch);
         }
+        let rolling = self.rolling(problem, watch)?;
+        let problem = rolling.as_ref().unwrap_or(problem);
         let how = (self.options().tolerance, watch);
         unlike_bodies::settled(problem, how, |problem| prescribed::find(self, problem, watch))
     }
@@ -72,6 +76,14 @@ pub trait Solver: Send + Sync {
     /// # Errors
     /// As [`Self::solve`].
     fn solve_given(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error>;
+
+    /// As [`viscoelastic_rolling`]; a solver may keep the last pressure.
+    ///
+    /// # Errors
+    /// As [`viscoelastic_rolling`].
+    fn rolling(&mut self, problem: &Problem, watch: Watch) -> Result<Option<Problem>, Error> {
+        viscoelastic_rolling(problem, watch)
+    }
 
     /// Whether it computes derivatives of the forces.
     fn has_derivatives(&self) -> bool {

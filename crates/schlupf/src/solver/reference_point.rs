@@ -12,7 +12,7 @@ use crate::normal::NormalSummary;
 use crate::problem::{Problem, Transient};
 use crate::reporting::{Error, ForceError, Watch};
 use crate::solution::{Extrapolation, Instant, Resultant, Solution};
-use crate::solver::summary;
+use crate::solver::{summary, viscoelastic};
 
 /// Position of a reference point in the contact frame, x and y in m.
 pub(crate) fn place(reference: ReferencePoint, normal: &NormalSummary) -> Result<[f64; 2], Error> {
@@ -43,6 +43,8 @@ impl AtPatch {
     /// A reference point that the normal contact does not have, a motion that is not rolling at the
     /// centre of the patch, whatever [`Problem::check`] rejects, and [`Error::Stopped`].
     pub fn new(problem: &Problem, watch: Watch) -> Result<Self, Error> {
+        let rolling = viscoelastic::viscoelastic_rolling(problem, watch)?;
+        let problem = rolling.as_ref().unwrap_or(problem);
         problem.check()?;
         if let Some(quantity) = problem.prescribed.first() {
             return Err(ForceError::NotPossible { quantity }.into());

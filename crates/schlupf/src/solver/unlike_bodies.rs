@@ -46,7 +46,7 @@ pub(crate) fn settled(
         let cells = opened.cells();
         let next = opening_under(&solution.fields, &coupling, [&cells.x, &cells.y])?;
         let next = next.sample(&cells.x, &cells.y);
-        let change = change([&opening, &next], &opened);
+        let change = opened.change([&opening, &next]);
         let is_found = change <= tolerance || solution.status != Status::Converged;
         if is_found || iterations == settings::most_pressures() {
             let missed = Unconverged::Pressure { iterations, change, tolerance };
@@ -114,15 +114,4 @@ pub(crate) fn opening_under(
     let x = (0..grid.columns).map(|i| grid.x(i)).collect();
     let y = (0..grid.rows).map(|j| grid.y(j)).collect();
     UndeformedDistance::on_lattice(x, y, opening)
-}
-
-/// Largest difference of two openings where there is pressure, apart from its mean, over the
-/// approach; dimensionless.
-fn change([before, now]: [&[f64]; 2], opened: &Opened) -> f64 {
-    let loaded = opened.pressure().iter().zip(before.iter().zip(now));
-    let loaded = loaded.filter(|(pressure, _)| **pressure > 0.0);
-    let differences: Vec<f64> = loaded.map(|(_, (before, now))| now - before).collect();
-    let mean = differences.iter().sum::<f64>() / differences.len() as f64;
-    let largest = differences.iter().map(|d| (d - mean).abs()).fold(0.0, f64::max);
-    largest / opened.approach()
 }

@@ -73,6 +73,22 @@ impl ContactPlane {
         [0.0, -sin, cos]
     }
 
+    /// A vector in the track with components along, across and normal to the plane, in the unit of
+    /// those.
+    pub fn resolved(&self, [along, across, normal]: [f64; 3]) -> [f64; 3] {
+        let [x, s, n] = [self.along(), self.across(), self.normal()];
+        [0, 1, 2].map(|k| along * x[k] + across * s[k] + normal * n[k])
+    }
+
+    /// The tangent plane at x and s (in m) of a contact on the curved surface.
+    pub fn at(&self, pair: &Pair, [x, s]: [f64; 2]) -> Self {
+        let [along, ..] = self.origin;
+        let point = pair.rail.point(along, self.arcs[0] + s);
+        let Some(point) = point else { return *self };
+        let [y, z] = point.place;
+        Self { origin: [along + x, y, z], inclination: point.inclination(), ..*self }
+    }
+
     /// Position along s of a point of the rail, y and z in m.
     fn position(&self, pair: &Pair, [y, z]: [f64; 2]) -> f64 {
         let [_, s_y, s_z] = self.across();
@@ -80,7 +96,7 @@ impl ContactPlane {
         if !self.is_curved {
             return along;
         }
-        arc_at(pair, [self.origin[0], y], self.arcs[0] + along) - self.arcs[0]
+        pair.rail_arc([self.origin[0], y], self.arcs[0] + along) - self.arcs[0]
     }
 
     /// The inclination of the surface at s (in m) relative to the plane, in rad.
@@ -88,16 +104,6 @@ impl ContactPlane {
         let point = pair.rail.point(self.origin[0], self.arcs[0] + s);
         point.map_or(0.0, |point| point.inclination() - self.inclination)
     }
-}
-
-/// Arc length of the rail at x and y, from a guess; all in m.
-fn arc_at(pair: &Pair, [x, y]: [f64; 2], guess: f64) -> f64 {
-    let mut arc = guess;
-    for _ in 0..STEPS {
-        let Some(point) = pair.rail.point(x, arc) else { break };
-        arc += (y - point.place[0]) / point.tangent[0].max(SLOWEST);
-    }
-    arc
 }
 
 /// The planes of regions that are sorted by y, those of contacts on the curved surface or not.
@@ -171,7 +177,7 @@ fn union(one: &Region, two: &Region) -> Region {
 
 fn plane(pair: &Pair, region: &Region, is_curved: bool) -> ContactPlane {
     let near = region.nearest;
-    let arc = arc_at(pair, [region.x, region.y], near.rail[1]);
+    let arc = pair.rail_arc([region.x, region.y], near.rail[1]);
     let z = pair.rail.point(region.x, arc).map_or(near.rail[0], |point| point.place[1]);
     let mut plane = ContactPlane {
         origin: [region.x, region.y, pair.rail_height(region.x, z)],
@@ -185,8 +191,3 @@ fn plane(pair: &Pair, region: &Region, is_curved: bool) -> ContactPlane {
     plane.guess[1] = region.ends.map(|end| plane.position(pair, end));
     plane
 }
-
-/// Newton steps to a given y on the rail, and the least part of y in the rail's direction with
-/// which they go.
-const STEPS: usize = 6;
-const SLOWEST: f64 = 0.05;

@@ -28,6 +28,19 @@ pub struct Motion {
 }
 
 impl Motion {
+    /// Along a straight track at a speed (in m/s), turning about the axle (in rad/s).
+    pub fn straight(speed: f64, angular_velocity: f64) -> Self {
+        Self {
+            speed,
+            curve_radius: f64::INFINITY,
+            lateral_velocity: 0.0,
+            vertical_velocity: 0.0,
+            angular_velocity,
+            roll_rate: 0.0,
+            yaw_rate: 0.0,
+        }
+    }
+
     /// The mirror image.
     pub(super) fn mirrored(&self) -> Self {
         Self {

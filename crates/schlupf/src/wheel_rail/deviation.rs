@@ -39,6 +39,11 @@ impl Deviation {
         }
     }
 
+    /// Whether it has a velocity.
+    pub(super) fn is_moving(&self) -> bool {
+        self.velocity.into_iter().chain(self.turning).any(|rate| rate != 0.0)
+    }
+
     /// Checks it; `quantity` is what to call it.
     pub(super) fn check(&self, quantity: Quantity) -> Result<(), Error> {
         for part in self.displacement.into_iter().chain([self.roll, self.yaw]) {

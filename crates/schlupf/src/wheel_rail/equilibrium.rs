@@ -1,10 +1,10 @@
 //! Height of a wheel at which its contacts carry the vertical force.
 //!
-//! With the normal force F of each contact, its inclination β, the angle θ by which it rises
-//! forwards and the ratios τ and ρ of its longitudinal and lateral to its normal force,
-//! Σ F (cos θ cos β + τ sin θ cos β + ρ sin β) is the vertical force. It grows with the depth d
-//! below first touch as some d^1.5, which guides a bracketed search. Contacts in planes of their
-//! own raise each other's surfaces by F (n·n′)/(π E* r) at their distance r (Boussinesq 1885).
+//! The force of each contact with its tractions is, along, across and normal to its plane, so many
+//! times the force F of its pressure; resolved, their sum is the vertical force. It grows with the
+//! depth d below first touch as some d^1.5, which guides a bracketed search. Contacts in planes of
+//! their own raise each other's surfaces by F (n·n′)/(π E* r) at their distance r (Boussinesq
+//! 1885).
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -37,13 +37,9 @@ const NEGLIGIBLE_RISE: f64 = 1e-5;
 pub(super) struct Tractions {
     /// Where it is in the track, in m.
     pub origin: [f64; 3],
-    /// Lateral over normal force, dimensionless.
-    pub ratio: f64,
-    /// Longitudinal over normal force, dimensionless.
-    pub along: f64,
-    /// Change of the normal force by tractions along a curved surface, and by what they do to the
-    /// pressure, over that force, dimensionless.
-    pub normal: f64,
+    /// Force along, across (outwards) and normal to the plane over that of the pressure without
+    /// them, dimensionless.
+    pub force: [f64; 3],
     /// How far they move the surfaces apart, if that changes the pressure.
     pub opening: Option<Arc<Opening>>,
 }
@@ -90,6 +86,15 @@ impl Lowering<'_> {
     /// Height of first touch, relative to the nominal height, in m.
     pub fn touch(&self) -> f64 {
         self.gap.least().map_or(0.0, |point| -point.gap)
+    }
+
+    /// Depth below first touch at a height, in m.
+    ///
+    /// # Errors
+    /// A wheel that does not touch.
+    pub fn depth(&self, height: f64) -> Result<f64, Error> {
+        let depth = self.touch() - height;
+        if depth > 0.0 { Ok(depth) } else { Err(WheelRailError::Lifted { gap: -depth }.into()) }
     }
 
     /// That of the wheelset.
@@ -209,7 +214,7 @@ impl Lowered {
     fn held(&self, tractions: &[Tractions]) -> Option<Held> {
         let mut held = self.contacts.iter().filter(|contact| weight(contact, tractions) <= 0.0);
         let ratio =
-            |contact: &Pressed| near(&contact.plane, tractions).map_or(0.0, |near| near.ratio);
+            |contact: &Pressed| near(&contact.plane, tractions).map_or(0.0, |near| near.force[1]);
         held.next().map(|contact| (contact.plane.inclination, ratio(contact)))
     }
 }
@@ -248,12 +253,8 @@ fn not_carried(force: f64, held: Option<Held>) -> Error {
 
 /// Vertical over normal force of a contact, dimensionless.
 fn weight(contact: &Pressed, tractions: &[Tractions]) -> f64 {
-    let (sin, cos) = contact.plane.inclination.sin_cos();
-    let (rising, level) = contact.plane.rise.sin_cos();
-    let near = near(&contact.plane, tractions);
-    near.map_or(cos * level, |near| {
-        ((1.0 + near.normal) * level + near.along * rising) * cos + near.ratio * sin
-    })
+    let force = near(&contact.plane, tractions).map_or([0.0, 0.0, 1.0], |near| near.force);
+    contact.plane.resolved(force)[2]
 }
 
 /// Those of the contact nearest to a plane.

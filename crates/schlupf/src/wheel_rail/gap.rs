@@ -6,13 +6,15 @@
 //! gap between these points, seen from below, and the rail, seen from above, is vertical.
 //!
 //! The gap does not depend on the height and is computed once for each lateral position, roll and
-//! yaw.
+//! yaw, at small steps. The point of first touch is found between them, so that the lightest load
+//! has its region.
 
 use super::overlap::{GapPoint, Region};
 use super::pair::{Candidate, Pair};
 use super::pose::{Attitude, Pose};
 use super::relief::Relief;
 use super::seen::Seen;
+use crate::numerics::root::golden_section;
 use crate::reporting::{Error, WheelRailError};
 
 /// Largest x of a candidate relative to the radius of the wheel or of the roller, dimensionless.
@@ -21,6 +23,9 @@ const FARTHEST: f64 = 0.5;
 /// Newton steps to a candidate above a roller.
 const STEPS: usize = 5;
 
+/// Golden sections to the point of first touch: a step becomes 10⁻¹³ m.
+const SECTIONS: u32 = 40;
+
 /// Power of the overlap with which the points of a region weigh in its middle, dimensionless:
 /// integrated along rolling, the square of the depth.
 const WEIGHT: f64 = 2.5;
@@ -28,9 +33,13 @@ const WEIGHT: f64 = 2.5;
 /// The gap across a rail for a wheelset at its nominal height; raising the wheelset adds to it.
 #[derive(Debug, Clone)]
 pub(super) enum Gap {
-    /// Runs of neighbouring points at which both bodies are seen, of bodies that do not change
-    /// along the way.
-    Lines(Vec<Vec<GapPoint>>),
+    /// Of bodies that do not change along the way.
+    Lines {
+        /// Runs of neighbouring points at which both bodies are seen.
+        runs: Vec<Vec<GapPoint>>,
+        /// The one nearest to first touch, with the gap there.
+        least: GapPoint,
+    },
     /// Of others.
     Relief(Relief),
 }
@@ -70,19 +79,23 @@ impl Gap {
             }
             is_open = true;
         }
-        if runs.is_empty() {
-            return Err(beside().into());
-        }
-        Ok(Self::Lines(runs))
+        let points = runs.iter().enumerate();
+        let points = points.flat_map(|(run, of)| (0..of.len()).map(move |k| (run, k)));
+        let gap = |(run, k): &(usize, usize)| runs[*run][*k].gap;
+        let least = points.min_by(|one, other| gap(one).total_cmp(&gap(other)));
+        let (run, k) = least.ok_or_else(beside)?;
+        let beside = k.checked_sub(1).and_then(|first| runs[run].get(first..k + 2));
+        let gap = beside.map_or(f64::INFINITY, |points| least_between(pair, &pose, points));
+        let least = GapPoint { gap: gap.min(runs[run][k].gap), ..runs[run][k] };
+        Ok(Self::Lines { runs, least })
     }
 
     /// The point with the least gap.
     pub fn least(&self) -> Option<GapPoint> {
-        let points = match self {
-            Self::Lines(runs) => runs.iter().flatten(),
-            Self::Relief(relief) => return relief.least(),
-        };
-        points.min_by(|one, other| one.gap.total_cmp(&other.gap)).copied()
+        match self {
+            Self::Lines { least, .. } => Some(*least),
+            Self::Relief(relief) => relief.least(),
+        }
     }
 
     /// An error if a point is where wheel or rail cease to be seen, so that a smaller gap may lie
@@ -91,7 +104,7 @@ impl Gap {
         let is = |end: Option<&GapPoint>| end.is_some_and(|end| end.y == point.y);
         let k = pair.across.index(point.y);
         let runs = match self {
-            Self::Lines(runs) => runs,
+            Self::Lines { runs, .. } => runs,
             Self::Relief(relief) if relief.is_end(point) => {
                 let is_rail = point.rail[1] <= 0.0 || point.rail[1] >= pair.rail.length();
                 return Err(pair.at_end(is_rail, [point.rail[1], point.wheel[1]], point.y));
@@ -120,7 +133,11 @@ impl Gap {
             parts.map(|part| region(part, height, radius)).collect()
         };
         match self {
-            Self::Lines(runs) => runs.iter().flat_map(overlaps).collect(),
+            Self::Lines { runs, least } => {
+                let regions: Vec<Region> = runs.iter().flat_map(overlaps).collect();
+                let is_between = regions.is_empty() && is_overlap(least);
+                if is_between { vec![region(&[*least], height, radius)] } else { regions }
+            }
             Self::Relief(relief) => relief.regions(height),
         }
     }
@@ -156,16 +173,31 @@ fn region(points: &[GapPoint], height: f64, radius: f64) -> Region {
 
 /// The candidates of the wheel in the track.
 fn wheel_line(pair: &Pair, pose: &Pose) -> impl Iterator<Item = Option<Seen>> {
-    pair.candidates.iter().map(move |candidate| {
-        let candidate = (*candidate)?;
-        let [mut sin, mut cos] = pose.silhouette(candidate.slope)?.sin_cos;
-        if let Some(roller) = pair.roller {
-            [sin, cos] = above_roller(pose, &candidate, (pair, roller), [sin, cos])?;
-        }
-        let Candidate { arc, y, radius, .. } = candidate;
-        let [x, y, z] = pose.in_track([radius * sin, pair.wheel_offset + y, -radius * cos]);
-        (sin.abs() <= FARTHEST).then_some(Seen { y, z, arc, extra: [x, 0.0] })
-    })
+    pair.candidates.iter().map(move |candidate| seen_from_below(pair, pose, &(*candidate)?))
+}
+
+fn seen_from_below(pair: &Pair, pose: &Pose, candidate: &Candidate) -> Option<Seen> {
+    let [mut sin, mut cos] = pose.silhouette(candidate.slope)?.sin_cos;
+    if let Some(roller) = pair.roller {
+        [sin, cos] = above_roller(pose, candidate, (pair, roller), [sin, cos])?;
+    }
+    let Candidate { arc, y, radius, .. } = *candidate;
+    let [x, y, z] = pose.in_track([radius * sin, pair.wheel_offset + y, -radius * cos]);
+    (sin.abs() <= FARTHEST).then_some(Seen { y, z, arc, extra: [x, 0.0] })
+}
+
+/// The least gap between the first and the last of some neighbours, in m.
+fn least_between(pair: &Pair, pose: &Pose, points: &[GapPoint]) -> f64 {
+    let [.., before, _, after] = points else { return f64::INFINITY };
+    let gap = |arc: f64| {
+        let candidate = Candidate::new(arc, &pair.wheel.point(0.0, arc)?, pair.nominal_radius)?;
+        let wheel = seen_from_below(pair, pose, &candidate)?;
+        let rail = pair.rail_arc([0.0, wheel.y], 0.5 * (before.rail[1] + after.rail[1]));
+        let [_, z] = pair.rail.point(0.0, rail)?.place;
+        Some(wheel.z - pair.rail_height(wheel.extra[0], z))
+    };
+    let gap = |arc: f64| gap(arc).unwrap_or(f64::INFINITY);
+    gap(golden_section([before.wheel[1], after.wheel[1]], SECTIONS, gap))
 }
 
 /// Sine and cosine of the angle at which a point of the wheel has the slope along the track that a

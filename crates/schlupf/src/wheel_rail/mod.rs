@@ -43,7 +43,9 @@ mod equilibrium;
 mod patch;
 mod holes;
 mod drive;
+mod time_step;
 mod sliding;
+mod contact_force;
 mod turning;
 mod coupled;
 mod wheel;
@@ -53,9 +55,14 @@ mod resting;
 mod over_time;
 mod conicity;
 mod columns;
+mod contact_table;
 
 pub use conicity::{RestingWheelset, RigidContact, Roll, RollingRadiusDifference};
 pub use contact_plane::Joining;
+pub use contact_table::{
+    ContactTable, ContactTableErrors, ContactTableNodes, ContactTableOptions, NodeAxis, Spread,
+};
+pub(crate) use contact_table::{OfPose, TabulatedContact};
 pub use creepage::Motion;
 pub use deviation::Deviation;
 pub use drive::{Along, Drive};
@@ -69,5 +76,6 @@ pub use shapes::{RailPlace, RailShape, Track, WheelShape};
 pub use side::{Side, Sides};
 pub use sliding::Tangential;
 pub use surface::{Surface, Varying};
+pub use time_step::Past;
 pub use virtual_penetration::NormalMethod;
 pub use wheel::{Contact, Position, Support, WheelOnRail, WheelSolution};

@@ -21,6 +21,11 @@ const STEEPEST_CANT: f64 = 0.5;
 /// Step along a profile at which it is searched, in m.
 const STEP: f64 = 1e-5;
 
+/// Newton steps to a given y on the rail, and the least part of y in the rail's direction with
+/// which they go.
+const STEPS: usize = 6;
+const SLOWEST: f64 = 0.05;
+
 /// Bounds of the radius of a roller, in m.
 const ROLLER: Requirement = Requirement::Between(1e-3, 1e4);
 
@@ -104,12 +109,17 @@ impl Samples {
 
     /// As candidates for contact on a wheel of a nominal radius, in m.
     fn candidates(&self, nominal_radius: f64) -> Vec<Option<Candidate>> {
-        let candidate = |(arc, point): (&f64, &CurvePoint)| {
-            let ([y, z], [along, up]) = (point.place, point.tangent);
-            let (radius, slope) = (nominal_radius - z, up / along);
-            (along >= FLATTEST).then_some(Candidate { arc: *arc, y, radius, slope })
-        };
-        self.arc.iter().zip(&self.points).map(candidate).collect()
+        let points = self.arc.iter().zip(&self.points);
+        points.map(|(arc, point)| Candidate::new(*arc, point, nominal_radius)).collect()
+    }
+}
+
+impl Candidate {
+    /// A point of the profile at an arc length, of a wheel of a nominal radius; in m.
+    pub fn new(arc: f64, point: &CurvePoint, nominal_radius: f64) -> Option<Self> {
+        let ([y, z], [along, up]) = (point.place, point.tangent);
+        let (radius, slope) = (nominal_radius - z, up / along);
+        (along >= FLATTEST).then_some(Self { arc, y, radius, slope })
     }
 }
 
@@ -187,6 +197,16 @@ impl Pair {
         curvature.recip()
     }
 
+    /// Arc length of the rail at x and y, from a guess; all in m.
+    pub(super) fn rail_arc(&self, [x, y]: [f64; 2], guess: f64) -> f64 {
+        let mut arc = guess;
+        for _ in 0..STEPS {
+            let Some(point) = self.rail.point(x, arc) else { break };
+            arc += (y - point.place[0]) / point.tangent[0].max(SLOWEST);
+        }
+        arc
+    }
+
     /// Height (in m) at x of what is at `z` at x = 0 (in m): on a roller, on its circle.
     pub(super) fn rail_height(&self, x: f64, z: f64) -> f64 {
         self.roller.map_or(z, |radius| ((radius + z).powi(2) - x * x).sqrt() - radius)
@@ -219,6 +239,11 @@ impl Pair {
     /// Distance of the origin of the wheel's profile from the middle of the wheelset, in m.
     pub fn wheel_offset(&self) -> f64 {
         self.wheel_offset
+    }
+
+    /// Whether wheel or rail deviate with a velocity.
+    pub(crate) fn is_moving(&self) -> bool {
+        self.wheel_deviation.is_moving() || self.rail_deviation.is_moving()
     }
 
     /// The rail in the track, y outwards.

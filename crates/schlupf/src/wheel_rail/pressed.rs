@@ -26,6 +26,25 @@ pub(super) struct Pressed {
     pub approach: f64,
 }
 
+impl Pressed {
+    /// Centre of the pressure relative to the plane's origin, along x and s, in m.
+    pub fn centre(&self) -> [f64; 2] {
+        self.means([|x, _| x, |_, s| s])
+    }
+
+    /// Means of functions of x and s (in m), weighted with the pressure, in their own units.
+    pub fn means<const N: usize>(&self, of: [fn(f64, f64) -> f64; N]) -> [f64; N] {
+        let (mut sums, mut total) = ([0.0; N], 0.0);
+        for (row, s) in self.pressure.chunks_exact(self.x.len()).zip(&self.s) {
+            for (p, x) in row.iter().zip(&self.x) {
+                total += p;
+                sums.iter_mut().zip(of).for_each(|(sum, of)| *sum += p * of(*x, *s));
+            }
+        }
+        sums.map(|sum| sum / total)
+    }
+}
+
 /// Centres of so many cells along a side.
 pub(super) fn positions(side: [f64; 2], count: usize) -> Vec<f64> {
     let spacing = (side[1] - side[0]) / count as f64;

@@ -8,6 +8,7 @@
 
 use super::spline;
 use crate::numerics::interpolation::{hermite, hermite_slope};
+use crate::numerics::quadrature;
 use crate::reporting::{Error, Place, Quantity, Requirement, WheelRailError, require_at};
 
 /// Least distance of two points that a curve runs through, in m.
@@ -205,7 +206,7 @@ impl ProfileCurve {
         let mut lengths = vec![0.0];
         for ends in self.length.windows(2) {
             let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
-            for (node, weight) in GAUSS {
+            for (node, weight) in quadrature::FOUR {
                 let [y, z] = self.at(middle + half * node).tangent;
                 total += half * weight * y.hypot(z);
             }
@@ -214,14 +215,6 @@ impl ProfileCurve {
         lengths
     }
 }
-
-/// Nodes and weights of Gauss's rule with four points.
-const GAUSS: [(f64, f64); 4] = [
-    (-0.861_136_311_594_052_6, 0.347_854_845_137_453_9),
-    (-0.339_981_043_584_856_3, 0.652_145_154_862_546_1),
-    (0.339_981_043_584_856_3, 0.652_145_154_862_546_1),
-    (0.861_136_311_594_052_6, 0.347_854_845_137_453_9),
-];
 
 /// The points in the order of growing y, without those too close to the one before.
 fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {

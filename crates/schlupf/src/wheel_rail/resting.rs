@@ -6,11 +6,13 @@ use super::drive::Drive;
 use super::gap::Gap;
 use super::pair::Pair;
 use super::pose::Attitude;
+use super::pressing::Accuracy;
 use super::side::{Side, Sides};
 use super::sliding::Tangential;
-use super::wheel::{Position, WheelOnRail, WheelSolution};
+use super::wheel::{Near, Position, Support, WheelOnRail, WheelSolution};
 use crate::numerics::root::Bracket;
 use crate::reporting::{Error, Quantity, Watch, WheelRailError, require_positive};
+use crate::solver::Solver;
 
 /// Change of the roll angle below which it is found, in rad: less than 0.2 µm at the rails.
 const SETTLED: f64 = 2e-7;
@@ -84,6 +86,9 @@ impl Slope {
 const FLATTEST: f64 = 0.01;
 const STEEPEST: f64 = 20.0;
 
+/// A wheel and the other one, and what has solved each contact of the first.
+type FoundBoth = ([WheelSolution; 2], Vec<Box<dyn Solver>>);
+
 impl WheelOnRail {
     /// This wheel (first) and the one on the other side (second) under the same vertical force,
     /// with the roll angle at which both rest on their rails; that of the position is not used. A
@@ -98,51 +103,67 @@ impl WheelOnRail {
     ) -> Result<[WheelSolution; 2], Error> {
         self.check()?;
         tangential.check(self.motion.speed)?;
+        let roll = self.frictionless_roll(tangential, watch)?;
+        let ([own, other], solvers) = self.solve_resting_near(roll, None, tangential, watch)?;
+        Ok([own.completed(solvers, tangential, watch)?, other])
+    }
+
+    /// This wheel or the other one, at a roll angle in rad.
+    pub(super) fn at_roll(&self, side: Side, roll: f64) -> Self {
+        Self { side, position: Position { roll, ..self.position }, ..self.clone() }
+    }
+
+    /// The roll angle at which both wheels rest on their rails without friction, on coarse cells;
+    /// in rad.
+    pub(super) fn frictionless_roll(
+        &self,
+        tangential: &Tangential,
+        watch: Watch,
+    ) -> Result<f64, Error> {
         let place = [self.position.lateral, self.position.yaw];
         let rigid = resting_roll(&self.pairs, place, [0.0; 2])?;
-        let depth = |side: Side| {
-            let position = Position { roll: rigid, ..self.position };
-            Self { side, position, ..self.clone() }.frictionless_depth(tangential, watch)
+        let depth = |side: Side| -> Result<f64, Error> {
+            let Support::Force(_) = self.support else { return Ok(0.0) };
+            let wheel = self.at_roll(side, rigid);
+            Ok(wheel.frictionless(Accuracy::Coarse, (tangential, watch))?.at.depth)
         };
-        let depths = [depth(Side::Left)?, depth(Side::Right)?];
-        let mut roll = resting_roll(&self.pairs, place, depths)?;
+        resting_roll(&self.pairs, place, [depth(Side::Left)?, depth(Side::Right)?])
+    }
+
+    /// Both wheels, this one first with what has solved its contacts, from a roll angle (in rad)
+    /// and from wheels nearby, likewise.
+    pub(super) fn solve_resting_near(
+        &self,
+        mut roll: f64,
+        mut near: Option<[Near; 2]>,
+        tangential: &Tangential,
+        watch: Watch,
+    ) -> Result<FoundBoth, Error> {
         let mut bracket = Bracket::new([f64::NEG_INFINITY, f64::INFINITY]);
         let mut slope = Slope::new(&self.pairs);
         let mut step = f64::INFINITY;
-        let mut before: Option<[WheelSolution; 2]> = None;
         for _ in 0..MOST_ROUNDS {
-            let wheel = |side: Side, turned: Option<f64>| {
-                let position = Position { roll, ..self.position };
-                let mut wheel = Self { side, position, ..self.clone() };
-                if let Some(angular_velocity) = turned {
-                    wheel.drive = Drive::AngularVelocity;
-                    wheel.motion.angular_velocity = angular_velocity;
-                }
-                let near = before.as_ref().and_then(|both| both.iter().find(|it| it.side == side));
-                wheel.solve_near(near, tangential, watch)
-            };
+            let [near_own, near_other] =
+                near.as_ref().map_or([None; 2], |near| near.each_ref().map(Some));
             // Both are on one axle: the force on this wheel turns the other one, too.
-            let (own, solvers) = wheel(self.side, None)?;
-            let (other, _) = wheel(self.side.other(), Some(own.angular_velocity))?;
-            let [mut left, mut right] = match self.side {
-                Side::Left => [own, other],
-                Side::Right => [other, own],
-            };
+            let (mut own, solvers) =
+                self.at_roll(self.side, roll).solve_near(near_own, tangential, watch)?;
+            let mut other = self.at_roll(self.side.other(), roll);
+            other.drive = Drive::AngularVelocity;
+            other.motion.angular_velocity = own.angular_velocity;
+            let (mut other, _) = other.solve_near(near_other, tangential, watch)?;
             // What the left wheel is higher falls with the angle; it jumps where a contact does.
-            let off = left.height - right.height;
+            let higher = own.height - other.height;
+            let off = self.side.outwards() * higher;
             bracket.note(roll, off > 0.0);
             let next = bracket.next(roll - off / slope.through([roll, off]));
             step = (next - roll).abs();
             if step < SETTLED {
-                (left.unevenness, right.unevenness) = (off, -off);
-                let [own, other] = match self.side {
-                    Side::Left => [left, right],
-                    Side::Right => [right, left],
-                };
-                return Ok([own.completed(solvers, tangential, watch)?, other]);
+                (own.unevenness, other.unevenness) = (higher, -higher);
+                return Ok(([own, other], solvers));
             }
             roll = next;
-            before = Some([left, right]);
+            near = Some([own.near, other.near]);
         }
         Err(WheelRailError::RollNotSettled { rounds: MOST_ROUNDS, step }.into())
     }

@@ -10,8 +10,10 @@
 //! and its own curve at its place.
 //!
 //! A part may be missing in some sections; it ends at the last one that has it. Before the first
-//! and behind the last section the surface does not change.
+//! and behind the last section the surface does not change, unless sections of a wheel cover its
+//! circumference: these go on around it.
 
+use std::f64::consts::{PI, TAU};
 use std::sync::{Arc, OnceLock};
 
 use super::profile_curve::{CurvePoint, ProfileCurve};
@@ -23,6 +25,13 @@ use crate::reporting::{
 
 /// Weights of other sections below which they do not count, dimensionless.
 const NEGLIGIBLE: f64 = 1e-13;
+
+/// Sections by which those around a wheel go on at both ends: the spline forgets its ends by a
+/// factor of 2 − √3 from one to the next.
+const ROUND: usize = 30;
+
+/// Part of a turn that rounding leaves, dimensionless.
+const SAME: f64 = 1e-6;
 
 /// A profile at a place along the way.
 #[derive(Debug, Clone, PartialEq)]
@@ -104,7 +113,7 @@ impl Sections {
     ///
     /// # Errors
     /// A single section, places or breaks that do not ascend, breaks beyond a profile, sections
-    /// with different numbers of breaks or without a part.
+    /// with different numbers of breaks or without a part, parts of one section only.
     pub fn new(
         sections: &[Section],
         interpolation: Interpolation,
@@ -137,6 +146,12 @@ impl Sections {
                 if spans.is_empty() {
                     continue;
                 }
+                if spans.len() == 1 {
+                    let (part, place) = (part + 1, places[own.start]);
+                    return Err(
+                        WheelRailError::LonelyPart { profile: quantity, part, place }.into()
+                    );
+                }
                 let weights = Weights::new(&places[own.clone()], interpolation);
                 let stations = vec![OnceLock::new(); spans.len()];
                 let (first, curves) = (own.start, curves[own].to_vec());
@@ -147,6 +162,49 @@ impl Sections {
         }
         let is_smoothed = sections.iter().any(|section| section.curve.smoothing() > 0.0);
         Ok(Self { places, ends, parts, first: first.curve.clone(), is_smoothed })
+    }
+
+    /// The same around a wheel. The sections cover its circumference if the way from the last to
+    /// the first one, a turn later, is no longer than the longest between two others; the last one
+    /// may be the first one again. They may also overlap, from before −π to behind π.
+    ///
+    /// # Errors
+    /// The same, a first section that is another one after a turn, and others beyond ±π.
+    pub fn around(sections: &[Section], interpolation: Interpolation) -> Result<Self, Error> {
+        let quantity = Quantity::WheelProfile;
+        let new = |sections: &[Section]| Self::new(sections, interpolation, quantity);
+        let ([first, ..], [.., last]) = (sections, sections) else { return new(sections) };
+        check(sections, quantity)?;
+        let open = TAU - (last.place - first.place);
+        let steps = sections.windows(2).map(|pair| pair[1].place - pair[0].place);
+        let longest = steps.fold(0.0, f64::max);
+        if open < -SAME || open > longest * (1.0 + SAME) {
+            let is_inside = [first, last].iter().all(|end| end.place.abs() <= PI);
+            let overlaps = open < 0.0 && first.place <= -PI && last.place >= PI;
+            if is_inside || overlaps {
+                return new(sections);
+            }
+            return Err(WheelRailError::PartOfTurn { ends: [first.place, last.place] }.into());
+        }
+        let mut turn = sections.to_vec();
+        if open <= SAME
+            && let Some(Section { curve, breaks, .. }) = turn.pop()
+            && (curve != first.curve || breaks != first.breaks)
+        {
+            return Err(WheelRailError::OpenTurn { place: last.place }.into());
+        }
+        let count = turn.len() as isize;
+        let margin = ROUND as isize;
+        let section = |k: isize| {
+            let Section { place, curve, breaks } = &turn[k.rem_euclid(count) as usize];
+            let place = place + TAU * k.div_euclid(count) as f64;
+            Section { place, curve: curve.clone(), breaks: breaks.clone() }
+        };
+        // From before −π to behind π, and what goes on at both ends.
+        let turns = ((-PI - first.place) / TAU).floor() as isize;
+        let ends = [(turns * count) - margin, (turns + 2) * count + margin];
+        let round = new(&(ends[0]..=ends[1]).map(section).collect::<Vec<_>>())?;
+        Ok(Self { first: first.curve.clone(), ..round })
     }
 
     /// The places of the first and of the last section, in m or rad.
@@ -286,9 +344,6 @@ fn check(sections: &[Section], quantity: Quantity) -> Result<(), Error> {
 impl Weights {
     fn new(places: &[f64], interpolation: Interpolation) -> Self {
         let count = places.len();
-        if count == 1 {
-            return Self { values: None, slopes: vec![vec![0.0]] };
-        }
         if interpolation == Interpolation::Through {
             let mut slopes = vec![vec![0.0; count]; count];
             for k in 0..count {

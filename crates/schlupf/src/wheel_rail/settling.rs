@@ -12,10 +12,10 @@ use super::equilibrium::{DEEPEST, Guess, Lowered, Lowering, Tractions};
 use super::pressed::Pressed;
 use super::pressing::Accuracy;
 use super::sliding::Tangential;
-use super::wheel::{Found, NEARLY_SETTLED, SETTLED, WheelOnRail, WheelSolution, first_guess};
+use super::wheel::{Found, NEARLY_SETTLED, Near, SETTLED, WheelOnRail, first_guess};
 use crate::numerics::root::Bracket;
 use crate::problem::Options;
-use crate::reporting::{Error, Unconverged, Watch, WheelRailError};
+use crate::reporting::{Error, Unconverged, Watch};
 use crate::solver::settings;
 
 /// Share of the tolerance with which a depth is found at given friction, dimensionless.
@@ -43,6 +43,8 @@ pub(super) struct Start {
     pub guess: Guess,
     /// The angular velocity of a driven wheel, in rad/s.
     pub turned: Option<f64>,
+    /// The contacts at the depth of the guess, if they are known.
+    pub lowered: Option<Lowered>,
 }
 
 /// A wheel that is lowered until it carries a force.
@@ -79,27 +81,28 @@ impl WheelOnRail {
     pub(super) fn solve_at(
         &self,
         lowering: &Lowering,
-        (height, near): (f64, Option<&WheelSolution>),
+        (height, near): (f64, Option<&Near>),
         tangential: &Tangential,
         watch: Watch,
     ) -> Result<Found, Error> {
-        let depth = lowering.touch() - height;
-        if depth <= 0.0 {
-            return Err(WheelRailError::Lifted { gap: -depth }.into());
-        }
+        let depth = lowering.depth(height)?;
         let (accuracy, options) = (Accuracy::Cells(self.cells), tangential.searching());
         let how = (tangential, &options);
         let settling = Settling { wheel: self, lowering, accuracy, tolerance: SETTLED, how, watch };
-        let lowered = lowering.lowered(Guess::smooth(depth), &[], accuracy)?;
-        let coupled = settling.coupled(lowered, near.map(|near| near.angular_velocity))?;
-        Ok(self.found(lowering, coupled, 1))
+        let known = near.and_then(|near| self.known(near));
+        let lowered = match known.filter(|known| known.at.depth == depth) {
+            Some(known) => known,
+            None => lowering.lowered(Guess::smooth(depth), &[], accuracy)?,
+        };
+        let coupled = settling.coupled(lowered, near.and_then(|near| near.turned))?;
+        self.found(lowering, coupled, 1)
     }
 
     /// Height and friction in turns, first with coarse cells unless there is a solution nearby.
     pub(super) fn settle(
         &self,
         lowering: &Lowering,
-        (force, near): (f64, Option<&WheelSolution>),
+        (force, near): (f64, Option<&Near>),
         tangential: &Tangential,
         watch: Watch,
     ) -> Result<Found, Error> {
@@ -119,23 +122,25 @@ impl WheelOnRail {
             watch,
         };
         let (from, rounds) = if let Some(near) = near {
-            let (tractions, turned) = (near.tractions.clone(), near.nearby());
-            (Start { tractions, guess: near.guess, turned }, 0)
+            let (tractions, guess) = (near.tractions.clone(), near.lowered.at);
+            (Start { tractions, guess, turned: near.turned, lowered: self.known(near) }, 0)
         } else {
             let guess = first_guess(lowering, force);
-            let from = Start { tractions: Vec::new(), guess, turned: None };
+            let from = Start { tractions: Vec::new(), guess, turned: None, lowered: None };
             let coarse = settling(Accuracy::Coarse, NEARLY_SETTLED, &coarse).find(force, from)?;
             (coarse.start, coarse.rounds)
         };
         let searching = tangential.searching();
         let fine = settling(Accuracy::Cells(self.cells), SETTLED, &searching);
-        let Settled { mut coupled, residual, rounds: more, .. } = fine.find(force, from)?;
-        if let Some(missed) = coupled.turning.missed.take() {
-            return Err(missed.into());
-        }
-        let (mut solution, solvers) = self.found(lowering, coupled, rounds + more);
+        let Settled { coupled, residual, rounds: more, .. } = fine.find(force, from)?;
+        let (mut solution, solvers) = self.found(lowering, coupled, rounds + more)?;
         solution.residual = residual;
         Ok((solution, solvers))
+    }
+
+    /// The contacts of a wheel nearby, if it is where this one is.
+    fn known(&self, near: &Near) -> Option<Lowered> {
+        (near.position == self.position).then(|| near.lowered.clone())
     }
 }
 
@@ -153,7 +158,7 @@ impl Settling<'_> {
             let Coupled { lowered, turning, tractions } = &coupled;
             rounds += 1;
             let (tractions, guess, turned) = (tractions.clone(), lowered.at, turning.nearby());
-            start = Start { tractions, guess, turned };
+            start = Start { tractions, guess, turned, lowered: None };
             let residual = lowered.vertical_force(&start.tractions) / force - 1.0;
             let depth = lowered.at.depth;
             bracket.note(depth, residual < 0.0);
@@ -181,7 +186,13 @@ impl Settling<'_> {
         (bracket, rounds): (&Bracket, usize),
     ) -> Result<Coupled, Error> {
         let how = (self.accuracy, SHARE * self.tolerance);
-        let carrying = self.lowering.carrying(force, &start.tractions, start.guess, how);
+        let carries = |known: &&Lowered| {
+            (known.vertical_force(&start.tractions) / force - 1.0).abs() <= how.1
+        };
+        let carrying = match start.lowered.as_ref().filter(carries) {
+            Some(known) => Ok(known.clone()),
+            None => self.lowering.carrying(force, &start.tractions, start.guess, how),
+        };
         let [low, high] = bracket.ends();
         let error = match carrying {
             Ok(lowered) => {

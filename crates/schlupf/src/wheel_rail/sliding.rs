@@ -12,12 +12,13 @@ use super::pose::Pose;
 use super::pressed::Pressed;
 use super::rows::{Passing, RowsMove};
 use super::side::Side;
+use super::time_step::{Past, TimeStep};
 use crate::bodies::{Kinematics, ReferencePoint, RowMotion};
 use crate::interface::Interface;
 use crate::interface::friction::{Across, Friction, Variation};
 use crate::normal::PressureSource;
 use crate::problem::{Branch, Driver, Method, Options, PrescribedForces, Problem};
-use crate::reporting::{Error, Watch};
+use crate::reporting::{Error, Warning, Watch};
 use crate::solution::Solution;
 use crate::solver::Solver;
 
@@ -36,13 +37,15 @@ pub struct Tangential<'a> {
     pub driver: Driver,
     /// Options of the results.
     pub options: &'a Options,
+    /// What contacts go on from in a step of time; none in steady rolling.
+    pub past: Option<Arc<Past>>,
 }
 
 impl<'a> Tangential<'a> {
     /// All equations, directly, on the branch from low slip.
     pub fn new(interface: &'a Interface, options: &'a Options) -> Self {
         let (branch, driver) = (Branch::LowSlip, Driver::Steady);
-        Self { interface, branch, method: &Method::Full, driver, options }
+        Self { interface, branch, method: &Method::Full, driver, options, past: None }
     }
 
     pub(super) fn solver(&self, options: &Options) -> Box<dyn Solver> {
@@ -59,6 +62,11 @@ impl<'a> Tangential<'a> {
         Options { sensitivity: false, extrapolate: false, ..self.options.clone() }
     }
 }
+
+/// Angle between the directions of the rail and of the mean curvature above which it is told, in
+/// rad: the largest pressure and the approach are then off by 1 or 2 %
+/// ([`Warning::UnevenCurvature`]).
+const UNEVEN_CURVATURE: f64 = 0.1;
 
 /// A contact with its problem and its solution.
 pub(super) type Slid = (Pressed, Problem, Solution);
@@ -135,7 +143,10 @@ impl Sliding<'_> {
         let largest = self.lowered.contacts.iter().map(|contact| contact.force).fold(0.0, f64::max);
         let counts = |contact: &&Pressed| contact.force > NEGLIGIBLE * largest;
         let with_solver = |contact| {
-            let solver = self.tangential.solver(self.options);
+            let solver: Box<dyn Solver> = match &self.tangential.past {
+                Some(past) => Box::new(TimeStep::new(past, (contact, self.side), self.options)),
+                None => self.tangential.solver(self.options),
+            };
             (contact, ContactSolver { solver, friction: None, problem: None })
         };
         self.lowered.contacts.iter().filter(counts).map(with_solver).collect()
@@ -227,6 +238,18 @@ pub(super) fn turn(pair: &Pair, pressed: &Pressed) -> f64 {
         point.map_or(pressed.plane.inclination, |point| point.inclination())
     };
     (inclination(last) - inclination(first)).abs()
+}
+
+/// A warning where the direction of the rail over a curved contact differs from that of the
+/// curvature with which the half-spaces are bent.
+pub(super) fn uneven_curvature(pair: &Pair, pressed: &Pressed) -> Option<Warning> {
+    let curvature = pressed.curvature;
+    let off = touched(pressed).into_iter().map(|s| pressed.plane.turn(pair, s) + curvature * s);
+    let [low, high] = off
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], off| [low.min(off), high.max(off)]);
+    let angle = 0.5 * (high - low);
+    let is_told = pressed.plane.is_curved && angle > UNEVEN_CURVATURE;
+    is_told.then_some(Warning::UnevenCurvature { angle, curvature })
 }
 
 /// Positions s of the rows in contact, in m.

@@ -6,8 +6,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::contact_force::{Part, parts};
 use super::drive::{Along, Drive};
-use super::pose::{cross, dot, minus};
+use super::pose::{dot, plus};
 use super::pressed::Pressed;
 use super::sliding::{ContactSolver, Slid, Sliding};
 use crate::bodies::Kinematics;
@@ -171,13 +172,15 @@ impl Responds for States<'_> {
     fn respond(&mut self, creepages: DVector<f64>) -> Result<Option<Response>, Error> {
         let (sliding, creepage) = (self.sliding, creepages[0]);
         let (contacts, slopes) = self.at(creepage)?;
-        let of = |found: &Slid| (found.2.force, found.0.force);
-        let together = sliding.together(&contacts, contacts.iter().map(of));
+        let parts = |slid: &Slid| parts(sliding.lowering.pair, sliding.side, slid);
+        let together = sliding.together(contacts.iter().flat_map(parts));
         let forces = DVector::from_element(1, sliding.value(&together) / self.force_unit);
         // Where a state is found without slopes, that of small creepages.
         let slope = slopes.map_or(1.0, |slopes| {
-            let along = sliding.together(&contacts, slopes.iter().map(|slope| (*slope, 0.0)));
-            sliding.value_along(&together, &along) / self.force_unit
+            let along = contacts.iter().zip(&slopes).map(|((pressed, ..), slope)| {
+                Part::whole(&pressed.plane, sliding.side, slope, 0.0)
+            });
+            sliding.value_along(&together, &sliding.together(along)) / self.force_unit
         });
         let jacobian = DMatrix::from_element(1, 1, slope);
         self.last = Some((creepage, contacts));
@@ -200,31 +203,13 @@ struct Together {
 }
 
 impl Sliding<'_> {
-    /// Of contacts with their tangential and normal forces, the latter in N.
-    fn together(
-        &self,
-        contacts: &[Slid],
-        forces: impl Iterator<Item = (Resultant, f64)>,
-    ) -> Together {
-        let (pose, sign) = (self.pose(), self.side.outwards());
-        let (mut force, mut torque) = ([0.0; 3], 0.0);
-        for ((pressed, ..), (found, load)) in contacts.iter().zip(forces) {
-            let plane = &pressed.plane;
-            let [ahead, across, normal] = [plane.along(), plane.across(), plane.normal()];
-            let (x, y, moment) = (found.x, sign * found.y, sign * found.moment_z.unwrap_or(0.0));
-            let tangential = [0, 1, 2].map(|k| x * ahead[k] + y * across[k]);
-            for k in 0..3 {
-                force[k] += tangential[k] + load * normal[k];
-            }
-            let arm = minus(plane.origin, pose.centre);
-            let axle = pose.turned([0.0, 1.0, 0.0]);
-            torque += dot(cross(arm, tangential), axle) + moment * dot(normal, axle);
-            // Pressure on a surface of revolution has no moment about its axis.
-            if self.lowering.pair.wheel.is_varying() {
-                torque += load * dot(cross(arm, normal), axle);
-            }
-        }
-        Together { force, torque }
+    fn together(&self, parts: impl Iterator<Item = Part>) -> Together {
+        let pose = self.pose();
+        let none = Together { force: [0.0; 3], torque: 0.0 };
+        parts.fold(none, |sum, part| Together {
+            force: plus(sum.force, part.force()),
+            torque: sum.torque + part.torque(self.lowering.pair, &pose),
+        })
     }
 
     /// What is prescribed, in its unit.

@@ -19,6 +19,15 @@
 //! the patch: with the curvature B of the distance up to the edge, it is B b²/δ across and A a²/δ
 //! along rolling.
 //!
+//! ANALYN (M. Sh. Sichani, R. Enblom and M. Berg, A novel method to model wheel–rail normal contact
+//! in vehicle dynamics simulation, Vehicle System Dynamics 52 (2014)) takes every row as the middle
+//! row of Hertz's ellipse with the curvatures A(s) and B(s) there. With its shares ε_x = A a²/δ and
+//! ε_y = B b²/δ,
+//!
+//! l(s)² = ε_x (δ − g(s)/ε_y)/A(s),
+//!
+//! and the largest pressure is that of this ellipse at the approach δ − g/ε_y.
+//!
 //! A plane has a part for each place of least distance outside of the parts of deeper ones; each
 //! part of force F moves the surfaces of the others apart by F/(π E* r), as contacts in planes of
 //! their own do. Limits: a part ends where a deeper one begins; with l from x₀(s) the distance from
@@ -29,7 +38,7 @@ use std::f64::consts::PI;
 use super::contact_plane::ContactPlane;
 use super::distance::{CLEAR, PlaneView};
 use super::pressed::{Pressed, positions};
-use crate::normal::{approach_shares, row_potential};
+use crate::normal::{approach_shares, row_potential, shares_and_pressure};
 use crate::numerics::root::bisection;
 
 /// How the normal contact in a plane is found.
@@ -46,6 +55,8 @@ pub enum NormalMethod {
     EllipseCorrected,
     /// As Hertz's ellipse with the curvatures of the distance.
     EquivalentEllipse,
+    /// Row by row as in Hertz's ellipse with the curvatures there (ANALYN, Sichani et al. 2014).
+    Analyn,
 }
 
 /// ε of Piotrowski and Kik (2008).
@@ -81,6 +92,8 @@ struct Row {
 struct Rows {
     s: Vec<f64>,
     lines: Vec<Row>,
+    /// Of ANALYN: shares of the ellipse of each row, and c/E* in 1/m.
+    ellipses: Vec<[f64; 3]>,
     /// Whether a profile ends at the first and at the last row.
     ends: [bool; 2],
 }
@@ -111,7 +124,11 @@ impl Row {
 impl Rows {
     /// Those over the overlap of surfaces that are `raised` apart (in m); `None` where there are
     /// fewer than three.
-    fn new(view: &PlaneView, plane: &ContactPlane, raised: f64) -> Option<Self> {
+    fn new(
+        view: &PlaneView,
+        plane: &ContactPlane,
+        (raised, method): (f64, NormalMethod),
+    ) -> Option<Self> {
         let [[from, to], across] = plane.guess;
         let (x, d) = (0.5 * (from + to), 0.25 * (to - from));
         let [low, high] = [across[0].max(plane.limits[1][0]), across[1].min(plane.limits[1][1])];
@@ -123,7 +140,9 @@ impl Rows {
         let ends = [is_missing(rows.first()), is_missing(rows.last())];
         let found = s.into_iter().zip(rows).filter_map(|(s, row)| Some((s, row?)));
         let (s, rows): (Vec<_>, Vec<_>) = found.unzip();
-        (s.len() >= 3).then_some(Self { s, lines: rows, ends })
+        let is_local = s.len() >= 3 && method == NormalMethod::Analyn;
+        let ellipses = if is_local { ellipses(&s, &rows) } else { Vec::new() };
+        (s.len() >= 3).then_some(Self { s, lines: rows, ellipses, ends })
     }
 
     /// The first and the last row, in m.
@@ -131,10 +150,23 @@ impl Rows {
         [self.s[0], self.s[self.s.len() - 1]]
     }
 
-    fn at(&self, s: f64) -> Row {
+    /// The row after a place (in m), and how far the place is on the way to it, dimensionless.
+    fn before(&self, s: f64) -> (usize, f64) {
         let next = self.s.partition_point(|at| *at < s).clamp(1, self.s.len() - 1);
         let part = (s - self.s[next - 1]) / (self.s[next] - self.s[next - 1]);
-        Row::between(&self.lines[next - 1], &self.lines[next], part.clamp(0.0, 1.0))
+        (next, part.clamp(0.0, 1.0))
+    }
+
+    fn at(&self, s: f64) -> Row {
+        let (next, part) = self.before(s);
+        Row::between(&self.lines[next - 1], &self.lines[next], part)
+    }
+
+    /// Of ANALYN.
+    fn ellipse_at(&self, s: f64) -> Option<[f64; 3]> {
+        let (next, part) = self.before(s);
+        let [one, two] = [self.ellipses.get(next - 1)?, self.ellipses.get(next)?];
+        Some([0, 1, 2].map(|k| one[k] + part * (two[k] - one[k])))
     }
 
     /// The first place from a middle towards a bound (in m) that is no longer inside, if one is.
@@ -175,13 +207,38 @@ impl Rows {
     /// Place (in m) and depth (in m) of the least distance next to a row, through three rows.
     fn through(&self, k: usize) -> [f64; 2] {
         let own = [self.s[k], -self.lines[k].least];
-        let (Some(before), Some(after)) = (k.checked_sub(1), self.lines.get(k + 1)) else {
-            return own;
-        };
-        let three = [self.lines[before].least, self.lines[k].least, after.least];
-        let vertex = Row::through(three, self.s[k], self.s[k + 1] - self.s[k]);
+        let vertex = step(&self.s, k).and_then(|step| {
+            let three = [k - 1, k, k + 1].map(|k| self.lines[k].least);
+            Row::through(three, self.s[k], step)
+        });
         vertex.map_or(own, |vertex| [vertex.x, -vertex.least])
     }
+}
+
+/// The step from a row to both of its neighbours, in m; `None` where rows between them are missing,
+/// and at the ends.
+fn step(s: &[f64], k: usize) -> Option<f64> {
+    let [before, after] = [s[k] - s.get(k.checked_sub(1)?)?, s.get(k + 1)? - s[k]];
+    (before < 1.5 * after && after < 1.5 * before).then_some(after)
+}
+
+/// Of rows (at s in m) the shares of their ellipses and c/E* (in 1/m), with the curvature across
+/// through three rows, else those of the nearest row that has neighbours on both sides; where the
+/// curvature is not positive, those of a line.
+fn ellipses(s: &[f64], rows: &[Row]) -> Vec<[f64; 3]> {
+    let last = rows.len() - 1;
+    let local = |k: usize| {
+        let mut nearby = (0..rows.len()).flat_map(|d| [k.saturating_sub(d), (k + d).min(last)]);
+        let found = nearby.find_map(|k| Some((k, step(s, k)?)));
+        let across = found.and_then(|(k, step)| {
+            Row::through([k - 1, k, k + 1].map(|k| rows[k].least), s[k], step)
+        });
+        let across = across.map_or(0.0, |row| row.curvature);
+        let along = rows[found.map_or(k, |(k, _)| k)].curvature;
+        let ([x, y], pressure) = shares_and_pressure(along / across);
+        [x, y, along * pressure]
+    };
+    (0..rows.len()).map(local).collect()
 }
 
 /// A part of a patch.
@@ -192,6 +249,8 @@ struct Part<'a> {
     middle: f64,
     /// How far the undeformed surfaces overlap there, in m.
     depth: f64,
+    /// δ, in m.
+    approach: f64,
     /// ε δ along rolling, in m.
     along: f64,
     /// ε δ across, below and above the middle; in m.
@@ -200,7 +259,7 @@ struct Part<'a> {
     edges: [f64; 2],
     /// Whether its edge is an ellipse.
     is_ellipse: bool,
-    /// c, in Pa/m.
+    /// c (in Pa/m), of ANALYN over that of [`Self::local`].
     level: f64,
     /// In N.
     force: f64,
@@ -229,6 +288,9 @@ impl Bodies {
         let curvature = rows.at(middle).curvature;
         let grown = |s: f64| rows.at(s).least + depth;
         let shares = |s: f64| {
+            if let Some([x, y, _]) = rows.ellipse_at(s) {
+                return [x, y];
+            }
             if self.method == NormalMethod::KikPiotrowski {
                 return [SHARE; 2];
             }
@@ -248,6 +310,7 @@ impl Bodies {
             rows,
             middle: if is_ellipse { 0.5 * (edges[0] + edges[1]) } else { middle },
             depth,
+            approach,
             along: 0.5 * (low[0] + high[0]) * approach,
             across: [low[1] * approach, high[1] * approach],
             edges,
@@ -256,7 +319,11 @@ impl Bodies {
             force: 0.0,
         };
         let [potential, area] = part.integrals();
-        part.level = PI * self.contact_modulus * approach / (2.0 * potential);
+        part.level = if rows.ellipses.is_empty() {
+            PI * self.contact_modulus * approach / (2.0 * potential)
+        } else {
+            self.contact_modulus
+        };
         part.force = part.level * 0.5 * PI * area;
         Ok(part)
     }
@@ -312,11 +379,21 @@ impl Part<'_> {
             return [x, self.along / curvature * (1.0 - part * part)];
         }
         let Row { x, curvature, least } = self.rows.at(s);
+        if let Some([along, across, _]) = self.rows.ellipse_at(s) {
+            let approach = self.approach - (least + self.depth) / across;
+            return [x, along * approach / curvature];
+        }
         let across = self.across[usize::from(s > self.middle)];
         [x, self.along / curvature * (1.0 - (least + self.depth) / across)]
     }
 
-    /// ∫ l G(η) ds with the potential G of a row (in m²), and ∫ l² ds (in m³).
+    /// What the level of a row is multiplied by: 1, or c/E* of ANALYN, in 1/m.
+    fn local(&self, s: f64) -> f64 {
+        self.rows.ellipse_at(s).map_or(1.0, |[.., local]| local)
+    }
+
+    /// ∫ l G(η) ds with the potential G of a row (in m²), and ∫ l² ds (in m³), of ANALYN times the
+    /// local factor.
     fn integrals(&self) -> [f64; 2] {
         let [x, _] = self.row(self.middle);
         let mut sums = [0.0; 2];
@@ -330,7 +407,7 @@ impl Part<'_> {
                 if half > 0.0 {
                     let width = 2.0 * t * (edge - self.middle).abs() / POINTS as f64;
                     sums[0] += half * row_potential(away.hypot(at - x) / half) * width;
-                    sums[1] += square * width;
+                    sums[1] += self.local(self.middle + away) * square * width;
                 }
             }
         }
@@ -349,7 +426,7 @@ pub(super) fn pressed(
     (raised, contact_modulus): (f64, f64),
     (method, cells): (NormalMethod, usize),
 ) -> Result<Option<Pressed>, f64> {
-    let Some(rows) = Rows::new(view, plane, raised) else { return Ok(None) };
+    let Some(rows) = Rows::new(view, plane, (raised, method)) else { return Ok(None) };
     let parts = Bodies { method, contact_modulus }.parts(&rows)?;
     let Some(approach) = parts.first().map(|part| part.depth) else { return Ok(None) };
     let around = |[from, to]: [f64; 2]| {
@@ -360,7 +437,7 @@ pub(super) fn pressed(
     let row = |s: &f64| {
         let part = parts.iter().find(|part| part.covers(*s))?;
         let [middle, square] = part.row(*s);
-        (square > 0.0).then_some((part.level, middle, square))
+        (square > 0.0).then_some((part.level * part.local(*s), middle, square))
     };
     let lines: Vec<Option<(f64, f64, f64)>> = s.iter().map(row).collect();
     let ends = lines.iter().flatten();

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::contact_force::{in_plane, parts};
 use super::contact_plane::Joining;
 use super::coupled::{self, Coupled};
 use super::creepage::Motion;
@@ -11,11 +12,11 @@ use super::gap::Gap;
 use super::holes;
 use super::opening::Opening;
 use super::pair::Pair;
-use super::pose::{Attitude, minus};
+use super::pose::{Attitude, minus, plus};
 use super::pressing::Accuracy;
 use super::rows::{CONFORMAL, RowsMove};
 use super::side::{Side, Sides};
-use super::sliding::{Slid, Sliding, Tangential, turn};
+use super::sliding::{Slid, Sliding, Tangential, turn, uneven_curvature};
 use super::turning::Turning;
 use super::virtual_penetration::NormalMethod;
 use crate::interface::friction::Variation;
@@ -109,6 +110,18 @@ impl Contact {
     }
 }
 
+/// A wheel near one that is sought.
+#[derive(Debug, Clone)]
+pub(super) struct Near {
+    /// Where the wheelset is.
+    pub position: Position,
+    pub lowered: Lowered,
+    /// Friction of its contacts as seen from the left.
+    pub tractions: Vec<Tractions>,
+    /// Angular velocity from which another one is sought, in rad/s.
+    pub turned: Option<f64>,
+}
+
 /// A wheel with its contacts.
 #[derive(Debug, Clone)]
 pub struct WheelSolution {
@@ -132,19 +145,15 @@ pub struct WheelSolution {
     /// Height of this wheel above the other one of the wheelset, in m: it is not small where the
     /// heights jump as the wheelset rolls.
     pub(super) unevenness: f64,
-    pub(super) guess: Guess,
     rows: RowsMove,
-    /// The largest change of the vertical force over time from that of steady rolling, relative to
-    /// it, dimensionless.
-    pub(super) change_in_time: f64,
-    /// Friction of its contacts as seen from the left.
-    pub(super) tractions: Vec<Tractions>,
+    /// From which a wheel nearby is found.
+    pub(super) near: Near,
     /// Whether its contacts are on the curved surface of the rail.
     is_conformal: bool,
     /// Whether one of the profiles was smoothed.
     is_smoothed: bool,
-    /// Where the profiles have no points under its contacts.
-    holes: Vec<Warning>,
+    /// About the profiles under its contacts.
+    of_profiles: Vec<Warning>,
 }
 
 impl WheelSolution {
@@ -161,7 +170,7 @@ impl WheelSolution {
 
     /// Depth below first touch, in m.
     pub fn depth(&self) -> f64 {
-        self.guess.depth
+        self.near.lowered.at.depth
     }
 
     /// With what the options ask for beyond the motion, by what has solved each contact.
@@ -193,13 +202,6 @@ impl WheelSolution {
             solution.work.operator_products += earlier.operator_products;
         }
         Ok(self)
-    }
-
-    /// See [`Turning::nearby`].
-    pub(super) fn nearby(&self) -> Option<f64> {
-        let rises =
-            self.contacts.iter().all(|contact| contact.problem.interface.has_constant_bound());
-        rises.then_some(self.angular_velocity)
     }
 
     /// What to know of a result that is about the first contact only.
@@ -234,11 +236,9 @@ impl WheelSolution {
             .then_some(Warning::JumpingForce { residual: self.residual });
         let uneven = (self.unevenness.abs() > UNEVEN)
             .then_some(Warning::JumpingHeight { difference: self.unevenness });
-        let change = (self.change_in_time.abs() > LARGEST_JUMP)
-            .then_some(Warning::SteadyHeight { change: self.change_in_time });
-        let jump = jump.into_iter().chain(uneven).chain(change);
+        let jump = jump.into_iter().chain(uneven);
         let rough = rough.map(|parts| Warning::RoughProfile { parts });
-        turned.chain(rough).chain(jump).chain(self.holes.iter().cloned()).collect()
+        turned.chain(rough).chain(jump).chain(self.of_profiles.iter().cloned()).collect()
     }
 }
 
@@ -313,10 +313,10 @@ impl WheelOnRail {
         wheel.completed(solvers, tangential, watch)
     }
 
-    /// The same from a solution with nearly the same roll angle.
+    /// The same from a wheel nearby.
     pub(super) fn solve_near(
         &self,
-        near: Option<&WheelSolution>,
+        near: Option<&Near>,
         tangential: &Tangential,
         watch: Watch,
     ) -> Result<Found, Error> {
@@ -375,34 +375,32 @@ impl WheelOnRail {
         }
     }
 
-    /// Depth below first touch (in m) without friction, on coarse cells; zero where the height is
-    /// given.
-    pub(super) fn frictionless_depth(
+    /// The contacts without friction.
+    pub(super) fn frictionless(
         &self,
-        tangential: &Tangential,
-        watch: Watch,
-    ) -> Result<f64, Error> {
-        let Support::Force(force) = self.support else { return Ok(0.0) };
+        accuracy: Accuracy,
+        (tangential, watch): (&Tangential, Watch),
+    ) -> Result<Lowered, Error> {
         let gap = Gap::new(self.pair(), &self.attitude())?;
         let lowering = self.lowering(&gap, tangential, watch);
-        let how = (Accuracy::Coarse, NEARLY_SETTLED);
-        Ok(lowering.carrying(force, &[], first_guess(&lowering, force), how)?.at.depth)
+        match self.support {
+            Support::Force(force) => {
+                let guess = first_guess(&lowering, force);
+                lowering.carrying(force, &[], guess, (accuracy, SETTLED))
+            }
+            Support::Height(height) => {
+                lowering.lowered(Guess::smooth(lowering.depth(height)?), &[], accuracy)
+            }
+        }
     }
 
     /// What the tractions of contacts do.
     pub(super) fn tractions(&self, solved: &[Slid]) -> Result<Vec<Tractions>, Error> {
         let of = |slid: &Slid| {
             let (pressed, problem, solution) = slid;
-            let (origin, force) = (pressed.plane.origin, pressed.force);
-            let [across, normal] = self.force_in_plane(slid);
+            let force = in_plane(self.pair(), self.side, slid).map(|part| part / pressed.force);
             let opening = Opening::new((pressed, problem, solution), self.side)?.map(Arc::new);
-            Ok(Tractions {
-                origin,
-                ratio: across / force,
-                along: solution.force.x / force,
-                normal: normal / force - 1.0,
-                opening,
-            })
+            Ok(Tractions { origin: pressed.plane.origin, force, opening })
         };
         solved.iter().map(of).collect()
     }
@@ -412,25 +410,23 @@ impl WheelOnRail {
         lowering: &Lowering,
         Coupled { lowered, turning, tractions }: Coupled,
         rounds: usize,
-    ) -> Found {
+    ) -> Result<Found, Error> {
+        if let Some(missed) = turning.missed {
+            return Err(missed.into());
+        }
+        let turned = turning.nearby();
         let Turning { angular_velocity, contacts, solvers, .. } = turning;
         let mut with_solvers: Vec<_> = contacts.into_iter().zip(solvers).collect();
         with_solvers.sort_by(|(one, _), (two, _)| two.0.force.total_cmp(&one.0.force));
         let (solved, solvers): (Vec<Slid>, Vec<_>) = with_solvers.into_iter().unzip();
-        let holes =
-            solved.iter().flat_map(|(pressed, ..)| holes::under(self.pair(), pressed)).collect();
-        let mut force = [0.0; 3];
-        for slid in &solved {
-            let [across, normal] = self.force_in_plane(slid);
-            let plane = &slid.0.plane;
-            let (sin, cos) = plane.inclination.sin_cos();
-            let (rising, level) = plane.rise.sin_cos();
-            let along = slid.2.force.x;
-            let upright = normal * level + along * rising;
-            force[0] += along * level - normal * rising;
-            force[1] += self.side.outwards() * (across * cos - upright * sin);
-            force[2] += upright * cos + across * sin;
-        }
+        let of_profiles = solved.iter().flat_map(|(pressed, ..)| {
+            let holes = holes::under(self.pair(), pressed).into_iter();
+            holes.chain(uneven_curvature(self.pair(), pressed))
+        });
+        let of_profiles = of_profiles.collect();
+        let parts = solved.iter().flat_map(|slid| parts(self.pair(), self.side, slid));
+        let [x, y, z] = parts.map(|part| part.force()).fold([0.0; 3], plus);
+        let force = [x, self.side.outwards() * y, z];
         let contacts: Vec<Contact> =
             solved.into_iter().map(|solved| self.contact(lowering, &lowered, solved)).collect();
         let wheel = WheelSolution {
@@ -438,42 +434,18 @@ impl WheelOnRail {
             position: self.position,
             height: lowering.touch() - lowered.at.depth,
             contacts,
-            tractions,
+            near: Near { position: self.position, lowered, tractions, turned },
             angular_velocity,
             force,
             residual: 0.0,
             unevenness: 0.0,
-            change_in_time: 0.0,
-            guess: lowered.at,
             rows: self.rows,
             rounds,
             is_conformal: self.normal_method == NormalMethod::Conformal,
             is_smoothed: self.pair().wheel.is_smoothed() || self.pair().rail.is_smoothed(),
-            holes,
+            of_profiles,
         };
-        (wheel, solvers)
-    }
-
-    /// Force across (outwards) and normal to the plane of a contact, in N: on a curved surface that
-    /// of pressure and tractions where they are.
-    fn force_in_plane(&self, (pressed, _, solution): &Slid) -> [f64; 2] {
-        let sign = self.side.outwards();
-        let fields = &solution.fields;
-        if !pressed.plane.is_curved || fields.is_empty() {
-            return [sign * solution.force.y, pressed.force];
-        }
-        let middle = solution.normal.origin.unwrap_or_default()[1];
-        let area = fields.grid.cell_area();
-        let mut force = [0.0; 2];
-        for ((y, traction), pressure) in
-            fields.y.iter().zip(&fields.traction_y).zip(&fields.pressure)
-        {
-            let (sin, cos) = pressed.plane.turn(self.pair(), sign * (y + middle)).sin_cos();
-            let (traction, pressure) = (sign * traction * area, pressure * area);
-            force[0] += traction * cos - pressure * sin;
-            force[1] += traction * sin + pressure * cos;
-        }
-        force
+        Ok((wheel, solvers))
     }
 
     fn contact(
@@ -501,19 +473,6 @@ impl WheelOnRail {
             solution,
         }
     }
-}
-
-/// Force of contacts in planes on the wheel in the track, in N.
-pub(super) fn total_force(contacts: &[Contact]) -> [f64; 3] {
-    let mut force = [0.0; 3];
-    for contact in contacts {
-        let (sin, cos) = contact.angle.sin_cos();
-        let (normal, along) = (contact.solution.normal.load, contact.solution.force);
-        force[0] += along.x;
-        force[1] += normal * sin + along.y * cos;
-        force[2] += normal * cos - along.y * sin;
-    }
-    force
 }
 
 /// A first guess of the depth: 20 µm under 10 kN, growing as by Hertz.

@@ -5,6 +5,7 @@ use schlupf::reporting::Requirement::{self, Between, Finite};
 use super::{MODULUS, quantity};
 use crate::fields::field::Default::{Computed, Nothing, Text};
 use crate::fields::field::{Field, Kind, Section};
+use crate::tables::layouts;
 use crate::units::Measure;
 
 const COEFFICIENT: Requirement = Between(1e-12, 1.0);
@@ -31,7 +32,7 @@ section! {
         "the same for pressures above 0.8 H", example("350e-4");
     "wear_map" [] Kind::Path, Finite, Nothing,
         "CSV with the columns slip_speed, pressure_ratio (p/H) and coefficient, in place of them",
-        example("wear_map.csv");
+        example("wear_map.csv"), of_columns(&[&layouts::WEAR_MAP]);
     "wear_rate_mild" [WearRateMild] quantity(&Measure::WEAR_RATE), RATE, Text("5.3 ug/J"),
         "mass worn per energy, up to 10.4 N/mm^2 (Braghin, Lewis, Dwyer-Joyce and Bruni 2006)";
     "wear_rate_catastrophic" [WearRateCatastrophic] quantity(&Measure::WEAR_RATE), RATE, Text("61.9 ug/J"),

@@ -14,9 +14,10 @@ const COUPLING: Requirement = Between(0.0, 1e18);
 const SPRING: Requirement = Between(1e-9, 1e18);
 const MARGIN: Requirement = Between(0.0, 1e3);
 
-const MODEL: FieldPath = field!("elasticity.model");
+pub(super) const MODEL: FieldPath = field!("elasticity.model");
 const LAYER: &[&str] = &["elastic-layer"];
 const HALF_SPACE: &[&str] = &["half-space"];
+pub(super) const VISCOELASTIC: &[&str] = &["viscoelastic"];
 const SPRINGS: &[&str] = &["elastic-layer", "winkler"];
 
 section! {

@@ -5,6 +5,7 @@ use crate::fields::choice::{Choose, FrictionModel, SpeedModel};
 use crate::fields::field::Default::{Nothing, Same, Text};
 use crate::fields::field::{Field, Kind, Section};
 use crate::fields::path::FieldPath;
+use crate::tables::layouts;
 use crate::units::Measure;
 use schlupf::reporting::Requirement::{self, Between, Finite, Magnitude};
 
@@ -109,5 +110,6 @@ section! {
         "factors on μ, 1 at y = 0 or inclination 0; linear in between, constant outside",
         example("[0.5, 1.0, 1.0]");
     "variation_file" [] Kind::Path, Finite, Nothing,
-        "CSV with the header `y [mm],factor`, in place of the arrays", example("friction.csv");
+        "CSV with the header `y [mm],factor`, in place of the arrays", example("friction.csv"),
+        of_columns(&[&layouts::VARIATION]);
 }

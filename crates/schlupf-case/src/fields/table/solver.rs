@@ -1,12 +1,14 @@
-//! `[grid]`, `[solver]` and `[fastsim]`.
+//! `[grid]`, `[solver]`, `[fastsim]` and `[element]`.
 
-use super::NORMAL_MODEL;
+use super::{NORMAL_MODEL, WHEEL_RAIL, quantity};
 use crate::fields::choice::{
-    BoundChoice, BranchChoice, Choose, DriverChoice, FlexibilitiesChoice, MethodChoice,
+    BoundChoice, BranchChoice, Choose, DriverChoice, ElementMotion, ElementNormal,
+    FlexibilitiesChoice, MethodChoice,
 };
-use crate::fields::field::Default::{Computed, Text};
+use crate::fields::field::Default::{Computed, Nothing, Text};
 use crate::fields::field::{Field, Kind, Section};
 use crate::fields::path::FieldPath;
+use crate::units::Measure;
 use schlupf::problem::MAX_CELLS;
 use schlupf::reporting::Requirement::{self, AboveUpTo, AtLeast, Between, Finite};
 
@@ -83,4 +85,21 @@ section! {
         "α, fraction of k0 at large creepages", with(METHOD, MODIFIED);
     "reduction_decay" [ReductionDecay] Kind::Number, Between(0.0, 1e6), Text("0.85"),
         "β, rate at which the slope falls with the creepage", with(METHOD, MODIFIED);
+}
+
+section! {
+    Element "element"
+        "The force element for simulations: what it takes, and how it behaves at standstill.";
+
+    "motion" [] Kind::Choice(ElementMotion::CHOICES), Finite, Text("velocities"),
+        "how its motion is given";
+    "normal" [] Kind::Choice(ElementNormal::CHOICES), Finite, Text("load"),
+        "what presses the wheel on the rail";
+    "memory" [] Kind::Flag, Finite, Text("true"),
+        "whether the elastic shift is its state, so that a wheel at rest sticks";
+    "contact_table" [ContactTable] Kind::Path, Finite, Nothing,
+        "contacts of a wheel with two profiles, a table of `schlupf table CASE`",
+        example("contacts.npz"), with(NORMAL_MODEL, WHEEL_RAIL);
+    "standstill_speed" [StandstillSpeed] quantity(&Measure::SPEED), Between(1e-9, 10.0),
+        Text("0.01 m/s"), "v_s, speed below which slip is no longer divided by the rolling speed";
 }

@@ -4,6 +4,7 @@ use super::{NORMAL_MODEL, SCALE, SMOOTHING, WHEEL_RADIUS, WHEEL_RAIL, quantity};
 use crate::fields::choice::{Choose, ForceAxis, LateralAxis, VerticalAxis, WheelSide};
 use crate::fields::field::Default::{Computed, Nothing, Same, Text};
 use crate::fields::field::{Field, Kind, Section};
+use crate::profiles::COLUMNS as PROFILE_COLUMNS;
 use crate::units::Measure;
 use schlupf::reporting::Requirement::{self, Between, Finite, Inside, Magnitude, Radius};
 
@@ -89,7 +90,8 @@ macro_rules! side {
         $section $heading $about;
 
         "profile" [] Kind::Path, Finite, Same(field!($common, ".profile")),
-            "its profile", shaping(), example($example), with(NORMAL_MODEL, WHEEL_RAIL);
+            "its profile", shaping(), example($example), with(NORMAL_MODEL, WHEEL_RAIL),
+            of_columns(&[&PROFILE_COLUMNS]);
         "profile_z" [] Kind::Choice(VerticalAxis::CHOICES), Finite,
             Same(field!($common, ".profile_z")),
             "direction of z in the file", shaping(), example("auto"),

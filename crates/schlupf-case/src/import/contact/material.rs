@@ -36,7 +36,7 @@ impl Elastic {
             reader.numbers([real("FLXZ")])?;
         }
         let items: &[_] = match control.material.whole() {
-            1 => &[real("FG1"), real("FG2"), real("VT1"), real("VT2")],
+            1 => &[real("FG1"), real("FG2"), real("TC1"), real("TC2")],
             2 => &[real("FLX"), real("K0_MF"), real("ALFAMF"), real("BETAMF")],
             3 | 5 => &[real("K0_MF"), real("ALFAMF"), real("BETAMF")],
             4 => &[real("GG3"), real("LAYTHK"), real("TAU_C0"), real("K_TAU")],

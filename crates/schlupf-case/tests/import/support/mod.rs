@@ -77,3 +77,14 @@ pub fn has(text: &str, lines: &[&str]) {
         assert!(text.lines().any(|of_text| of_text == *line), "{line} is missing in\n{text}");
     }
 }
+
+fn data(name: &str) -> String {
+    std::fs::read_to_string(format!("{}/../../data/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+}
+
+/// Rows of a table: names of columns and their values.
+pub fn rows(name: &str) -> Vec<Vec<String>> {
+    let text = data(name);
+    let lines = text.lines().filter(|line| !line.starts_with('#')).skip(1);
+    lines.map(|line| line.split(',').map(str::to_owned).collect()).collect()
+}

@@ -4,6 +4,8 @@ mod sample;
 mod sobol;
 mod states;
 
+use std::collections::BTreeSet;
+
 pub use sample::{Method, Sample};
 
 pub(crate) use states::read as read_states;
@@ -11,6 +13,11 @@ pub(crate) use states::read as read_states;
 pub use crate::states::Entry;
 pub(crate) use crate::states::assignment;
 use schlupf_case::fields::Field;
+use schlupf_case::{CaseFile, FieldPath, Setting, field};
+
+/// The field with the source of the pressure, and its name for two profiles.
+const NORMAL_MODEL: FieldPath = field!("normal.model");
+const WHEEL_RAIL: &str = "wheel-rail";
 
 /// Values of a field, one after the other.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,6 +48,18 @@ impl Values {
             Self::Numbers(values) => Entry::Number(values[k]),
             Self::Texts(values) => Entry::Text(values[k].clone()),
         }
+    }
+
+    /// The place of a value that stands before it, too.
+    pub fn repeated(&self) -> Option<usize> {
+        let mut seen = BTreeSet::new();
+        (0..self.len()).find(|k| {
+            !seen.insert(match self.entry(*k) {
+                // Zero has two signs, but is one value.
+                Entry::Number(number) => ((number + 0.0).to_bits(), String::new()),
+                Entry::Text(text) => (0, text),
+            })
+        })
     }
 
     /// Whether they are numbers.
@@ -94,6 +113,16 @@ impl Design {
         }
     }
 
+    /// Whether any of the states of a case may be of a wheel with profiles.
+    pub(crate) fn has_wheel(&self, case: &CaseFile) -> bool {
+        let mut models = self.varied().iter().filter(|varied| varied.field.path == NORMAL_MODEL);
+        case.value(NORMAL_MODEL) == Some(Setting::Choice(WHEEL_RAIL))
+            || models.any(|varied| match &varied.values {
+                Values::Texts(names) => names.iter().any(|name| name == WHEEL_RAIL),
+                Values::Numbers(_) => false,
+            })
+    }
+
     /// Number of rows; `None` if they are too many to count.
     pub fn rows(&self) -> Option<usize> {
         let mut lengths = self.varied().iter().map(|varied| varied.values.len());
@@ -123,7 +152,6 @@ impl Design {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use schlupf_case::{FieldPath, field};
 
     fn varied(path: FieldPath, values: &[f64]) -> Varied {
         Varied { field: path.field(), values: Values::Numbers(values.to_vec()) }

@@ -1,13 +1,13 @@
 //! States of a file: a row each, with columns named as fields, such as `normal.load [kN]`.
 
-use std::fs::File;
 use std::path::Path;
 use std::sync::Arc;
 
 use schlupf::reporting::{quoted, shortened};
 use schlupf_case::fields::{self, Field, FieldPath, Kind};
+use schlupf_case::place::INDEX;
 use schlupf_case::units::{Conversion, Measure, comma, comma_readings, parse_unit};
-use schlupf_case::{CaseError, LARGEST_FILE, Place, Records, Source, read_up_to};
+use schlupf_case::{CaseError, InputFile, Place, Records, Source};
 
 use super::{Carried, Design, Values, Varied};
 use crate::study::error::StudyError;
@@ -22,9 +22,11 @@ const CARRIED: [(&str, &Measure); 3] =
 /// # Errors
 /// A file that cannot be read, columns that are no fields or lack their unit, and cells that are no
 /// numbers where there should be.
-pub(crate) fn read(path: &Path) -> Result<Design, StudyError> {
-    let columns = match Format::of(path)? {
-        Format::Csv => from_csv(path)?,
+pub(crate) fn read(file: &InputFile) -> Result<Design, StudyError> {
+    let path = &*file.path();
+    let format = if file.data().is_some() { Format::Csv } else { Format::of(path)? };
+    let columns = match format {
+        Format::Csv => from_csv(file)?,
         Format::Parquet => {
             let columns = read_parquet_columns(path)?;
             let place = Place::File { name: path.display().to_string() };
@@ -193,9 +195,9 @@ fn wrong_separator(header: &[&str]) -> Option<String> {
     Some(format!("columns must be separated by commas, but are by {what}"))
 }
 
-fn from_csv(path: &Path) -> Result<Vec<(Head, Cells)>, StudyError> {
-    let bytes = File::open(path).and_then(|file| read_up_to(LARGEST_FILE, file));
-    let bytes = bytes.map_err(|cause| StudyError::file(path, cause))?;
+fn from_csv(file: &InputFile) -> Result<Vec<(Head, Cells)>, StudyError> {
+    let path = &*file.path();
+    let bytes = file.read().map_err(|cause| StudyError::file(path, cause))?;
     let name = path.display().to_string();
     let text = String::from_utf8(bytes).map_err(|_| {
         let place = Place::File { name: name.clone() };
@@ -205,12 +207,17 @@ fn from_csv(path: &Path) -> Result<Vec<(Head, Cells)>, StudyError> {
     let source = Arc::new(Source { name, text });
     let at_line = |line: usize| Place::line(&source, line);
     let mut records = Records::new(&source.text);
+    let mut first = 0;
     let mut columns: Vec<(Head, Cells)> = Vec::new();
     while let Some(line) = records.read() {
         let refused = |message: String| CaseError::new("", message, at_line(line));
         let row = records.cells();
         if columns.is_empty() {
-            if let Some(message) = wrong_separator(&row) {
+            first = usize::from(row.first() == Some(&INDEX));
+        }
+        let row = row.get(first..).unwrap_or_default();
+        if columns.is_empty() {
+            if let Some(message) = wrong_separator(row) {
                 return Err(refused(message).into());
             }
             for head in row {
@@ -228,7 +235,7 @@ fn from_csv(path: &Path) -> Result<Vec<(Head, Cells)>, StudyError> {
             let (found, count) = (row.len(), columns.len());
             return Err(refused(format!("a row must have {count} cells, but has {found}")).into());
         }
-        for ((head, cells), text) in columns.iter_mut().zip(row) {
+        for ((head, cells), text) in columns.iter_mut().zip(row.iter().copied()) {
             match cells {
                 Cells::Numbers(numbers) => numbers.push(text.parse().map_err(|_| {
                     let name = match head.what {
@@ -256,7 +263,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("states.csv");
         std::fs::write(&path, text).unwrap();
-        read(&path).map_err(|error| error.to_string())
+        read(&InputFile::at(&path)).map_err(|error| error.to_string())
     }
 
     #[test]
@@ -283,7 +290,9 @@ mod tests {
             let folder = tempfile::tempdir().unwrap();
             let path = folder.path().join("states.csv");
             std::fs::write(&path, format!("{head}\n1\n")).unwrap();
-            let Err(StudyError::Input(errors)) = read(&path) else { panic!("{head}") };
+            let Err(StudyError::Input(errors)) = read(&InputFile::at(&path)) else {
+                panic!("{head}")
+            };
             assert_eq!(errors.first.help.as_deref(), Some(meant), "{head}");
         }
     }
@@ -295,7 +304,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("states.parquet");
         std::fs::write(&path, include_bytes!("../../../tests/data/states_zstd.parquet")).unwrap();
-        let message = read(&path).unwrap_err().to_string();
+        let message = read(&InputFile::at(&path)).unwrap_err().to_string();
         for part in ["states.parquet", "kinematics.creepage_x", "ZSTD", "compression=\"snappy\""] {
             assert!(message.contains(part), "{part:?} is not in {message}");
         }

@@ -21,8 +21,8 @@ use crate::analysis::temperature_field::Side;
 use crate::normal::Grid;
 use crate::problem::Problem;
 use crate::reporting::{
-    Column, Error, MethodPurpose, Progress, Quantity, Record, Stage, Watch, columns,
-    require_finite, tell,
+    Column, Error, MethodPurpose, Progress, Quantity, Record, Stage, Watch, WheelRailError,
+    columns, require_finite, tell,
 };
 use crate::solution::Solution;
 
@@ -124,12 +124,16 @@ impl SubsurfaceStress {
     /// ```
     ///
     /// # Errors
-    /// A method without fields.
+    /// A method without fields, and a contact on a curved surface.
     pub fn new(problem: &Problem, solution: &Solution, side: Side) -> Result<Self, Error> {
         let fields = &solution.fields;
         if fields.is_empty() {
             let method = solution.method.name();
             return Err(Error::OtherMethod { purpose: MethodPurpose::Stress, method });
+        }
+        let coupling = problem.interface.elasticity.pressure_coupling();
+        if coupling.is_some_and(|coupling| coupling.curvature != 0.0) {
+            return Err(WheelRailError::CurvedBelow {}.into());
         }
         let (load, pieces) = SurfaceLoad::of_solution(problem, solution, side)?;
         let body = match side {

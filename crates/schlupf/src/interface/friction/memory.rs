@@ -50,6 +50,11 @@ impl FrictionMemory {
         Ok(Self { distance, least_speed })
     }
 
+    /// The same in another unit of length (dimensionless) and of time, speeds being the same.
+    pub(crate) fn in_unit(self, length: f64) -> Self {
+        Self { distance: self.distance / length, ..self }
+    }
+
     /// Decay of a difference over a time (in s) at a slip speed (in m/s).
     pub fn kept(&self, slip_speed: f64, duration: f64) -> Kept {
         let relaxed = slip_speed.max(self.least_speed) * duration / self.distance;

@@ -4,6 +4,7 @@
 use std::f64::consts::PI;
 
 use crate::normal::Grid;
+use crate::numerics::quadrature;
 use crate::numerics::vector::add_scaled;
 
 /// A half-space that moves in the −x direction under a grid of cells, each of which releases heat
@@ -31,14 +32,6 @@ const STEP_RATIO: f64 = 0.5;
 
 /// they do not exceed this times √κ/v: within that, the released heat moves as far as it spreads.
 const STEP: f64 = 1.0;
-
-/// Nodes and weights of Gauss–Legendre quadrature on (−1, 1), the positive half.
-const GAUSS: [[f64; 2]; 4] = [
-    [0.183_434_642_495_649_8, 0.362_683_783_378_362],
-    [0.525_532_409_916_329, 0.313_706_645_877_887_3],
-    [0.796_666_477_413_626_7, 0.222_381_034_453_374_48],
-    [0.960_289_856_497_536_3, 0.101_228_536_290_376_26],
-];
 
 /// Value of s at which exp(−s²) is rounding error.
 const NEGLIGIBLE: f64 = 6.0;
@@ -86,7 +79,7 @@ impl MovingHalfSpace {
         loop {
             let [from, to] = panel;
             let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-            for [node, weight] in GAUSS {
+            for (node, weight) in quadrature::EIGHT {
                 nodes.push([middle - half * node, half * weight]);
                 nodes.push([middle + half * node, half * weight]);
             }

@@ -13,7 +13,7 @@ use super::{HeatModel, HeatStep, is_same};
 const ROUNDING: f64 = 1e-12;
 
 /// Heat fluxes in the cells of a patch, and their weights in the temperatures.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct StripHeat {
     model: Option<Arc<dyn HeatModel>>,
     /// ∂rise/∂flux, in √s.

@@ -9,7 +9,7 @@ use crate::numerics::vector::dot;
 /// Cells that the material passes in equal times, without others in between, have weights that
 /// depend on their distance only. These are stored once, which leaves of the triangles little more
 /// than two columns and two rows: the products are then not limited by the memory.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct StripWeights {
     /// First cell of the strip of each cell.
     first: Vec<usize>,

@@ -1,17 +1,10 @@
 //! The elliptic patch with Hertzian pressure: exact means over the covered part of each cell.
 
 use crate::normal::{Grid, NormalSummary};
+use crate::numerics::quadrature;
 
 use super::Patch;
 use super::coverage::{Chord, Integrals, append_strips, cover, cut};
-
-/// Nodes and weights of the 8-point Gauss–Legendre rule on [−1, 1], positive half.
-const GAUSS: [(f64, f64); 4] = [
-    (0.183_434_642_495_649_8, 0.362_683_783_378_362),
-    (0.525_532_409_916_329, 0.313_706_645_877_887_3),
-    (0.796_666_477_413_626_7, 0.222_381_034_453_374_48),
-    (0.960_289_856_497_536_3, 0.101_228_536_290_376_26),
-];
 
 /// Largest interval of the rule, in rad: the pressure of a strip varies as cos³, which eight nodes
 /// then integrate to rounding error.
@@ -58,7 +51,7 @@ fn integrate_row(contact: &NormalSummary, grid: &Grid, row: usize) -> Vec<Integr
         let half = 0.5 * (pair[1] - pair[0]) / parts;
         for part in 0..parts as usize {
             let middle = pair[0] + (2 * part + 1) as f64 * half;
-            for (node, weight) in GAUSS {
+            for (node, weight) in quadrature::EIGHT {
                 for theta in [middle - node * half, middle + node * half] {
                     let edge = a * theta.cos();
                     let chord = Chord {

@@ -230,6 +230,12 @@ impl PressureSource for Profile {
         Some(distance.iter().zip(beyond).map(|(d, beyond)| d + beyond).collect())
     }
 
+    fn distance_bounds(&self) -> [[f64; 2]; 2] {
+        let origin = self.normal_contact(None).ok().and_then(|contact| contact.summary.origin);
+        let (bounds, origin) = (self.distance.bounds(), origin.unwrap_or_default());
+        [0, 1].map(|c| bounds[c].map(|end| end - origin[c]))
+    }
+
     fn cells(&self) -> usize {
         self.cells
     }

@@ -4,7 +4,7 @@ use super::distance::{Shape, UndeformedDistance};
 use crate::normal::rough_contact::{
     Boundary, RoughContact, RoughContactOptions, RoughContactSolution,
 };
-use crate::reporting::{Error, Watch};
+use crate::reporting::{Error, Quantity, Watch};
 use crate::surface::{HeightMap, Lattice};
 
 /// The contact problem.
@@ -403,6 +403,7 @@ impl Pressed {
             return Ok(());
         }
         Err(Error::NormalNotConverged {
+            quantity: Quantity::UndeformedDistance,
             iterations: self.solution.iterations,
             residual: self.solution.residual,
             tolerance: SOLVING.tolerance,

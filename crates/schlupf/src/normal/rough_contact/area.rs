@@ -43,11 +43,13 @@ fn edges(lattice: &Lattice, is_contact: impl Fn(usize) -> bool, boundary: Bounda
     count
 }
 
-/// Whether a cell in contact is at the edge of the lattice.
+/// Whether a cell in contact is at the edge of the lattice; a single row is that of a line, which
+/// ends along rolling only.
 pub(super) fn touches_edge(lattice: &Lattice, is_contact: impl Fn(usize) -> bool) -> bool {
     let Lattice { columns, rows, .. } = *lattice;
     let ends = (0..rows).flat_map(|j| [j * columns, (j + 1) * columns - 1]);
-    let sides = (0..columns).flat_map(|i| [i, (rows - 1) * columns + i]);
+    let across = if rows == 1 { 0..0 } else { 0..columns };
+    let sides = across.flat_map(|i| [i, (rows - 1) * columns + i]);
     ends.chain(sides).any(is_contact)
 }
 

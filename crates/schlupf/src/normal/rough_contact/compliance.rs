@@ -109,8 +109,8 @@ fn kernel(
             both
         } else {
             let (y, nu) = (both - x, curved.poisson_ratio);
-            let along = [(1.0 - nu) * x + y, x + (1.0 - nu) * y].map(|part| part / (1.0 - nu));
-            let [less, more] = love::halves(nu, along);
+            let tangential = love::tangential(nu, [x, y]).map(|part| part / (1.0 - nu));
+            let [less, more] = love::halves(nu, tangential);
             more * (curved.curvature * j as f64 * spacing[1]).cos() - less
         }
     };

@@ -149,6 +149,12 @@ impl fmt::Debug for RealTransform {
     }
 }
 
+/// The distance that a place on a periodic line of so many stands for: beyond half of them it is
+/// negative.
+pub(crate) fn wrapped(k: usize, count: usize) -> isize {
+    if 2 * k < count { k as isize } else { k as isize - count as isize }
+}
+
 /// The smallest product of 2, 3 and 5 that is not below `least`: efficient lengths for the fast
 /// transforms.
 pub(crate) fn smooth_from(least: usize) -> usize {

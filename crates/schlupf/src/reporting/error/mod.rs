@@ -355,13 +355,15 @@ messages! {
 
     /// The normal contact was not found.
     "normal-contact-not-converged" NormalNotConverged {
+        /// What it follows from.
+        quantity: Quantity,
         /// Iterations that were done.
         iterations: usize,
         /// Residual, dimensionless.
         residual: f64,
         /// Tolerance, dimensionless.
         tolerance: f64,
-    } Quantity::UndeformedDistance, |name, words| format!(
+    } *quantity, |name, words| format!(
         "{name}: the normal contact does not converge: after {iterations} iterations its residual is \
          {residual:.1e}, above {tolerance:.1e}"
     );
@@ -415,6 +417,19 @@ messages! {
         words.choice(Quantity::TractionBound, "elliptic")
     );
 
+    /// Viscoelastic bodies other than in steady rolling at the speed of a problem.
+    "viscoelastic-unsteady" ViscoelasticUnsteady {} Quantity::Elasticity, |name, words| format!(
+        "{name}: viscoelastic bodies roll steadily only; choose {} for a history or a force element",
+        words.choice(Quantity::Elasticity, "half-space")
+    );
+
+    /// Viscoelastic bodies with a fast method.
+    "viscoelastic-fast-method" ViscoelasticFastMethod {} Quantity::Method, |name, words| format!(
+        "{name}: the fast methods are for elastic bodies; choose {}, or {} of the bodies",
+        words.choice(Quantity::Method, "full"),
+        words.choice(Quantity::Elasticity, "half-space")
+    );
+
     /// A line contact where an ellipse is assumed.
     "line-is-no-ellipse" LineIsNoEllipse {
         /// The method or the elasticity that assumes it.
@@ -458,6 +473,18 @@ messages! {
         words.word(Quantity::Method),
         words.word(Quantity::LayerThickness)
     );
+
+    /// A force element needs a patch that keeps its shape under any load.
+    "shape-of-element" ShapeOfElement {} Quantity::Load, |name, words| {
+        format!("{name}: the patch of a force element must keep its shape under any load")
+    };
+
+    /// A force element by approach needs bodies of given radii.
+    "approach-of-element" ApproachOfElement {} Quantity::Approach, |name, words| {
+        "the normal contact has no approach that a force element could take as an input: the bodies \
+         must have given radii"
+            .to_owned()
+    };
 
     /// The history takes more time steps than allowed.
     "history-too-long" HistoryTooLong {

@@ -42,6 +42,37 @@ messages! {
          least two of them in a row and ascending, but does not"
     );
 
+    /// A part has no neighbour with which it could be a surface.
+    "lonely-part" LonelyPart {
+        /// That of the wheel or of the rail.
+        profile: Quantity,
+        /// Which one, counted from 1.
+        part: usize,
+        /// Of its section, in m or rad.
+        place: f64,
+    } *profile, |name, words| format!(
+        "part {part} of the section of {name} at {place} must be part of a section beside it, too, but \
+         is not"
+    );
+
+    /// Sections of a wheel go beyond half a turn, but not around it.
+    "part-of-turn" PartOfTurn {
+        /// Angles of the first and of the last section, in rad.
+        ends: [f64; 2],
+    } Quantity::WheelProfile, |name, words| format!(
+        "sections of {name} must be within -π and π rad or cover the whole circumference, but are \
+         from {} to {} rad", ends[0], ends[1]
+    );
+
+    /// The last section of a wheel is not the first one, a turn earlier.
+    "open-turn" OpenTurn {
+        /// Angle of the last section, in rad.
+        place: f64,
+    } Quantity::WheelProfile, |name, words| format!(
+        "the last section of {name} must be the first one again, which it follows by a turn, but is \
+         another one at {place} rad"
+    );
+
     /// A profile has no side on which the other body could touch it.
     "no-running-surface" NoRunningSurface {
         /// That of the wheel or of the rail.
@@ -64,6 +95,45 @@ messages! {
     /// Contacts on the curved surface of the rail with an elasticity of plane surfaces.
     "no-curved-surface" NoCurvedSurface {} Quantity::Elasticity, |name, words| format!(
         "{name}: contacts on the curved surface of the rail need half-spaces"
+    );
+
+    /// A force element of a wheel with a method that computes fields.
+    "method-of-element" MethodOfElement {} Quantity::Method, |name, words| format!(
+        "{name}: a force element of a wheel with two profiles takes a method without fields"
+    );
+
+    /// A table of contacts of profiles that change along the way, or of a roller.
+    "no-contact-table" NoContactTable {} Quantity::RailProfile, |name, words| format!(
+        "{name}: a table of contacts is of profiles that do not change along the way, on a rail"
+    );
+
+    /// A table of contacts of profiles that do not touch each other.
+    "empty-contact-table" EmptyContactTable {} Quantity::RailProfile, |name, words| format!(
+        "{name}: wheel and rail do not touch at any place, roll and yaw angle of the table"
+    );
+
+    /// A table of contacts of other profiles in other places, or of other bodies.
+    "other-contact-table" OtherContactTable {} Quantity::ContactTable, |name, words| format!(
+        "{name} must be that of these profiles in these places, of these bodies and of these \
+         distances within which contacts share a plane, but is another one"
+    );
+
+    /// Numbers that make no table of contacts.
+    "bad-contact-table" BadContactTable {} Quantity::ContactTable, |name, words| format!(
+        "{name} must have axes of equal steps and finite values, of which forces and sizes are \
+         positive"
+    );
+
+    /// A force element of a wheel that deviates with a velocity, or on such a rail.
+    "moving-deviation" MovingDeviation {} Quantity::WheelDeviation, |name, words| format!(
+        "{name}: a force element of a wheel with two profiles takes no velocity of a deviation but \
+         those of the rail that are its inputs"
+    );
+
+    /// Stresses below a contact on the curved surface of the rail.
+    "curved-below" CurvedBelow {} Quantity::Elasticity, |name, words| format!(
+        "{name}: stresses below the surface are those of plane half-spaces, which a contact on the \
+         curved surface of the rail has not"
     );
 
     /// Approximate contacts, or those on the curved surface, with profiles that change along the

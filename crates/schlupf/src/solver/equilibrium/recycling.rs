@@ -60,14 +60,19 @@ struct Projection {
 }
 
 impl Projection {
-    /// A system with the right-hand side −F.
+    /// A system without a basis, with the right-hand side −F.
     fn start(&mut self, rhs: impl Iterator<Item = f64>) {
-        self.rest.clear();
-        self.rest.extend(rhs);
+        self.take(rhs);
         self.recycled = 0;
         self.numbers.clear();
         self.triangle.clear();
         self.weights.clear();
+    }
+
+    /// Another right-hand side.
+    fn take(&mut self, rhs: impl Iterator<Item = f64>) {
+        self.rest.clear();
+        self.rest.extend(rhs);
     }
 
     fn dimension(&self) -> usize {
@@ -96,29 +101,35 @@ impl Projection {
         gram(&self.basis[..directions.len()], &mut self.gram);
         let mut doubtful = Vec::new();
         for number in 0..directions.len() {
-            if self.take(number) {
+            if self.adopt(number) {
                 self.basis.swap(self.recycled, number);
                 self.recycled += 1;
             } else {
                 doubtful.push(number);
             }
         }
-        let taken = &self.basis[..self.recycled];
-        self.weights.resize(self.recycled, 0.0);
-        dots(&self.rest, taken, &mut self.weights);
-        solve_transposed(&self.triangle, &mut self.weights);
-        self.factors.clear();
-        self.factors.extend(self.weights.iter().map(|weight| -weight));
-        solve(&self.triangle, &mut self.factors);
-        add_combination(&mut self.rest, &self.factors, taken);
+        self.weigh();
         for number in doubtful {
             self.add(number, &directions[number], system);
         }
     }
 
+    /// Weighs the basis for a rest that is all of −F, and removes the part along it.
+    fn weigh(&mut self) {
+        let (dimension, recycled) = (self.dimension(), self.recycled);
+        let basis = &self.basis[..dimension];
+        self.weights.resize(dimension, 0.0);
+        dots(&self.rest, basis, &mut self.weights);
+        solve_transposed(&self.triangle, &mut self.weights[..recycled]);
+        self.factors.clear();
+        self.factors.extend(self.weights.iter().map(|weight| -weight));
+        solve(&self.triangle, &mut self.factors[..recycled]);
+        add_combination(&mut self.rest, &self.factors, basis);
+    }
+
     /// Adds the column of a recycled direction to the triangle, unless too little of it is new for
     /// the products of pairs to tell.
-    fn take(&mut self, number: usize) -> bool {
+    fn adopt(&mut self, number: usize) -> bool {
         let products = &self.gram[number * (number + 1) / 2..];
         let square = products[number];
         self.factors.clear();
@@ -255,13 +266,38 @@ impl Directions {
         system: &mut impl Equilibrium,
         residual: &[f64],
         forcing: f64,
-        ([step, response], continues): ([&mut [f64]; 2], Continues),
+        targets: ([&mut [f64]; 2], Continues),
     ) -> Result<usize, Error> {
         self.forget(system);
-        let goal = forcing * norm(residual);
+        self.whole.start(residual.iter().map(|r| -r));
+        self.whole.recycle(&self.all[..self.known], system);
+        self.find(system, forcing * norm(residual), targets)
+    }
+
+    /// The same with the Jacobian of the last system.
+    ///
+    /// # Errors
+    /// That of `continues`.
+    pub(crate) fn solve_again(
+        &mut self,
+        system: &mut impl Equilibrium,
+        residual: &[f64],
+        forcing: f64,
+        targets: ([&mut [f64]; 2], Continues),
+    ) -> Result<usize, Error> {
+        self.whole.take(residual.iter().map(|r| -r));
+        self.whole.weigh();
+        self.find(system, forcing * norm(residual), targets)
+    }
+
+    /// Adds directions until the rest is small.
+    fn find(
+        &mut self,
+        system: &mut impl Equilibrium,
+        goal: f64,
+        ([step, response], continues): ([&mut [f64]; 2], Continues),
+    ) -> Result<usize, Error> {
         let Self { all, known, whole, alone } = self;
-        whole.start(residual.iter().map(|r| -r));
-        whole.recycle(&all[..*known], system);
         alone.start(whole.rest.iter().copied());
         let (first_new, mut useless) = (*known, 0);
         let mut products = 0;
@@ -290,6 +326,19 @@ impl Directions {
         response.fill(0.0);
         whole.add_to(step, response, all);
         Ok(products)
+    }
+
+    /// Adds a direction with its response.
+    pub(crate) fn add(&mut self, z: &[f64], response: &[f64]) {
+        if self.all.len() == self.known {
+            self.all.push(Direction::default());
+        }
+        let room = &mut self.all[self.known];
+        self.known += 1;
+        for (room, given) in [(&mut room.z, z), (&mut room.response, response)] {
+            room.clear();
+            room.extend_from_slice(given);
+        }
     }
 
     /// Forgets all directions.

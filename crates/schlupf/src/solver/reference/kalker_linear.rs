@@ -1,6 +1,7 @@
 //! Kalker's linear theory of rolling: forces for vanishing creepage, in full adhesion.
 
 use crate::bodies::Kinematics;
+use crate::numerics::dual::Number;
 use crate::solution::Resultant;
 
 /// Creep coefficients of an elliptic contact (Kalker 1967; Kalker, *Three-dimensional elastic
@@ -40,15 +41,24 @@ impl CreepCoefficients {
         semi_axes: [f64; 2],
         shear_modulus: f64,
     ) -> Resultant {
-        let c = (semi_axes[0] * semi_axes[1]).sqrt();
-        let unit = shear_modulus * c * c;
-        let (lateral, spin) = (kinematics.creepage_y, c * kinematics.spin);
-        Resultant::new(
-            -unit * self.c11 * kinematics.creepage_x,
-            -unit * (self.c22 * lateral + self.c23 * spin),
-            -unit * c * (self.c33 * spin - self.c23 * lateral),
-        )
+        let coefficients = [self.c11, self.c22, self.c23, self.c33];
+        let [x, y, moment] =
+            linear_force(coefficients, kinematics.creepages(), semi_axes, shear_modulus);
+        Resultant::new(x, y, moment)
     }
+}
+
+/// The same from C11, C22, C23 and C33: Fx, Fy (in N) and Mz (in N m).
+pub(crate) fn linear_force<T: Number>(
+    [c11, c22, c23, c33]: [T; 4],
+    [xi, eta, spin]: [T; 3],
+    [a, b]: [T; 2],
+    shear_modulus: f64,
+) -> [T; 3] {
+    let unit = -(a * b * shear_modulus);
+    let lever = (a * b).sqrt();
+    let spin = lever * spin;
+    [unit * c11 * xi, unit * (c22 * eta + c23 * spin), unit * lever * (c33 * spin - c23 * eta)]
 }
 
 #[cfg(test)]

@@ -13,6 +13,7 @@ pub use carter::Carter;
 pub use cattaneo_mindlin::CattaneoMindlin;
 pub use haines_ollerton::HainesOllerton;
 pub use kalker_linear::CreepCoefficients;
+pub(crate) use kalker_linear::linear_force;
 pub use moving_source::SemiEllipticSource;
 pub use sliding_line_contact::SlidingLineContact;
 pub use westergaard::Westergaard;

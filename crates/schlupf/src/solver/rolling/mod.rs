@@ -3,6 +3,8 @@
 mod shared;
 pub mod marching;
 pub mod steady;
+mod from_steady;
 mod solvers;
 
+pub use from_steady::march;
 pub use solvers::MarchingSolver;

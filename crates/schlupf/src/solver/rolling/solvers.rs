@@ -63,10 +63,16 @@ impl Solver for MarchingSolver {
     }
 
     fn solve_given(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
+        let rolling = self.rolling(problem, watch)?;
+        let problem = rolling.as_ref().unwrap_or(problem);
         let how = (self.options().tolerance, watch);
         unlike_bodies::settled(problem, how, |problem| {
             march(&Transient::to_steady_state(problem), self.options(), watch)
         })
+    }
+
+    fn rolling(&mut self, problem: &Problem, watch: Watch) -> Result<Option<Problem>, Error> {
+        self.steady.rolling(problem, watch)
     }
 
     fn has_derivatives(&self) -> bool {

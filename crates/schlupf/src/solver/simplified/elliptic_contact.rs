@@ -6,11 +6,12 @@ use crate::bodies::Kinematics;
 use crate::elasticity::HalfSpace;
 use crate::interface::friction::FrictionState;
 use crate::normal::NormalSummary;
+use crate::numerics::dual::Number;
 use crate::problem::Problem;
 use crate::reporting::Error;
 use crate::solution::Resultant;
 use crate::solver::kalker_coefficients::interpolated_coefficients;
-use crate::solver::reference::CreepCoefficients;
+use crate::solver::reference::{CreepCoefficients, linear_force};
 
 /// An elliptic contact of two half-spaces. A non-elliptical patch is represented by the ellipse
 /// with its length and width.
@@ -57,28 +58,22 @@ impl EllipticContact {
     }
 
     /// The same bodies and layer with another load and another size of a like patch.
-    pub(super) fn resized(&self, normal: NormalSummary) -> Self {
-        let mut contact = Self { normal, ..*self };
-        if self.layer_compliance > 0.0 {
-            contact.coefficients = contact.softened();
-        }
-        contact
+    pub(crate) fn resized(&self, normal: NormalSummary) -> Self {
+        let [c11, c22, c23, c33] = self.ellipse(normal.semi_axes()).coefficients;
+        let coefficients = CreepCoefficients { c11, c22, c23, c33 };
+        Self { normal, coefficients, ..*self }
     }
 
-    /// The coefficients with the layer in series: those for which the springs that stand for the
-    /// bodies, L1 = 8a/(3 G C11), L2 = 8a/(3 G C22), L3 = π a²/(4 G √(ab) C23) (Kalker 1982) and 8
-    /// b/(15 G C33) for the moment, are as much softer as the layer.
-    fn softened(&self) -> CreepCoefficients {
-        let [a, b] = self.normal.semi_axes();
-        let relative = self.layer_compliance * self.shear_modulus;
-        let soft = |c: f64, unit: f64| c / (1.0 + relative * c / unit);
+    /// The patch with semi-axes (in m) of the same ratio, which may have derivatives.
+    pub(crate) fn ellipse<T: Number>(&self, semi_axes: [T; 2]) -> Ellipse<T> {
         let CreepCoefficients { c11, c22, c23, c33 } = self.of_bodies;
-        CreepCoefficients {
-            c11: soft(c11, 8.0 / 3.0 * a),
-            c22: soft(c22, 8.0 / 3.0 * a),
-            c23: soft(c23, 0.25 * PI * a * a / self.lever()),
-            c33: soft(c33, 8.0 / 15.0 * b),
-        }
+        let of_bodies = [c11, c22, c23, c33].map(T::from);
+        Ellipse::with_layer(of_bodies, semi_axes, (self.shear_modulus, self.layer_compliance))
+    }
+
+    /// Compliance h/G of the layer between the surfaces, in m/Pa.
+    pub(crate) fn layer_compliance(&self) -> f64 {
+        self.layer_compliance
     }
 
     /// Lever arm √(ab), in m.
@@ -97,6 +92,57 @@ impl EllipticContact {
     pub fn stress_gradient(&self, kinematics: &Kinematics, limit: f64) -> f64 {
         let force = self.linear_force(&Kinematics { spin: 0.0, ..*kinematics });
         0.25 * PI * force.x.hypot(force.y) / limit
+    }
+}
+
+/// The patch of an elliptic contact, in numbers that may have derivatives.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Ellipse<T> {
+    /// a and b, in m.
+    pub semi_axes: [T; 2],
+    /// G of both bodies, in Pa.
+    pub shear_modulus: f64,
+    /// C11, C22, C23 and C33, dimensionless.
+    pub coefficients: [T; 4],
+}
+
+impl<T: Number> Ellipse<T> {
+    /// From C11, C22, C23 and C33 of the bodies alone, the semi-axes (in m), the shear modulus (in
+    /// Pa), and the compliance h/G of a layer, in m/Pa.
+    ///
+    /// The coefficients are those with the layer in series, for which the springs that stand for
+    /// the bodies, L1 = 8a/(3 G C11), L2 = 8a/(3 G C22), L3 = π a²/(4 G √(ab) C23) (Kalker 1982)
+    /// and 8 b/(15 G C33) for the moment, are as much softer as the layer.
+    pub fn with_layer(
+        of_bodies: [T; 4],
+        semi_axes: [T; 2],
+        (shear_modulus, layer_compliance): (f64, f64),
+    ) -> Self {
+        let [a, b] = semi_axes;
+        let relative = layer_compliance * shear_modulus;
+        let soft = |c: T, unit: T| c / (T::from(1.0) + c * relative / unit);
+        let [c11, c22, c23, c33] = of_bodies;
+        let coefficients = if relative > 0.0 {
+            [
+                soft(c11, a * (8.0 / 3.0)),
+                soft(c22, a * (8.0 / 3.0)),
+                soft(c23, a * a / (a * b).sqrt() * (0.25 * PI)),
+                soft(c33, b * (8.0 / 15.0)),
+            ]
+        } else {
+            of_bodies
+        };
+        Self { semi_axes, shear_modulus, coefficients }
+    }
+
+    /// √(ab), in m.
+    pub fn lever(&self) -> T {
+        (self.semi_axes[0] * self.semi_axes[1]).sqrt()
+    }
+
+    /// Fx, Fy (in N) and Mz (in N m) in full adhesion, under ξ, η (dimensionless) and φ, in 1/m.
+    pub fn linear_force(&self, creepages: [T; 3]) -> [T; 3] {
+        linear_force(self.coefficients, creepages, self.semi_axes, self.shear_modulus)
     }
 }
 

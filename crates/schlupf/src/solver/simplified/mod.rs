@@ -23,16 +23,19 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use crate::bodies::{Kinematics, ReferencePoint};
-use crate::normal::{Grid, NormalContact};
+use crate::normal::{Grid, NormalContact, NormalSummary};
 use crate::problem::look_up_table::{AtShape, LookUpTable};
 use crate::problem::{AreaReduction, FastMethod, Method, Options, Problem, State};
-use crate::reporting::{Error, Progress, Quantity, Stage, Warning, Watch, tell, unwatched};
+use crate::reporting::{
+    Error, Progress, Quantity, Stage, Warning, Watch, require_positive, tell, unwatched,
+};
 use crate::solution::{Area, Fields, Instant, Power, Resultant, Solution, Status, Work};
 use crate::solver::Solver;
 use crate::solver::reference_point::AtPatch;
 use crate::solver::summary::snapshot::View;
 use crate::solver::summary::{self};
 
+pub(crate) use elliptic_contact::Ellipse;
 pub use elliptic_contact::{EllipticContact, friction_state};
 pub use tabulated::{TableContact, TableForce};
 
@@ -40,19 +43,21 @@ use elliptic_contact::friction_limit;
 use fastsim::Fastsim;
 
 /// A contact set up for one of the fast methods.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct FastContact {
     at: AtPatch,
     method: FastMethod,
     options: Options,
     contact: EllipticContact,
+    /// The contact of the set-up.
+    set_up: NormalSummary,
     kernel: Kernel,
     /// μN at the motion of the last force (in N), where the method has one for the whole contact.
     limit: f64,
 }
 
 /// Data of a method in addition to the ellipse of the contact.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 enum Kernel {
     KalkerLinear,
     ShenHedrickElkins,
@@ -109,16 +114,21 @@ impl FastContact {
     /// ```
     ///
     /// # Errors
-    /// Whatever [`FastMethod::check`], [`Problem::check`] and [`Options::check`] reject.
+    /// Viscoelastic bodies, and whatever [`FastMethod::check`], [`Problem::check`] and
+    /// [`Options::check`] reject.
     pub fn new(problem: &Problem, method: FastMethod, options: &Options) -> Result<Self, Error> {
         options.check()?;
         method.check()?;
+        if problem.interface.elasticity.viscoelastic().is_some() {
+            return Err(Error::ViscoelasticFastMethod {});
+        }
         let at = AtPatch::new(problem, &unwatched)?;
         let normal = at.problem.normal.normal_contact(None)?;
         normal.refuse_line(Quantity::Method)?;
         let kernel = Kernel::new(&method, &at.problem, options, &normal)?;
         let contact = EllipticContact::of(&at.problem, normal.summary)?;
-        Ok(Self { at, method, options: options.clone(), contact, kernel, limit: f64::INFINITY })
+        let (set_up, options) = (contact.normal, options.clone());
+        Ok(Self { at, method, options, contact, set_up, kernel, limit: f64::INFINITY })
     }
 
     /// The contact in the representation of the method.
@@ -132,6 +142,7 @@ impl FastContact {
         let bodies =
             |problem: &Problem| [problem.interface.wheel.material, problem.interface.rail.material];
         let fits = Arc::ptr_eq(&self.at.problem.normal, &problem.normal)
+            && problem.interface.elasticity.viscoelastic().is_none()
             && self.at.problem.interface.layer == problem.interface.layer
             && bodies(&self.at.problem) == bodies(problem);
         if !fits {
@@ -149,13 +160,14 @@ impl FastContact {
     /// unless the load changes the shape of the patch.
     pub fn set_load(&mut self, load: f64) -> Result<(), Error> {
         let problem = &self.at.problem;
-        let contact = problem.normal.normal_contact(Some(load))?;
-        if problem.normal.load_exponent().is_none() {
+        let Some(exponent) = problem.normal.load_exponent() else {
+            let contact = problem.normal.normal_contact(Some(load))?;
             self.contact = EllipticContact::of(problem, contact.summary)?;
             self.kernel = Kernel::new(&self.method, problem, &self.options, &contact)?;
             return Ok(());
-        }
-        let (normal, before) = (contact.summary, self.contact.normal);
+        };
+        require_positive(Quantity::Load, load)?;
+        let (normal, before) = (self.set_up.under(load, exponent), self.contact.normal);
         if let Kernel::Fastsim(fastsim) = &mut self.kernel {
             fastsim.rescale(
                 normal.semi_axis_x / before.semi_axis_x,

@@ -1,19 +1,21 @@
 //! Polach's method: a creep curve in closed form with reduced slopes in the areas of adhesion and
 //! of slip.
 
-use std::f64::consts::FRAC_2_PI;
+use std::f64::consts::{FRAC_2_PI, PI};
 
 use crate::bodies::Kinematics;
+use crate::numerics::dual::{Dual, Number};
 use crate::problem::AreaReduction;
 use crate::solution::Resultant;
 
 use super::EllipticContact;
+use super::elliptic_contact::Ellipse;
 
 /// Forces on the wheel for a friction limit μN, in N; the moment is unknown (`None`).
 ///
 /// With the lateral creepage η_c = η + φa if that is larger in magnitude than η, otherwise η, the
-/// total creepage ν_c = √(ξ² + η_c²), and ε_c = ε ν_c/ν with the [stress
-/// gradient](EllipticContact::stress_gradient) ε:
+/// total creepage ν_c = √(ξ² + η_c²), and ε_c = ε ν_c/ν with the gradient of the stress in the area
+/// of adhesion, ε = G π a b √((C11 ξ)² + (C22 η)²)/(4 μN), ν = √(ξ² + η²):
 ///
 /// F = (2/π) μN (k_A ε_c/(1 + (k_A ε_c)²) + arctan(k_S ε_c)),
 /// Fx = −F ξ/ν_c, Fy = −F η/ν_c − (9/16) a μN K_M (1 + 6.3 (1 − e^(−a/b))) φ/ν_c,
@@ -47,18 +49,47 @@ pub fn force(
     limit: f64,
     reduction: AreaReduction,
 ) -> Resultant {
-    let Kinematics { creepage_x: xi, creepage_y: eta, spin, .. } = *kinematics;
-    let a = contact.normal.semi_axis_x;
+    let ellipse = contact.ellipse(contact.normal.semi_axes());
+    let AreaReduction { area_adhesion, area_slip } = reduction;
+    let [x, y] = limited(&ellipse, kinematics.creepages(), limit, [area_adhesion, area_slip]);
+    Resultant { x, y, moment_z: None }
+}
+
+/// Fx and Fy (in N), for k_A and k_S.
+///
+/// Where there is no creepage, the derivatives are those along ξ and along η: the stress gradient
+/// has no other there unless C11 = C22.
+pub(crate) fn limited<T: Number>(
+    ellipse: &Ellipse<T>,
+    [xi, eta, spin]: [T; 3],
+    limit: T,
+    [adhesion, slip]: [T; 2],
+) -> [T; 2] {
+    let [a, b] = ellipse.semi_axes;
     let with_spin = eta + spin * a;
-    let eta_c = if with_spin.abs() > eta.abs() { with_spin } else { eta };
+    let eta_c = if with_spin.abs().value() > eta.abs().value() { with_spin } else { eta };
     let (nu, nu_c) = (xi.hypot(eta), xi.hypot(eta_c));
-    if nu_c == 0.0 {
-        return Resultant { x: 0.0, y: 0.0, moment_z: None };
+    if nu_c.value() == 0.0 {
+        let [x, y, _] = ellipse.linear_force([xi, eta, T::from(0.0)]);
+        let [_, spin_force, _] = ellipse.linear_force([T::from(0.0), T::from(0.0), spin]);
+        let part = (adhesion + slip) * 0.5;
+        return [part * x, part * y + spin_force];
     }
-    let gradient = contact.stress_gradient(kinematics, limit);
-    let force = if nu > 0.0 { limit * curve(gradient * nu_c / nu, reduction) } else { 0.0 };
-    let spin_force = limit * spin_share(contact, eta_c, limit) * spin;
-    Resultant { x: -force * xi / nu_c, y: -(force * eta + spin_force) / nu_c, moment_z: None }
+    // ε/ν, without spin.
+    let unit = a * b * (0.25 * PI * ellipse.shear_modulus) / limit;
+    let [c11, c22, c23, _] = ellipse.coefficients;
+    let rate = (c11 * xi).hypot(c22 * eta);
+    let over_creepage = |rate: T| limit * curve(unit * rate * nu_c, [adhesion, slip]) / nu_c;
+    let force = if nu.value() > 0.0 {
+        [over_creepage(rate / nu); 2]
+    } else {
+        [c11, c22].map(over_creepage)
+    };
+    let shape = T::from(1.0 + 6.3) - (-(a / b)).exp() * 6.3;
+    let spin_gradient = b * ellipse.lever() * c23 * eta_c.abs() / (limit * shape)
+        * (8.0 / 3.0 * ellipse.shear_modulus);
+    let spin_force = limit * a * shape * spin_saturation(spin_gradient) * spin / nu_c;
+    [-(force[0] * xi), -(force[1] * eta + spin_force * (9.0 / 16.0))]
 }
 
 /// The forces with their derivatives, for identification.
@@ -82,90 +113,34 @@ pub fn differentiated_force(
     limit: f64,
     reduction: AreaReduction,
 ) -> Differentiated {
-    let Kinematics { creepage_x: xi, creepage_y: eta, spin, .. } = *kinematics;
-    let whole = force(contact, kinematics, limit, reduction);
-    let a = contact.normal.semi_axis_x;
-    let with_spin = eta + spin * a;
-    let eta_c = if with_spin.abs() > eta.abs() { with_spin } else { eta };
-    let (nu, nu_c) = (xi.hypot(eta), xi.hypot(eta_c));
-    let force = [whole.x, whole.y];
-    if nu_c == 0.0 {
-        let nothing = [0.0; 2];
-        return Differentiated {
-            force,
-            by_limit: nothing,
-            by_area_adhesion: nothing,
-            by_area_slip: nothing,
-        };
-    }
-    let (mut by_limit, mut by_reductions) = (0.0, [0.0; 2]);
-    if nu > 0.0 {
-        let gradient = contact.stress_gradient(kinematics, limit) * nu_c / nu;
-        let [adhesion, slip] = [reduction.area_adhesion, reduction.area_slip].map(|k| k * gradient);
-        let bell = (1.0 - adhesion * adhesion) / (1.0 + adhesion * adhesion).powi(2);
-        let lorentz = 1.0 / (1.0 + slip * slip);
-        // The gradient is proportional to 1/μN.
-        let by_gradient = FRAC_2_PI * (adhesion * bell + slip * lorentz);
-        by_limit = curve(gradient, reduction) - by_gradient;
-        by_reductions = [bell, lorentz].map(|shape| limit * FRAC_2_PI * gradient * shape);
-    }
-    let along = |change: f64| [-change * xi / nu_c, -change * eta / nu_c];
-    let [by_limit_x, by_limit_y] = along(by_limit);
-    let by_spin = spin_share_by_limit(contact, eta_c, limit) * spin / nu_c;
+    let AreaReduction { area_adhesion, area_slip } = reduction;
+    let [limit, area_adhesion, area_slip] = Dual::<3>::variables([limit, area_adhesion, area_slip]);
+    let ellipse = contact.ellipse(contact.normal.semi_axes().map(Dual::from));
+    let creepages = kinematics.creepages().map(Dual::from);
+    let found = limited(&ellipse, creepages, limit, [area_adhesion, area_slip]);
+    let by = |k: usize| found.map(|force| force.slopes[k]);
     Differentiated {
-        force,
-        by_limit: [by_limit_x, by_limit_y - by_spin],
-        by_area_adhesion: along(by_reductions[0]),
-        by_area_slip: along(by_reductions[1]),
+        force: found.map(|force| force.value),
+        by_limit: by(0),
+        by_area_adhesion: by(1),
+        by_area_slip: by(2),
     }
 }
 
 /// F/μN due to creepage alone, dimensionless.
-fn curve(gradient: f64, AreaReduction { area_adhesion, area_slip }: AreaReduction) -> f64 {
-    let adhesion = area_adhesion * gradient;
-    FRAC_2_PI * (adhesion / (1.0 + adhesion * adhesion) + (area_slip * gradient).atan())
-}
-
-/// (9/16) a K_M (1 + 6.3 (1 − e^(−a/b))), in m.
-fn spin_share(contact: &EllipticContact, eta_c: f64, limit: f64) -> f64 {
-    let [lever, gradient] = spin_gradient(contact, eta_c, limit);
-    lever * spin_saturation(gradient)
-}
-
-/// Derivative of the product of μN and that share with respect to μN, in m.
-fn spin_share_by_limit(contact: &EllipticContact, eta_c: f64, limit: f64) -> f64 {
-    let [lever, gradient] = spin_gradient(contact, eta_c, limit);
-    lever * (spin_saturation(gradient) - gradient * spin_saturation_slope(gradient))
-}
-
-/// (9/16) a (1 + 6.3 (1 − e^(−a/b))), in m, and ε_s.
-fn spin_gradient(contact: &EllipticContact, eta_c: f64, limit: f64) -> [f64; 2] {
-    let (a, b) = (contact.normal.semi_axis_x, contact.normal.semi_axis_y);
-    let shape = 1.0 + 6.3 * (1.0 - (-a / b).exp());
-    let unit = contact.shear_modulus * b * contact.lever() * contact.coefficients.c23;
-    let gradient = 8.0 / 3.0 * unit * eta_c.abs() / (limit * shape);
-    [9.0 / 16.0 * a * shape, gradient]
+fn curve<T: Number>(gradient: T, [adhesion, slip]: [T; 2]) -> T {
+    let adhesion = adhesion * gradient;
+    (adhesion / (T::from(1.0) + adhesion * adhesion) + (slip * gradient).atan()) * FRAC_2_PI
 }
 
 /// K_M, dimensionless. With 1 − δ = 2/(1 + ε²) the first term is ε (1 − δ)² (1 + 2δ)/6, which has
 /// no cancellation.
-fn spin_saturation(gradient: f64) -> f64 {
-    let rest = 2.0 / (1.0 + gradient * gradient);
-    let delta = 1.0 - rest;
+fn spin_saturation<T: Number>(gradient: T) -> T {
+    let one = T::from(1.0);
+    let rest = T::from(2.0) / (one + gradient * gradient);
+    let delta = one - rest;
     let root = gradient * rest;
-    root.powi(3) / 3.0 - gradient * rest * rest * (1.0 + 2.0 * delta) / 6.0
-}
-
-/// dK_M/dε_s, dimensionless.
-fn spin_saturation_slope(gradient: f64) -> f64 {
-    let rest = 2.0 / (1.0 + gradient * gradient);
-    let delta = 1.0 - rest;
-    let root = gradient * rest;
-    let rest_slope = -gradient * rest * rest;
-    let root_slope = rest + gradient * rest_slope;
-    let product = rest * rest * (1.0 + 2.0 * delta);
-    let product_slope = 2.0 * rest * rest_slope * (delta - rest + 1.0 + delta);
-    root * root * root_slope - (product + gradient * product_slope) / 6.0
+    root * root * root * (1.0 / 3.0) - root * rest * (one + delta * 2.0) * (1.0 / 6.0)
 }
 
 #[cfg(test)]
@@ -235,7 +210,7 @@ mod tests {
     /// k_A = k_S = 1: the slope is 4/π, that of the linear theory, and the limit is μN.
     #[test]
     fn polach_1999_curve_between_its_limits() {
-        let plain = AreaReduction { area_adhesion: 1.0, area_slip: 1.0 };
+        let plain = [1.0, 1.0];
         assert_relative_eq!(curve(1e-6, plain), 2.0 * FRAC_2_PI * 1e-6, max_relative = 1e-9);
         assert_relative_eq!(curve(1e6, plain), 1.0, max_relative = 1e-6);
     }

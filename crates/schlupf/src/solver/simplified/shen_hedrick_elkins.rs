@@ -1,9 +1,11 @@
 //! Shen, Hedrick and Elkins: the linear forces, with the saturation of Vermeulen and Johnson.
 
 use crate::bodies::Kinematics;
+use crate::numerics::dual::Number;
 use crate::solution::Resultant;
 
 use super::EllipticContact;
+use super::elliptic_contact::Ellipse;
 
 /// Forces and moment on the wheel, all three being the linear ones times |F|/|F_lin|, for a
 /// friction limit μN (in N):
@@ -16,14 +18,22 @@ use super::EllipticContact;
 /// apply it to Kalker's linear forces with spin. Limits: small spin, as large spin saturates the
 /// force differently; the moment is scaled like the forces, which the sources do not specify.
 pub fn force(contact: &EllipticContact, kinematics: &Kinematics, limit: f64) -> Resultant {
-    let linear = contact.linear_force(kinematics);
-    let saturation = reduction(linear.tangential() / limit);
-    linear.scaled(saturation, saturation)
+    let ellipse = contact.ellipse(contact.normal.semi_axes());
+    let [x, y, moment] = saturated(&ellipse, kinematics.creepages(), limit);
+    Resultant::new(x, y, moment)
+}
+
+/// Fx, Fy (in N) and Mz (in N m).
+pub(crate) fn saturated<T: Number>(ellipse: &Ellipse<T>, creepages: [T; 3], limit: T) -> [T; 3] {
+    let linear = ellipse.linear_force(creepages);
+    let saturation = reduction(linear[0].hypot(linear[1]) / limit);
+    linear.map(|part| saturation * part)
 }
 
 /// |F|/|F_lin| for ρ = |F_lin|/μN, both dimensionless.
-fn reduction(rho: f64) -> f64 {
-    if rho > 3.0 { rho.recip() } else { 1.0 - rho / 3.0 + rho * rho / 27.0 }
+fn reduction<T: Number>(rho: T) -> T {
+    let one = T::from(1.0);
+    if rho.value() > 3.0 { one / rho } else { one - rho * (1.0 / 3.0) + rho * rho * (1.0 / 27.0) }
 }
 
 #[cfg(test)]

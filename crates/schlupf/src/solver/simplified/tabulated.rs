@@ -84,13 +84,13 @@ impl<'a> TableContact<'a> {
     }
 
     /// What depends on the shape of the patch alone.
-    pub(super) fn shape(table: &LookUpTable, contact: &EllipticContact) -> AtShape {
+    pub(crate) fn shape(table: &LookUpTable, contact: &EllipticContact) -> AtShape {
         let c = contact.coefficients;
         let axis_ratio = contact.normal.semi_axis_x / contact.normal.semi_axis_y;
         table.at(axis_ratio, Some([c.c11, c.c22, c.c23, c.c33]))
     }
 
-    pub(super) fn at(table: &'a LookUpTable, at: AtShape, contact: EllipticContact) -> Self {
+    pub(crate) fn at(table: &'a LookUpTable, at: AtShape, contact: EllipticContact) -> Self {
         Self { table, at, contact }
     }
 

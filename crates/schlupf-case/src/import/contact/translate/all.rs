@@ -151,6 +151,10 @@ fn translate(source: &Arc<Source>, job: &Job, options: &Options, stem: &str) -> 
     let control = &job.first.control;
     match &job.first.module {
         Module::WheelRail(of) => {
+            let of = match job.steady().map(|steady| &steady.module) {
+                Some(Module::WheelRail(steady)) => steady,
+                _ => of,
+            };
             let mut case = wheel_rail::translate(source, (control, of), &options.folder);
             wheel_history::write(&mut case, job);
             case

@@ -59,9 +59,9 @@ pub fn write(
             laws::refuse_conformal(case, elastic);
         }
         laws::unlike_bodies(case, elastic, basic.outer_iterations);
-        laws::method(case, control, elastic);
-        if control.bound.is(5) {
-            let what = "the approximate contact of Kik and Piotrowski (KPEC) needs two profiles";
+        laws::method(case, control, elastic, Some(wheel));
+        if control.bound.value >= 5.0 {
+            let what = "approximate contacts (KPEC, ANALYN) need two profiles";
             case.refuse(control.bound, what, "B = 0 solves the normal contact");
         }
         if let Some(motion) = &basic.motion {

@@ -10,6 +10,8 @@ use super::case::Translation;
 use super::frame::WheelBody;
 
 const YOUNG: [FieldPath; 2] = fields!["wheel.young_modulus", "rail.young_modulus"];
+const RELAXED: [FieldPath; 2] = fields!["wheel.relaxed_modulus", "rail.relaxed_modulus"];
+const RETARDATION: [FieldPath; 2] = fields!["wheel.retardation_time", "rail.retardation_time"];
 const POISSON: [FieldPath; 2] = fields!["wheel.poisson_ratio", "rail.poisson_ratio"];
 const TEMPERATURE: [FieldPath; 2] = fields!["wheel.bulk_temperature", "rail.bulk_temperature"];
 const CAPACITY: [FieldPath; 2] = fields!["wheel.specific_heat", "rail.specific_heat"];
@@ -19,11 +21,8 @@ const DENSITY: [FieldPath; 2] = fields!["wheel.density", "rail.density"];
 /// Elastic constants of both bodies.
 pub fn elastic(case: &mut Translation, elastic: &Elastic, wheel: WheelBody) {
     for (path, body) in [wheel.index(), 1 - wheel.index()].into_iter().enumerate() {
-        let (shear, poisson) = (elastic.shear_modulus[body].value, elastic.poisson[body].value);
-        // N/mm² in GPa.
-        let young = 2.0 * shear * (1.0 + poisson) / 1e3;
-        case.document.quantity(YOUNG[path], young, "GPa");
-        case.document.number(POISSON[path], poisson);
+        case.document.quantity(YOUNG[path], young_modulus(elastic, body), "GPa");
+        case.document.number(POISSON[path], elastic.poisson[body].value);
         case.stands(YOUNG[path], elastic.shear_modulus[body]);
         case.stands(POISSON[path], elastic.poisson[body]);
     }
@@ -38,6 +37,11 @@ pub fn elastic(case: &mut Translation, elastic: &Elastic, wheel: WheelBody) {
         let what = "influence coefficients from a file are not available";
         case.refuse(elastic.influence, what, "C3 = 2 is the half-space");
     }
+}
+
+/// Of a body, in GPa: GG is in N/mm².
+fn young_modulus(elastic: &Elastic, body: usize) -> f64 {
+    2.0 * elastic.shear_modulus[body].value * (1.0 + elastic.poisson[body].value) / 1e3
 }
 
 /// Influence coefficients on a curved surface for a contact in a plane.
@@ -56,7 +60,12 @@ pub fn unlike_bodies(case: &mut Translation, elastic: &Elastic, iterations: Opti
 }
 
 /// What solves the case: digits M and B.
-pub fn method(case: &mut Translation, control: &Control, elastic: &Elastic) {
+pub fn method(
+    case: &mut Translation,
+    control: &Control,
+    elastic: &Elastic,
+    wheel: Option<WheelBody>,
+) {
     let material = control.material;
     match material.whole() {
         0 | 4 => {
@@ -74,7 +83,14 @@ pub fn method(case: &mut Translation, control: &Control, elastic: &Elastic) {
             }
         }
         3 => fastsim(case, control, elastic),
-        1 => case.refuse(material, "viscoelastic bodies are not available", "M = 0 is elastic"),
+        1 => match wheel.filter(|_| control.tangential.is(3)) {
+            Some(wheel) => viscoelastic(case, (control, elastic), wheel),
+            None => case.refuse(
+                material,
+                "viscoelastic bodies are available in steady rolling of module 3 only",
+                "M = 0 is elastic",
+            ),
+        },
         2 => case.refuse(
             material,
             "FASTSIM with a flexibility FLX that is given is not available",
@@ -89,6 +105,36 @@ pub fn method(case: &mut Translation, control: &Control, elastic: &Elastic) {
     bound(case, control);
     if control.damping.value >= 2.0 {
         case.refuse(control.damping, "damping is not available", "leave it out: M2 = 0");
+    }
+}
+
+/// Standard linear solids: FG = E/E∞ − 1, and TC in s.
+fn viscoelastic(
+    case: &mut Translation,
+    (control, elastic): (&Control, &Elastic),
+    wheel: WheelBody,
+) {
+    if control.normal.is(0) {
+        let what = "the approach of viscoelastic bodies is not available";
+        case.refuse(control.normal, what, "N = 1 gives the load");
+    }
+    if control.bound.is(2) || control.bound.is(3) {
+        let what = "a given pressure of viscoelastic bodies is not available";
+        case.refuse(control.bound, what, "B = 0 solves the normal contact");
+    }
+    case.document.text(field!("elasticity.model"), "viscoelastic");
+    case.document.text(field!("contact_law.model"), "coulomb");
+    let [first, second, first_time, second_time] = elastic.model[..] else { return };
+    let solids = [[first, first_time], [second, second_time]];
+    for (path, body) in [wheel.index(), 1 - wheel.index()].into_iter().enumerate() {
+        let [ratio, time] = solids[body];
+        for given in [ratio, time].into_iter().filter(|given| given.value < 0.0) {
+            case.refuse(given, "must not be negative", "");
+        }
+        let young = young_modulus(elastic, body) / (1.0 + ratio.value);
+        case.document.quantity(RELAXED[path], young, "GPa");
+        case.quantity(RETARDATION[path], time, (1.0, "s"));
+        case.stands(RELAXED[path], ratio);
     }
 }
 
@@ -112,7 +158,6 @@ fn bound(case: &mut Translation, control: &Control) {
     let what = match bound.whole() {
         1 => "a compressible layer (FLXZ) is not available",
         4 => "the contact of two half-ellipses (SDEC) is not available",
-        6 => "the approximate contact ANALYN is not available",
         _ => return,
     };
     case.refuse(bound, what, "B = 0 solves the normal contact");

@@ -57,23 +57,14 @@ pub fn is_step(case: &InputCase) -> bool {
     matches!(case.control.tangential.whole(), 1 | 2)
 }
 
-/// Refuses what a history does not begin with.
-pub fn check_start(case: &mut Translation, job: &Job) {
-    if let Some(before) = job.before.filter(|before| before.control.tangential.is(3)) {
-        let what = "a step that goes on from steady rolling is not available";
-        case.refuse(before.control.tangential, what, "P = 2 begins without tractions");
-    }
-}
-
 /// Translates a history.
 pub fn translate(source: &Arc<Source>, job: &Job, wheel: WheelBody, stem: &str) -> Translation {
     let mut case = Translation::new(source);
-    check_start(&mut case, job);
     let Some((largest, of)) = job.largest() else { return case };
     let Some(written) = basic::write(&mut case, (&largest.control, of), wheel, stem) else {
         return case;
     };
-    if largest.control.tangential.is(2)
+    if largest.control.is_rolling()
         && let Some(motion) = &of.motion
     {
         let forces = basic::forces_at(&largest.control, of, written);
@@ -81,6 +72,7 @@ pub fn translate(source: &Arc<Source>, job: &Job, wheel: WheelBody, stem: &str) 
     }
     if let Some(series) = job.series(&mut case, (of, written), (wheel, stem)) {
         series.write(&mut case);
+        job.write_start(&mut case);
     }
     case
 }
@@ -88,7 +80,7 @@ pub fn translate(source: &Arc<Source>, job: &Job, wheel: WheelBody, stem: &str) 
 /// What a step ends with.
 #[derive(Debug, Clone, Copy)]
 struct Row {
-    /// Duration in ms; nothing in a shift.
+    /// Duration in ms, none at all before steady rolling; nothing in a shift.
     duration: Option<f64>,
     /// Creepages, or a shift in mm, where no forces are given.
     tangential: [f64; 2],
@@ -102,6 +94,14 @@ struct Row {
     load: f64,
 }
 
+impl Row {
+    /// Whether both roll, and the motion of the other one is not this one.
+    fn jumps_to(&self, next: &Self) -> bool {
+        let motion = |row: &Self| (row.tangential, row.spin, row.speed);
+        self.duration.is_some() && next.duration.is_some() && motion(self) != motion(next)
+    }
+}
+
 /// Values at the end of every step.
 struct Series(Vec<Row>);
 
@@ -109,6 +109,23 @@ impl Job<'_> {
     /// All of its cases.
     pub fn all(&self) -> impl Iterator<Item = &InputCase> {
         std::iter::once(self.first).chain(self.steps.iter().copied())
+    }
+
+    /// The steady rolling that its first step goes on from.
+    pub fn steady(&self) -> Option<&InputCase> {
+        self.before.filter(|before| before.control.tangential.is(3))
+    }
+
+    /// The steady rolling before, and all of its cases.
+    pub fn states(&self) -> impl Iterator<Item = &InputCase> {
+        self.steady().into_iter().chain(self.all())
+    }
+
+    /// Writes what the history starts with.
+    pub fn write_start(&self, case: &mut Translation) {
+        if self.steady().is_some() {
+            case.document.text(field!("history.start"), "steady");
+        }
     }
 
     /// Whether it becomes a history.
@@ -119,8 +136,8 @@ impl Job<'_> {
 
     /// The step with the largest load, of those that roll if any do.
     fn largest(&self) -> Option<(&InputCase, &Basic)> {
-        let rolls = self.all().any(|step| step.control.tangential.is(2));
-        let steps = self.all().filter(|step| !rolls || step.control.tangential.is(2));
+        let rolls = self.states().any(|step| step.control.is_rolling());
+        let steps = self.states().filter(|step| !rolls || step.control.is_rolling());
         let loaded = steps.filter_map(|step| match &step.module {
             Module::Basic(of) => Some((step, of, of.motion?.normal.value)),
             Module::WheelRail(_) => None,
@@ -139,7 +156,7 @@ impl Job<'_> {
         (wheel, stem): (WheelBody, &str),
     ) -> Option<Series> {
         let mut rows = Vec::new();
-        for step in self.all() {
+        for step in self.states() {
             let Module::Basic(of) = &step.module else { continue };
             if let Some(changed) = changed((self.first, base), of, step) {
                 let what = "a change within a sequence of steps is not available";
@@ -195,7 +212,8 @@ fn row(
         case.refuse(control.previous, what, "P = 0 is a new step");
     }
     let rolling = of.rolling?;
-    row.duration = Some(1e3 * rolling.step.value / rolling.speed.value);
+    let step = if control.tangential.is(3) { 0.0 } else { rolling.step.value };
+    row.duration = Some(1e3 * step / rolling.speed.value);
     row.spin *= 1e3;
     row.speed = rolling.speed.value / 1e3;
     Some(row)
@@ -206,12 +224,12 @@ impl Series {
     fn write(&self, case: &mut Translation) {
         let Self(steps) = self;
         let rolls = steps.iter().any(|step| step.duration.is_some());
-        // Rolling begins with the values of its first step.
-        let start = steps.first().filter(|first| first.duration.is_some());
-        let start = start.map(|first| Row { duration: None, ..*first });
-        let rows: Vec<Row> = start.into_iter().chain(steps.iter().copied()).collect();
+        // Rolling begins with the values of its first step, or with the steady state.
+        let start = steps.first().filter(|first| first.duration.is_some_and(|time| time > 0.0));
+        let start = start.map(|first| Row { duration: Some(0.0), ..*first });
+        let rows = with_jumps(start.into_iter().chain(steps.iter().copied()));
         if steps.iter().any(|step| step.duration.is_none()) {
-            self.write_shifts(case, rows.len());
+            write_shifts(case, &rows);
         }
         if rolls {
             write_times(case, &rows);
@@ -234,31 +252,39 @@ impl Series {
             case.document.quantities(field!("history.load"), &load, "kN");
         }
     }
+}
 
-    /// Shifts, one for each row.
-    fn write_shifts(&self, case: &mut Translation, count: usize) {
-        let Self(steps) = self;
-        let shifts = |value: fn(&Row) -> f64| {
-            let of = |step: &Row| if step.duration.is_none() { value(step) } else { 0.0 };
-            // None at the start of rolling.
-            let start = std::iter::repeat_n(0.0, count - steps.len());
-            start.chain(steps.iter().map(of)).collect::<Vec<f64>>()
-        };
-        let [has_x, has_y] =
-            [0, 1].map(|k| steps.iter().all(|step: &Row| step.forces[k].is_none()));
-        let document = &mut case.document;
-        if has_x {
-            let along = shifts(|step| step.tangential[0]);
-            document.quantities(field!("history.shifts_x"), &along, "mm");
-        }
-        if has_y {
-            let across = shifts(|step| step.tangential[1]);
-            document.quantities(field!("history.shifts_y"), &across, "mm");
-        }
-        let turns = shifts(|step| step.spin);
-        if turns.iter().any(|turn| *turn != 0.0) || !has_x && !has_y {
-            document.quantities(field!("history.turns"), &turns, "rad");
-        }
+/// The rows with the changes of motion between steps that roll, of which each has one motion
+/// throughout: at rest, and without a shift.
+fn with_jumps(steps: impl Iterator<Item = Row>) -> Vec<Row> {
+    let mut rows: Vec<Row> = Vec::new();
+    for row in steps {
+        let before = rows.last().filter(|before| before.jumps_to(&row));
+        let jump =
+            before.map(|before| Row { duration: None, tangential: [0.0; 2], spin: 0.0, ..*before });
+        rows.extend(jump);
+        rows.push(row);
+    }
+    rows
+}
+
+/// Shifts, one for each row.
+fn write_shifts(case: &mut Translation, rows: &[Row]) {
+    let shifts = |value: fn(&Row) -> f64| {
+        let of = |row: &Row| if row.duration.is_none() { value(row) } else { 0.0 };
+        rows.iter().map(of).collect::<Vec<f64>>()
+    };
+    let [has_x, has_y] = [0, 1].map(|k| rows.iter().all(|row| row.forces[k].is_none()));
+    let document = &mut case.document;
+    if has_x {
+        document.quantities(field!("history.shifts_x"), &shifts(|row| row.tangential[0]), "mm");
+    }
+    if has_y {
+        document.quantities(field!("history.shifts_y"), &shifts(|row| row.tangential[1]), "mm");
+    }
+    let turns = shifts(|row| row.spin);
+    if turns.iter().any(|turn| *turn != 0.0) || !has_x && !has_y {
+        document.quantities(field!("history.turns"), &turns, "rad");
     }
 }
 

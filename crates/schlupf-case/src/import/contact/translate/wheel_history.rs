@@ -14,10 +14,9 @@ pub fn write(case: &mut Translation, job: &Job) {
     if !sequence::is_step(job.first) {
         return;
     }
-    sequence::check_start(case, job);
     let Module::WheelRail(first) = &job.first.module else { return };
     let mut rows: Vec<Row> = Vec::new();
-    for step in job.all() {
+    for step in job.states() {
         let Module::WheelRail(of) = &step.module else { continue };
         if let Some(digit) = changed((job.first, first), of, step) {
             let what = "a change within a sequence of steps is not available";
@@ -31,12 +30,13 @@ pub fn write(case: &mut Translation, job: &Job) {
             let what = "a step that is repeated (P = 3) is not available in a history";
             return case.refuse(step.control.previous, what, "P = 0 is a new step");
         }
-        let Some(row) = Row::of(&step.control, of, rows.is_empty()) else { return };
-        if rows.is_empty() {
+        let Some(row) = Row::of(&step.control, of, rows.first()) else { return };
+        if rows.is_empty() && job.steady().is_none() {
             rows.push(Row { duration: 0.0, ..row });
         }
         rows.push(row);
     }
+    job.write_start(case);
     write_rows(case, &rows, &job.first.control);
 }
 
@@ -48,22 +48,32 @@ struct Row {
     /// As in the file.
     position: [Given; 6],
     velocity: [Given; 6],
+    /// What makes the latter one in a second.
+    rate: f64,
+    is_steady: bool,
 }
 
 impl Row {
     /// A shift in which the wheel goes on along the rail by half an element or more is rolling, of
-    /// a second; the first one is not.
-    fn of(control: &Control, of: &WheelRail, is_first: bool) -> Option<Self> {
+    /// a second, or at the speed of the steady rolling before; the first one is not.
+    fn of(control: &Control, of: &WheelRail, first: Option<&Self>) -> Option<Self> {
         let (position, velocity, search) = (of.position?, of.velocity?, of.search.as_ref()?);
-        let element = search.element[0].value;
-        let duration = if control.tangential.is(2) {
-            search.step.value * element / velocity[0].value
-        } else if is_first || velocity[0].value < 0.5 * element {
-            0.0
-        } else {
-            1.0
+        let (element, [way, ..]) = (search.element[0].value, velocity);
+        let steady = first.filter(|first| first.is_steady);
+        let mut row = Self {
+            duration: 0.0,
+            position,
+            velocity,
+            rate: 1.0,
+            is_steady: control.tangential.is(3),
         };
-        Some(Self { duration, position, velocity })
+        if control.tangential.is(2) {
+            row.duration = search.step.value * element / way.value;
+        } else if control.tangential.is(1) && first.is_some() && way.value >= 0.5 * element {
+            row.duration = steady.map_or(1.0, |steady| way.value / steady.velocity[0].value);
+            row.rate = row.duration.recip();
+        }
+        Some(row)
     }
 }
 
@@ -98,13 +108,22 @@ fn write_rows(case: &mut Translation, rows: &[Row], control: &Control) {
         })
         .collect();
     case.document.quantities(field!("history.time"), &times, "s");
+    if rows.iter().skip(1).any(|row| row.duration == 0.0) {
+        case.document.quantity(field!("history.shift_duration"), 1.0, "s");
+    }
     let support = if control.normal.is(0) { HEIGHT } else { LOAD };
     let positions = POSITIONS.into_iter().chain([support]).map(|column| (column, false));
     for ((path, place, factor, unit), is_velocity) in
         positions.chain(VELOCITIES.map(|column| (column, true)))
     {
-        let of = |row: &Row| if is_velocity { row.velocity[place] } else { row.position[place] };
-        let values: Vec<f64> = rows.iter().map(|row| factor * of(row).value).collect();
+        let of = |row: &Row| {
+            if is_velocity {
+                row.rate * row.velocity[place].value
+            } else {
+                row.position[place].value
+            }
+        };
+        let values: Vec<f64> = rows.iter().map(|row| factor * of(row)).collect();
         if sequence::changes(&values) || path == ANGULAR_VELOCITY {
             case.document.quantities(path, &values, unit);
         }

@@ -66,19 +66,23 @@ fn digits(case: &mut Translation, control: &Control) {
 }
 
 fn materials(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
+    let is_curved = wheel_rail.search.as_ref().is_some_and(|search| search.method.is(4));
     if let Some(elastic) = &wheel_rail.elastic {
         laws::elastic(case, elastic, BODY);
-        let is_curved = wheel_rail.search.as_ref().is_some_and(|search| search.method.is(4));
         match elastic.influence.whole() {
             4 if !is_curved => laws::refuse_conformal(case, elastic),
             2 if is_curved => case.notice(Notice::BentHalfSpaces {}, elastic.influence),
             _ => {}
         }
-        laws::method(case, control, elastic);
+        laws::method(case, control, elastic, None);
         laws::notice_fastsim(case, control, elastic, false);
-        if control.bound.is(5) {
-            case.document.text(field!("normal.method"), "ellipse-corrected");
-            case.notice(Notice::OtherShares {}, control.bound);
+        match control.bound.whole() {
+            5 => {
+                case.document.text(field!("normal.method"), "ellipse-corrected");
+                case.notice(Notice::OtherShares {}, control.bound);
+            }
+            6 => case.document.text(field!("normal.method"), "analyn"),
+            _ => {}
         }
     } else {
         case.miss(control.influence, "the materials");
@@ -87,7 +91,7 @@ fn materials(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) 
     match &wheel_rail.friction {
         Some(friction) => {
             let place = wheel_rail.position.map(|[s, ..]| s.value);
-            write_friction(case, control, friction, place);
+            write_friction(case, (control, friction), place, is_curved);
         }
         None => case.miss(control.friction_law, "the law of friction"),
     }
@@ -95,9 +99,9 @@ fn materials(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) 
 
 fn write_friction(
     case: &mut Translation,
-    control: &Control,
-    friction: &Friction,
+    (control, friction): (&Control, &Friction),
     place: Option<f64>,
+    is_curved: bool,
 ) {
     if control.tangential.is(0) {
         case.remark("Without friction (T = 0): as good as none.");
@@ -108,6 +112,9 @@ fn write_friction(
     let places: Vec<f64> = friction.places.iter().map(|place| place.value).collect();
     match (friction.variation.whole(), place) {
         (1, _) => {
+            if !is_curved {
+                case.notice(Notice::FrictionByRow {}, friction.variation);
+            }
             let places: Vec<f64> = places.iter().map(|angle| angle.to_degrees()).collect();
             let path = field!("friction.variation_inclination");
             friction::varying(case, friction, (path, &places, "deg"));
@@ -133,9 +140,9 @@ fn search(case: &mut Translation, control: &Control, wheel_rail: &WheelRail) {
             "D = 2 is that of the contact's plane; normal.row_motion = \"surface\" has that of the \
              surfaces, in the directions of every row",
         ),
-        4 if control.bound.is(5) => case.refuse(
+        4 if control.bound.value >= 5.0 => case.refuse(
             control.bound,
-            "the approximate contact of Kik and Piotrowski (KPEC) is in a plane, not on a curved surface",
+            "approximate contacts (KPEC, ANALYN) are in a plane, not on a curved surface",
             "B = 0 solves the normal contact",
         ),
         4 => case.document.text(field!("normal.method"), "conformal"),

@@ -82,7 +82,10 @@ pub(super) fn on_patch(patch: &Patch, elements: &[Element]) -> Vec<Element> {
 }
 
 /// A single grid over the largest patch.
-pub(super) fn grid_over_history(transient: &Transient, options: &Options) -> Result<Grid, Error> {
+pub(in crate::solver::rolling) fn grid_over_history(
+    transient: &Transient,
+    options: &Options,
+) -> Result<Grid, Error> {
     let largest = transient.history.largest_load();
     let contact: NormalContact = transient.problem.normal.normal_contact(largest)?;
     Ok(Grid::across(&contact.extent(), options.cells_x, options.cells_y))

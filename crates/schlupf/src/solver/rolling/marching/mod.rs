@@ -17,5 +17,6 @@ mod step_power;
 mod forces_over_time;
 mod march;
 
+pub(super) use initial_state::grid_over_history;
 pub(crate) use march::march_from;
 pub use march::{march, shift};

@@ -24,6 +24,9 @@ pub(super) struct Level {
     pub response: Vec<f64>,
     /// The same for the previous points, the latest first, in Pa.
     pub earlier: [Vec<f64>; 2],
+    /// Derivatives of its last solution with their linear responses, in Pa and m per unit of the
+    /// parameter.
+    pub changes: Vec<[Vec<f64>; 2]>,
     /// Its initial guess from previous solutions alone, in Pa.
     pub predicted: Vec<f64>,
     /// Whether its solution corrects what is predicted of the next finer one.
@@ -53,17 +56,16 @@ pub(super) struct Descent {
     pub known: Vec<f64>,
 }
 
-/// The nested grids of a normal contact, the finest first.
+/// The nested grids of a normal contact, from the finest on.
 pub(super) fn nested(
     problem: &Problem,
-    normal: &NormalContact,
+    (normal, finest): (&NormalContact, Grid),
     options: &Options,
     watch: Watch,
 ) -> Result<Vec<Level>, Error> {
-    let mut cells = [options.cells_x, options.cells_y];
+    let (mut grid, mut cells) = (finest, [finest.columns_within(), finest.rows]);
     let mut levels: Vec<Level> = Vec::new();
     loop {
-        let grid = Grid::across(&normal.extent(), cells[0], cells[1]);
         tell(watch, Progress::count(Stage::Steady, 0))?;
         let level = Level::new(problem, normal, grid)?;
         levels.first().unwrap_or(&level).contact.require_rows()?;
@@ -85,6 +87,7 @@ pub(super) fn nested(
             return Ok(levels);
         }
         cells = halved;
+        grid = Grid::across(&finest.extent(), cells[0], cells[1]);
     }
 }
 
@@ -101,6 +104,7 @@ impl Level {
             traction: zeros(),
             response: Vec::new(),
             earlier: [zeros(), zeros()],
+            changes: Vec::new(),
             predicted: zeros(),
             corrects: true,
             is_found: false,
@@ -117,7 +121,9 @@ impl Level {
     pub fn set_problem(&mut self, problem: &Problem) {
         self.friction.set_problem(problem, &self.contact);
         self.contact.set_laws(problem);
-        self.strips.set_problem(problem, &self.contact);
+        if self.strips.set_problem(problem, &self.contact) {
+            self.changes.clear();
+        }
         self.take_bound();
     }
 

@@ -4,6 +4,7 @@
 use std::sync::Arc;
 
 use crate::bodies::Kinematics;
+use crate::normal::Grid;
 use crate::numerics::vector::{dot, norm};
 use crate::problem::{Options, Problem};
 use crate::reporting::{Error, Watch};
@@ -38,9 +39,16 @@ pub(super) struct NestedGrids {
 }
 
 impl NestedGrids {
-    pub fn new(problem: &Problem, options: &Options, watch: Watch) -> Result<Self, Error> {
+    pub fn new(
+        problem: &Problem,
+        finest: Option<Grid>,
+        options: &Options,
+        watch: Watch,
+    ) -> Result<Self, Error> {
         let normal = problem.normal.normal_contact(None)?;
-        let levels = level::nested(problem, &normal, options, watch)?;
+        let across = || Grid::across(&normal.extent(), options.cells_x, options.cells_y);
+        let finest = finest.unwrap_or_else(across);
+        let levels = level::nested(problem, (&normal, finest), options, watch)?;
         Ok(Self { problem: problem.clone(), levels, earlier: Vec::new(), unsolved: Vec::new() })
     }
 

@@ -13,7 +13,7 @@ use crate::numerics::vector::{add_scaled, norm};
 use crate::problem::{Direction, Problem};
 use crate::reporting::{Error, Progress, Stage, Watch, tell};
 use crate::solution::{Resultant, Sensitivity};
-use crate::solver::equilibrium::{Directions, Equilibrium};
+use crate::solver::equilibrium::{Continues, Directions, Equilibrium};
 use crate::solver::rolling::shared::strip::Calibrated;
 use crate::solver::{settings, summary};
 
@@ -66,6 +66,8 @@ struct Derivatives<'a> {
     levels: &'a mut [Level],
     directions: &'a mut Directions,
     products: usize,
+    /// Whether the directions are those of the Jacobian.
+    is_known: bool,
     watch: Watch<'a>,
     /// Why the last derivative was not found, if it was stopped.
     stopped: Option<Error>,
@@ -73,6 +75,9 @@ struct Derivatives<'a> {
     step: Vec<f64>,
     response_step: Vec<f64>,
     change: Vec<f64>,
+    response_change: Vec<f64>,
+    /// All changes with their responses, in Pa and m per unit of the parameter.
+    found: Vec<[Vec<f64>; 2]>,
 }
 
 impl<'a> Derivatives<'a> {
@@ -87,11 +92,18 @@ impl<'a> Derivatives<'a> {
         let (p, u) = (levels[0].traction.clone(), levels[0].response.clone());
         SteadyState::new(problem, levels).residual(&p, &u, &mut vec![0.0; size]);
         levels[0].strips.is_exact = false;
+        // The derivatives at the last solution are nearly those at this one; and where all is
+        // proportional, what two parameters do differs by the state itself.
+        let state = levels[0].changes.drain(..).chain([[p, u]]);
+        for [change, response] in state.filter(|[_, u]| u.len() == response_size) {
+            directions.add(&change, &response);
+        }
         Self {
             accuracy: (settings::accuracy_of_derivatives() * tolerance)
                 .min(settings::least_accurate_derivatives())
                 .max(f64::EPSILON * size as f64),
             products: 0,
+            is_known: false,
             watch,
             stopped: None,
             problem,
@@ -100,11 +112,14 @@ impl<'a> Derivatives<'a> {
             step: vec![0.0; size],
             response_step: vec![0.0; response_size],
             change: vec![0.0; size],
+            response_change: vec![0.0; response_size],
+            found: Vec::new(),
         }
     }
 
     /// What was found with the number of products, unless it was stopped.
     fn finished<T>(self, found: T) -> Result<(T, usize), Error> {
+        self.levels[0].changes = self.found;
         self.stopped.map_or(Ok((found, self.products)), Err)
     }
 
@@ -322,6 +337,7 @@ impl<'a> Derivatives<'a> {
         system.change_by(direct, &mut residual);
         let start = norm(&residual);
         self.change.fill(0.0);
+        self.response_change.fill(0.0);
         let mut left = start;
         let mut product = vec![0.0; size];
         let mut before = f64::INFINITY;
@@ -329,7 +345,13 @@ impl<'a> Derivatives<'a> {
             let targets = [self.step.as_mut_slice(), self.response_step.as_mut_slice()];
             let forcing = (0.5 * self.accuracy * start / left).min(0.5);
             let continues = || tell(self.watch, Progress::count(Stage::Steady, 0));
-            match self.directions.solve(&mut system, &residual, forcing, (targets, &continues)) {
+            let targets = (targets, &continues as Continues);
+            let found = if std::mem::replace(&mut self.is_known, true) {
+                self.directions.solve_again(&mut system, &residual, forcing, targets)
+            } else {
+                self.directions.solve(&mut system, &residual, forcing, targets)
+            };
+            match found {
                 Ok(products) => self.products += products,
                 Err(error) => {
                     self.stopped = Some(error);
@@ -339,11 +361,15 @@ impl<'a> Derivatives<'a> {
             system.tangent_product(&self.step, &self.response_step, &mut product);
             add_scaled(&mut residual, 1.0, &product);
             add_scaled(&mut self.change, 1.0, &self.step);
+            add_scaled(&mut self.response_change, 1.0, &self.response_step);
             (before, left) = (left, norm(&residual));
         }
         let is_good = left <= settings::inaccurate_derivatives() * self.accuracy * start;
-        (is_good && start.is_finite())
-            .then(|| summary::resultant(&self.levels[0].contact.patch, &self.change))
+        if !is_good || !start.is_finite() {
+            return None;
+        }
+        self.found.push([self.change.clone(), self.response_change.clone()]);
+        Some(summary::resultant(&self.levels[0].contact.patch, &self.change))
     }
 }
 

@@ -2,12 +2,14 @@
 
 use crate::bodies::Kinematics;
 use crate::interface::InterfaceConstant;
+use crate::normal::Grid;
 use crate::problem::{Method, Options, PrescribedForces, Problem};
 use crate::reporting::{Error, Warning, Watch};
 use crate::solution::{Resultant, Solution, Work};
 use crate::solver::equilibrium::{Directions, Newton};
 use crate::solver::prescribed::ForceGoal;
 use crate::solver::reference_point::AtPatch;
+use crate::solver::viscoelastic::LastPressure;
 use crate::solver::{Solver, settings, unlike_bodies};
 
 use super::goal::{Found, Goal};
@@ -44,8 +46,11 @@ pub fn solve(problem: &Problem, options: &Options, watch: Watch) -> Result<Solut
 /// [`Strategy`](crate::solution::Strategy).
 pub struct SteadySolver {
     options: Options,
+    /// The cells, where they are not those across the patch.
+    grid: Option<Grid>,
     grids: Option<NestedGrids>,
     newton: Newton,
+    viscoelastic: LastPressure,
     /// Searches on fewer cells, once needed.
     coarser: Option<Box<Self>>,
 }
@@ -75,8 +80,14 @@ impl Solver for SteadySolver {
     }
 
     fn solve_given(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
+        let rolling = self.rolling(problem, watch)?;
+        let problem = rolling.as_ref().unwrap_or(problem);
         let how = (self.options.tolerance, watch);
         unlike_bodies::settled(problem, how, |problem| self.solve_under_pressure(problem, watch))
+    }
+
+    fn rolling(&mut self, problem: &Problem, watch: Watch) -> Result<Option<Problem>, Error> {
+        self.viscoelastic.rolling(problem, watch)
     }
 
     fn has_derivatives(&self) -> bool {
@@ -88,18 +99,7 @@ impl Solver for SteadySolver {
         problem: &Problem,
         watch: Watch,
     ) -> Result<Option<Solution>, Error> {
-        let mut is_found = true;
-        let how = (self.options.tolerance, watch);
-        let solution = unlike_bodies::settled(problem, how, |problem| {
-            let at = AtPatch::new(problem, watch)?;
-            let state = self.state(&at, &PrescribedForces::default(), true, watch)?;
-            if let Some(solution) = state.found() {
-                return Ok(at.back(solution));
-            }
-            is_found = false;
-            self.solve_under_pressure(problem, watch)
-        })?;
-        Ok(is_found.then_some(solution))
+        self.solve_with_sensitivity(problem, self.options.tolerance, watch)
     }
 
     fn solve_with_slopes(
@@ -136,15 +136,18 @@ impl Solver for SteadySolver {
         problem: &Problem,
         watch: Watch,
     ) -> Result<Option<Solution>, Error> {
+        let rolling = self.rolling(problem, watch)?;
+        let problem = rolling.as_ref().unwrap_or(problem);
         let given = Problem { prescribed: PrescribedForces::default(), ..problem.clone() };
         let at = AtPatch::new(&given, watch)?;
-        let state = self.state(&at, &problem.prescribed, self.options.sensitivity, watch)?;
+        let state = self.state(&at, &problem.prescribed, self.asked(), watch)?;
         Ok(state.found().map(|solution| at.back(solution)))
     }
 
     fn forget(&mut self) {
         if let Some(grids) = &mut self.grids {
             grids.earlier.clear();
+            grids.levels[0].changes.clear();
         }
         if let Some(coarser) = &mut self.coarser {
             coarser.forget();
@@ -156,15 +159,56 @@ impl SteadySolver {
     /// The steady state under a pressure that the tractions do not change.
     fn solve_under_pressure(&mut self, problem: &Problem, watch: Watch) -> Result<Solution, Error> {
         let at = AtPatch::new(problem, watch)?;
-        match self.state(&at, &PrescribedForces::default(), self.options.sensitivity, watch)? {
+        match self.state(&at, &PrescribedForces::default(), self.asked(), watch)? {
             State::Found(solution) => Ok(at.back(*solution)),
-            State::Lost(found, work) => found.march(problem, (&self.options, &work), watch),
+            State::Lost(found, work) => {
+                found.march((problem, self.grid), (&self.options, &work), watch)
+            }
         }
+    }
+
+    /// The steady state with all derivatives to about a thousandth; `None` as in
+    /// [`Solver::solve_with_derivatives`].
+    pub(crate) fn solve_with_all_slopes(
+        &mut self,
+        problem: &Problem,
+        watch: Watch,
+    ) -> Result<Option<Solution>, Error> {
+        self.solve_with_sensitivity(problem, f64::INFINITY, watch)
+    }
+
+    fn solve_with_sensitivity(
+        &mut self,
+        problem: &Problem,
+        accuracy: f64,
+        watch: Watch,
+    ) -> Result<Option<Solution>, Error> {
+        let rolling = self.rolling(problem, watch)?;
+        let problem = rolling.as_ref().unwrap_or(problem);
+        let mut is_found = true;
+        let how = (self.options.tolerance, watch);
+        let solution = unlike_bodies::settled(problem, how, |problem| {
+            let at = AtPatch::new(problem, watch)?;
+            let state = self.state(&at, &PrescribedForces::default(), Some(accuracy), watch)?;
+            if let Some(solution) = state.found() {
+                return Ok(at.back(solution));
+            }
+            is_found = false;
+            self.solve_under_pressure(problem, watch)
+        })?;
+        Ok(is_found.then_some(solution))
     }
 
     /// A solver without previous solutions.
     pub fn new(options: &Options) -> Self {
-        Self { options: options.clone(), grids: None, newton: Newton::default(), coarser: None }
+        let (options, newton) = (options.clone(), Newton::default());
+        let viscoelastic = LastPressure::default();
+        Self { options, grid: None, grids: None, newton, viscoelastic, coarser: None }
+    }
+
+    /// One on the cells of a grid.
+    pub(crate) fn on(grid: Grid, options: &Options) -> Self {
+        Self { grid: Some(grid), ..Self::new(options) }
     }
 
     /// The steady state with the derivatives of forces and moment with respect to some constants of
@@ -193,8 +237,10 @@ impl SteadySolver {
             (&mut [Level], &mut Directions),
         ) -> Result<(Option<Vec<Resultant>>, usize), Error>,
     ) -> Result<Option<(Solution, Vec<Resultant>)>, Error> {
+        let rolling = self.rolling(problem, watch)?;
+        let problem = rolling.as_ref().unwrap_or(problem);
         let at = AtPatch::new(problem, watch)?;
-        let state = self.state(&at, &PrescribedForces::default(), false, watch)?;
+        let state = self.state(&at, &PrescribedForces::default(), None, watch)?;
         let Some(mut solution) = state.found() else { return Ok(None) };
         let Some(NestedGrids { levels, .. }) = &mut self.grids else { return Ok(None) };
         let (found, products) = derive(&at, (levels, self.newton.directions()))?;
@@ -205,22 +251,28 @@ impl SteadySolver {
         }))
     }
 
-    /// The steady state of a problem at the centre of the patch, by Newton's method. Creepages
-    /// whose forces are prescribed are a first guess.
+    /// The tolerance of the derivatives that the options ask for, dimensionless.
+    fn asked(&self) -> Option<f64> {
+        self.options.sensitivity.then_some(self.options.tolerance)
+    }
+
+    /// The steady state of a problem at the centre of the patch, by Newton's method, with
+    /// derivatives to a tolerance (dimensionless). Creepages whose forces are prescribed are a
+    /// first guess.
     fn state(
         &mut self,
         at: &AtPatch,
         prescribed: &PrescribedForces,
-        with_derivatives: bool,
+        derivatives: Option<f64>,
         watch: Watch,
     ) -> Result<State, Error> {
         self.options.check()?;
         let grids = self.grids.take().filter(|grids| grids.fits(&at.problem));
         let mut grids = match grids {
             Some(grids) => grids,
-            None => NestedGrids::new(&at.problem, &self.options, watch)?,
+            None => NestedGrids::new(&at.problem, self.grid, &self.options, watch)?,
         };
-        let state = self.state_on(&mut grids, (at, prescribed), with_derivatives, watch);
+        let state = self.state_on(&mut grids, (at, prescribed), derivatives, watch);
         self.grids = Some(grids);
         state
     }
@@ -229,7 +281,7 @@ impl SteadySolver {
         &mut self,
         grids: &mut NestedGrids,
         (at, prescribed): (&AtPatch, &PrescribedForces),
-        with_derivatives: bool,
+        derivatives: Option<f64>,
         watch: Watch,
     ) -> Result<State, Error> {
         let normal = &grids.levels[0].contact.normal;
@@ -250,8 +302,8 @@ impl SteadySolver {
         }
         let mut solution = grids.solution(&problem, &self.options, &found.outcome, work);
         solution.warnings.extend(found.warning);
-        if with_derivatives {
-            self.differentiate(&problem, grids, &mut solution, watch)?;
+        if let Some(accuracy) = derivatives {
+            self.differentiate((&problem, accuracy), grids, &mut solution, watch)?;
         }
         Ok(State::Found(Box::new(solution)))
     }
@@ -259,12 +311,11 @@ impl SteadySolver {
     /// Adds the derivatives to a solution that has just been found.
     fn differentiate(
         &mut self,
-        problem: &Problem,
+        (problem, tolerance): (&Problem, f64),
         grids: &mut NestedGrids,
         solution: &mut Solution,
         watch: Watch,
     ) -> Result<(), Error> {
-        let tolerance = self.options.tolerance;
         let (found, products) =
             sensitivity(problem, (&mut grids.levels, self.newton.directions()), tolerance, watch)?;
         solution.sensitivity = found;

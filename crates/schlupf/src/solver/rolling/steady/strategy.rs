@@ -10,7 +10,8 @@
 //! state of the guessed motion, or the path of forces ([`crate::solver::prescribed`]): where
 //! friction depends on slip or heat, and where all else fails.
 
-use crate::problem::{Branch, Options, Problem, Transient};
+use crate::normal::Grid;
+use crate::problem::{Branch, Options, Problem, State, Transient};
 use crate::reporting::{Error, Warning, Watch};
 use crate::solution::{Resultant, Solution, Strategy, Work};
 use crate::solver::equilibrium::Outcome;
@@ -141,14 +142,17 @@ impl NestedGrids {
 }
 
 impl Found {
-    /// Marches to the state that Newton's method has not found with some work, and warns of it.
+    /// Marches to the state that Newton's method has not found with some work, on a grid if it is
+    /// given, and warns of it.
     pub fn march(
         self,
-        problem: &Problem,
+        (problem, grid): (&Problem, Option<Grid>),
         (options, work): (&Options, &Work),
         watch: Watch,
     ) -> Result<Solution, Error> {
-        let mut marched = march(&Transient::to_steady_state(problem), options, watch)?;
+        let initial_state = grid.map(State::without_tractions);
+        let transient = Transient { initial_state, ..Transient::to_steady_state(problem) };
+        let mut marched = march(&transient, options, watch)?;
         marched.work.newton_iterations += work.newton_iterations;
         marched.work.operator_products += work.operator_products;
         let Outcome { residual, iterations: newton_steps, .. } = self.outcome;

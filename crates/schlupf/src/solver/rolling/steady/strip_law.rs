@@ -114,12 +114,14 @@ impl StripLaw {
         })
     }
 
-    /// Switches to another motion and to the laws, of the same kind, of the contact.
-    pub fn set_problem(&mut self, problem: &Problem, contact: &DiscreteContact) {
+    /// Switches to another motion and to the laws, of the same kind, of the contact; returns
+    /// whether the linear response is another now.
+    pub fn set_problem(&mut self, problem: &Problem, contact: &DiscreteContact) -> bool {
         let patch = &contact.patch;
         self.gamma = contact.cell_stiffness();
         self.law = problem.interface.contact_law;
-        if self.contact.settle(contact) {
+        let is_other = self.contact.settle(contact);
+        if is_other {
             (self.stencils, self.factors) = discretised(self.law, patch, &self.contact);
         }
         let since_entry =
@@ -132,6 +134,7 @@ impl StripLaw {
         // What was solved before leaves no trace, not even in the last digit.
         self.resolvents.fill(Resolvent::default());
         slide(&self.stencils, &mut self.rigid);
+        is_other
     }
 
     /// Number of cells.

@@ -46,7 +46,7 @@ use side_by_side::{Found, FourStrips, WithFriction, Workspace, four_by_four};
 type Kind = (Brush, Option<SlopeReduction>);
 
 /// A patch of bristles.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Fastsim {
     brush: Brush,
     reduction: Option<SlopeReduction>,

@@ -23,14 +23,14 @@ use super::passage::Approach;
 use super::path::Path;
 
 /// Four strips, or fewer if there are no more.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct FourStrips {
     /// The cells at equal distances from the leading edges.
     stations: Vec<Station>,
 }
 
 /// Cells of four strips that are passed together.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Station {
     /// Number of each; none where a strip has ended.
     cells: [Option<usize>; FOUR],
@@ -58,7 +58,7 @@ pub(super) fn four_by_four(patch: &Patch) -> Vec<FourStrips> {
 }
 
 /// Work arrays for a pass: the fluxes of four strips (in W/m²) and common weights (in s^½).
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Workspace {
     flux: Vec<f64x4>,
     common: Vec<f64x4>,
