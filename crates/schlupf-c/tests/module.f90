@@ -5,7 +5,8 @@ program module_test
   implicit none
 
   type(schlupf_element) :: one, other
-  real(c_double) :: inputs(8), states(3), outputs(8), rates(3)
+  real(c_double) :: inputs(8), states(3), rates(3)
+  real(c_double), allocatable :: outputs(:)
 
   call check(schlupf_from_file("nowhere.toml", one) == schlupf_unreadable)
   call check(index(schlupf_message(one), "nowhere.toml") > 0)
@@ -13,7 +14,8 @@ program module_test
   call schlupf_destroy(one)
   call check(schlupf_from_text('solver.method = "polach"', one, ["friction.model=constant"]) &
     == schlupf_found)
-  call check(schlupf_count(one, schlupf_outputs) == 8)
+  call check(schlupf_name(one, schlupf_outputs, 1) == "force.x")
+  allocate (outputs(schlupf_count(one, schlupf_outputs)))
   call check(schlupf_name(one, schlupf_inputs, 5) == "load")
   call check(schlupf_unit(one, schlupf_inputs, 5) == "N")
   call check(schlupf_description(one, schlupf_inputs, 5) == "normal load")
