@@ -14,7 +14,7 @@ program module_test
   call schlupf_destroy(one)
   call check(schlupf_from_text('solver.method = "polach"', one, ["friction.model=constant"]) &
     == schlupf_found)
-  call check(schlupf_name(one, schlupf_outputs, 1) == "force.x")
+  call check(schlupf_name(one, schlupf_outputs, 1) == "force_x")
   allocate (outputs(schlupf_count(one, schlupf_outputs)))
   call check(schlupf_name(one, schlupf_inputs, 5) == "load")
   call check(schlupf_unit(one, schlupf_inputs, 5) == "N")
@@ -35,6 +35,7 @@ program module_test
   call check(rates(1) > 0 .and. abs(outputs(1)) <= 0)
   call check(schlupf_advance(other, inputs, states, 1d-3) == schlupf_found)
   call check(states(1) > 0)
+  deallocate (outputs)
   call schlupf_destroy(other)
 
 contains

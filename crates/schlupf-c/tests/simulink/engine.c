@@ -8,7 +8,7 @@
 #include <stdio.h>
 
 #define INPUTS 8
-#define OUTPUTS 9
+#define MOST_OUTPUTS 20
 #define STATES 3
 #define STEPS 500
 #define CHECK(condition)                                                      \
@@ -58,7 +58,7 @@ static void wrong(const char *path, int count, const char *error)
 
 static void slide(SimStruct *S, SchlupfElement wheel)
 {
-    double states[STATES] = {0.0}, outputs[OUTPUTS], inputs[INPUTS];
+    double states[STATES] = {0.0}, outputs[MOST_OUTPUTS], inputs[INPUTS];
     METHODS.conditions(S);
     CHECK(schlupf_element_start(wheel, inputs, INPUTS) == SCHLUPF_FOUND);
     inputs[3] *= 1.01;
@@ -70,9 +70,9 @@ static void slide(SimStruct *S, SchlupfElement wheel)
     CHECK(fabs(S->state[0] - states[0]) < 1e-6 * fabs(states[0]));
     METHODS.outputs(S, 0);
     CHECK(S->error == NULL);
-    schlupf_element_evaluate(wheel, inputs, INPUTS, S->state, STATES, outputs, OUTPUTS, NULL, 0,
+    schlupf_element_evaluate(wheel, inputs, INPUTS, S->state, STATES, outputs, S->outputs, NULL, 0,
                              NULL, 0);
-    CHECK(memcmp(outputs, S->output, sizeof outputs) == 0);
+    CHECK(memcmp(outputs, S->output, S->outputs * sizeof *outputs) == 0);
     CHECK(fabs(outputs[0]) > 0.5 * 0.3 * 80e3);
     inputs[4] = 0.0;
     METHODS.outputs(S, 0);
@@ -93,11 +93,12 @@ int main(int count, char **arguments)
     wrong(NULL, 1, "path must not be null");
     wrong(parameter.text, 0, NULL);
 
-    double rates[STATES], states[STATES] = {1.0, 1.0, 1.0}, outputs[OUTPUTS];
+    double rates[STATES], states[STATES] = {1.0, 1.0, 1.0}, outputs[MOST_OUTPUTS];
     SimStruct S = {.parameters = &parameter, .parameter_count = 1};
     METHODS.sizes(&S);
     METHODS.sample_times(&S);
-    CHECK(S.error == NULL && S.states == STATES && S.inputs == INPUTS && S.outputs == OUTPUTS);
+    CHECK(S.error == NULL && S.states == STATES && S.inputs == INPUTS);
+    CHECK(S.outputs > 0 && S.outputs <= MOST_OUTPUTS);
     CHECK(S.contiguous && S.feedthrough && S.sample_times == 1 && S.pointers == 1);
     CHECK(S.sample_time == CONTINUOUS_SAMPLE_TIME && S.offset_time == 0.0);
     S.state = states;
