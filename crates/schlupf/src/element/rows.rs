@@ -74,8 +74,8 @@ impl Element {
     /// let method = Method::Fast(FastMethod::ShenHedrickElkins);
     /// let method = (&method, &Options::default());
     /// let mut element = Element::new(&Problem::builder().build()?, method, Settings::default())?;
-    /// let (mut outputs, mut status) = (vec![0.0; 2 * 9], vec![Status::Found; 2]);
-    /// let mut rates = vec![0.0; 2 * 3];
+    /// let (width, mut status) = (element.outputs().len(), vec![Status::Found; 2]);
+    /// let (mut outputs, mut rates) = (vec![0.0; 2 * width], vec![0.0; 2 * 3]);
     /// let inputs = [element.start(), element.start()].concat();
     /// let rows = Rows {
     ///     outputs: &mut outputs,
@@ -85,7 +85,7 @@ impl Element {
     /// };
     /// let given = Given { inputs: &inputs, states: &[0.0; 2 * 3] };
     /// assert_eq!(element.evaluate_rows(given, rows), Some(()));
-    /// assert_eq!(outputs[0], outputs[9]);
+    /// assert_eq!(outputs[0], outputs[width]);
     /// # Ok::<(), schlupf::Error>(())
     /// ```
     ///
