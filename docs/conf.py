@@ -22,9 +22,16 @@ extensions = [
     "sphinx.ext.autodoc",
     "sphinx.ext.mathjax",
     "sphinx_copybutton",
+    "sphinx_design",
+    "sphinxcontrib.bibtex",
     "site_content",
+    "gallery",
+    "python_reference",
+    "references",
+    "site_checks",
 ]
 exclude_patterns = ["_extensions", "_static", "requirements.txt"]
+bibtex_bibfiles = ["references.bib", os.path.relpath(site_content.cited(), HERE)]
 nitpicky = False
 
 # Pages.
@@ -50,7 +57,9 @@ os.environ["MATPLOTLIBRC"] = str(HERE / "matplotlibrc")
 
 # The Python package.
 autodoc_member_order = "bysource"
-autodoc_typehints = "none"
+# Types of attributes; those of arguments are in the text.
+autodoc_typehints = "description"
+autodoc_typehints_description_target = "documented"
 numpydoc_show_class_members = False
 numpydoc_class_members_toctree = False
 
@@ -62,7 +71,7 @@ html_css_files = ["site.css"]
 html_show_sourcelink = False
 html_copy_source = False
 html_theme_options = {
-    "header_links_before_dropdown": 7,
+    "header_links_before_dropdown": 8,
     "navigation_with_keys": False,
     "secondary_sidebar_items": ["page-toc"],
     "show_prev_next": True,

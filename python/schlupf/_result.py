@@ -36,6 +36,11 @@ class Result(Solved):
 
     The scalars of the documented JSON are attributes, such as ``result.force.x`` (N, on the wheel),
     ``result.power.friction`` (W) and ``result.temperature.max_rise`` (K); see the page on results.
+
+    >>> import schlupf
+    >>> result = schlupf.Case(kinematics={"creepage_x": 0.002}).solve()
+    >>> result.force.x < 0.0, result.fields["traction_x"].attrs["units"]
+    (True, 'Pa')
     """
 
     _solution: _core.Solution
