@@ -40,8 +40,8 @@ myst_heading_anchors = 4
 # Sketches of JSON with "…" in it are not JSON.
 suppress_warnings = ["misc.highlighting_failure"]
 
-# Equations, without a server of others.
-mathjax_path = "mathjax/tex-svg.js"
+# Equations, without a server of others; with all extensions, which are not copied.
+mathjax_path = "mathjax/tex-svg-full.js"
 
 # Notebooks. A result is reused as long as neither the package nor what it reads has changed.
 nb_execution_mode = "cache"
@@ -57,6 +57,7 @@ os.environ["MATPLOTLIBRC"] = str(HERE / "matplotlibrc")
 
 # The Python package.
 autodoc_member_order = "bysource"
+toc_object_entries_show_parents = "hide"
 # Types of attributes; those of arguments are in the text.
 autodoc_typehints = "description"
 autodoc_typehints_description_target = "documented"
@@ -75,8 +76,9 @@ html_theme_options = {
     "navigation_with_keys": False,
     "secondary_sidebar_items": ["page-toc"],
     "show_prev_next": True,
+    "navbar_persistent": ["search-button"],
     "footer_start": ["copyright"],
     "footer_end": ["sphinx-version"],
 }
-html_sidebars = {"index": []}
+html_sidebars = {page: [] for page in ("index", "command", "python")}
 copybutton_exclude = ".linenos, .gp, .go"

@@ -12,7 +12,6 @@ import os
 import re
 import shlex
 import shutil
-import tomllib
 import warnings
 from collections.abc import Iterator
 from contextlib import chdir
@@ -24,6 +23,7 @@ import figure_text
 import matplotlib as mpl
 import matplotlib.pyplot as plt
 import site_content
+import tomllib
 
 import schlupf
 
@@ -37,7 +37,8 @@ WIDTH = 88
 def title(path: Path) -> str:
     """The title of a case, with a capital."""
     text = tomllib.loads(path.read_text(encoding="utf-8")).get("title", path.stem)
-    return site_content.capitalised(text)
+    # Not a symbol, such as k_c.
+    return text[:1].upper() + text[1:] if re.match(r"a |[a-z]{2,}\b", text) else text
 
 
 def anchor(name: str) -> str:

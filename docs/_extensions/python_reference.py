@@ -69,15 +69,33 @@ TOPICS = {
         "Many conditions",
         "Forces for arrays ([many conditions](/recipes/many_conditions.md)) and tables of many "
         "states ([studies](/studies.md)).",
-        ("forces", "Solver", "study", "Study", "sweep", "Sweep", "merge", "open_table")
-        + ("read_table",),
+        (
+            "forces",
+            "Solver",
+            "study",
+            "Study",
+            "sweep",
+            "Sweep",
+            "merge",
+            "open_table",
+            "read_table",
+        ),
     ),
     "simulations": Topic(
         "Simulations",
         "A contact in the loop of a simulation ([guides](/simulation/index.md)), and forces from a "
         "[look-up table](/look_up_table.md).",
-        ("element", "Element", "Evaluation", "Signal", "contact_table", "ContactTableErrors")
-        + ("Spread", "LookUpTable", "TableForces"),
+        (
+            "element",
+            "Element",
+            "Evaluation",
+            "Signal",
+            "contact_table",
+            "ContactTableErrors",
+            "Spread",
+            "LookUpTable",
+            "TableForces",
+        ),
     ),
     "figures": Topic(
         "Figures",
@@ -89,7 +107,9 @@ TOPICS = {
         "Their codes: [warnings and errors](/messages.md).",
         ("CaseError", "CaseFileError", "NotConverged", "CaseNotConverged", "SchlupfWarning"),
     ),
-    "citing": Topic("Citing", "See also the [bibliography](/reference/bibliography.md).", ("cite",)),
+    "citing": Topic(
+        "Citing", "See also the [bibliography](/reference/bibliography.md).", ("cite",)
+    ),
 }
 
 
@@ -136,8 +156,8 @@ def _anchor(record: str) -> str:
 
 def _type(annotation: str) -> str:
     """What an attribute is, with links to the records it is made of."""
-    text = annotation.removeprefix("Found[").removesuffix("]") if "Found[" in annotation else annotation
-    parts = re.split(r"(\w+)", text)
+    inner = re.fullmatch(r"Found\[(.*)\]", annotation)
+    parts = re.split(r"(\w+)", inner[1] if inner else annotation)
     linked = [f"[{p}](#{_anchor(p)})" if p in _RECORDS else p for p in parts]
     return "".join(linked).replace("|", r"\|")
 
@@ -145,7 +165,7 @@ def _type(annotation: str) -> str:
 _RECORDS = {
     name: record
     for name, record in vars(records).items()
-    if inspect.isclass(record) and issubclass(record, schlupf.Record) and record is not schlupf.Record
+    if inspect.isclass(record) and schlupf.Record in record.__bases__
 }
 
 

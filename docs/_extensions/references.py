@@ -28,7 +28,7 @@ _NAME = r"[A-ZÄÖÜ][a-zß-ÿ][\w’'-]*"
 _YEAR = r"1[789]\d\d|20\d\d"
 #: Anything that looks like a citation: names and a year, which may be in brackets.
 _CITATION = re.compile(
-    rf"\b(?P<names>{_NAME}(?:(?:,\s{_NAME})*\sand\s{_NAME}|\set\sal\.)?)"
+    rf"\b(?P<names>{_NAME}(?:(?:,\s{_NAME})*\s(?:and|&)\s{_NAME}|\set\sal\.)?)"
     rf"(?:\s(?P<year>{_YEAR})\b|\s\((?P<bracketed>{_YEAR})\))"
 )
 #: The end of a text in which a name is part of a title: `Railway Vehicle` before `Dynamics (2006)`.
@@ -78,7 +78,8 @@ class Bibliography:
         """What looks like a citation, with the key of its entry, if there is one."""
         for match in _CITATION.finditer(text):
             year = match["year"] or match["bracketed"]
-            key = self.keys.get((" ".join(match["names"].split()), year))
+            authors = " ".join(match["names"].split()).replace("&", "and")
+            key = self.keys.get((authors, year))
             if key or not _WITHIN_TITLE.search(text[: match.start()]):
                 yield match, key
 
@@ -153,9 +154,7 @@ def _link(app: Any, doctree: nodes.document, docname: str) -> None:
         element.extend(parts)
 
 
-def _linked(
-    text: str, bibliography: Bibliography, places: dict[str, str]
-) -> Iterator[nodes.Node]:
+def _linked(text: str, bibliography: Bibliography, places: dict[str, str]) -> Iterator[nodes.Node]:
     """The same text with its citations as links."""
     end = 0
     for match, key in bibliography.citations(text):

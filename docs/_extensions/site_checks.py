@@ -20,6 +20,19 @@ LIST = "external_links.txt"
 #: Folders with pages of other programs, which are checked as targets only.
 FOREIGN = ("rust", "_static")
 
+#: Signs on the buttons of films.
+BUTTONS = {
+    "minus": "−",
+    "fast-backward": "⏮",
+    "step-backward": "‹",
+    "play fa-flip-horizontal": "◀",
+    "pause": "⏸",
+    "play": "▶",
+    "step-forward": "›",
+    "fast-forward": "⏭",
+    "plus": "+",
+}
+
 logger = logging.getLogger(__name__)
 
 
@@ -99,8 +112,11 @@ def _describe(app: Any, doctree: nodes.document) -> None:
         if not image.get("alt") and path.suffix == ".png" and path.is_file():
             image["alt"] = figure_text.of_picture(path)
     for raw in doctree.findall(nodes.raw):
-        # A film has a picture that a script fills.
+        # A film has a picture that a script fills, and buttons with letters of another site.
         text = re.sub(r"<img (?![^>]*\balt=)", '<img alt="frame of the film" ', raw.astext())
+        text = re.sub(r'<link rel="stylesheet"\s+href="https?:[^>]*font-awesome[^>]*>', "", text)
+        for name, sign in BUTTONS.items():
+            text = re.sub(rf'<i class="fa fa-{name}">\s*</i>', sign, text)
         raw.children = [nodes.Text(text)]
 
 

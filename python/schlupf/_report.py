@@ -37,6 +37,8 @@ class Report(Record):
     """Results of a task: the documented JSON as attributes, tables as data sets."""
 
     #: The kinds of results with more than that, by the names of their tasks.
+    #:
+    #: :meta private:
     OF_TASKS: ClassVar[dict[str, type[Report]]] = {}
 
     _report: _core.Report
