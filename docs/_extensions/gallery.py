@@ -41,11 +41,6 @@ def title(path: Path) -> str:
     return text[:1].upper() + text[1:] if re.match(r"a |[a-z]{2,}\b", text) else text
 
 
-def anchor(name: str) -> str:
-    """Where pages link to for a case."""
-    return f"case-{name.removesuffix('.toml').replace('_', '-')}"
-
-
 # The program of a case.
 
 
@@ -168,7 +163,6 @@ def write(path: Path) -> tuple[str, str]:
     code = "\n".join(program.lines)
     shell = "\n".join(commands)
     page = [
-        f"({anchor(path.name)})=",
         f"# {title(path)}",
         "",
         "::::{grid} 1 2 2 2",

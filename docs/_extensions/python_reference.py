@@ -13,6 +13,7 @@ from sphinx.pycode import ModuleAnalyzer
 
 import schlupf
 from schlupf import records
+from schlupf._fields import SECTIONS
 from schlupf._tasks import Tasks
 
 FOLDER = site_content.DOCS / "reference" / "python"
@@ -179,7 +180,14 @@ def _attributes(record: type[Any]) -> Iterator[str]:
 
 
 def _of_record(member: Any) -> Iterator[str]:
-    """The attributes that a result has of its record."""
+    """The attributes that a case has of its sections, and a result of its record."""
+    if member is schlupf.Case:
+        yield from ("", "| attribute | type | |", "|---|---|---|")
+        for section in SECTIONS.values():
+            if section.name and "." not in section.name:
+                link = f"[Section](#{site_content.anchor(section.name)})"
+                doc = site_content.capitalised(section.doc.strip())
+                yield f"| `{section.name}` | {link} | {doc} |"
     for base in getattr(member, "__mro__", ()):
         if base in _RECORDS.values():
             yield from ("", *_attributes(base))

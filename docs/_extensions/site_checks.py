@@ -23,13 +23,13 @@ FOREIGN = ("rust", "_static")
 #: Signs on the buttons of films.
 BUTTONS = {
     "minus": "−",
-    "fast-backward": "⏮",
+    "fast-backward": "|◀",
     "step-backward": "‹",
     "play fa-flip-horizontal": "◀",
-    "pause": "⏸",
+    "pause": "||",
     "play": "▶",
     "step-forward": "›",
-    "fast-forward": "⏭",
+    "fast-forward": "▶|",
     "plus": "+",
 }
 

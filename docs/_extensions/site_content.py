@@ -124,13 +124,13 @@ def case_file() -> str:
     lines: list[str] = []
     for section in SECTIONS.values():
         title = f"`[{section.name}]`" if section.name else "Top level"
-        lines += [f"({_anchor(section.name)})=", f"## {title}", "", *_sentence(section.doc)]
+        lines += [f"({anchor(section.name)})=", f"## {title}", "", *_sentence(section.doc)]
         if section.fields:
             lines += [*_field_rows(list(section.fields), path=False), ""]
     return "\n".join(lines)
 
 
-def _anchor(section: str) -> str:
+def anchor(section: str) -> str:
     return f"section-{section or 'top'}".replace(".", "-").replace("_", "-")
 
 
