@@ -22,9 +22,16 @@ extensions = [
     "sphinx.ext.autodoc",
     "sphinx.ext.mathjax",
     "sphinx_copybutton",
+    "sphinx_design",
+    "sphinxcontrib.bibtex",
     "site_content",
+    "gallery",
+    "python_reference",
+    "references",
+    "site_checks",
 ]
 exclude_patterns = ["_extensions", "_static", "requirements.txt"]
+bibtex_bibfiles = ["references.bib", os.path.relpath(site_content.cited(), HERE)]
 nitpicky = False
 
 # Pages.
@@ -33,8 +40,8 @@ myst_heading_anchors = 4
 # Sketches of JSON with "…" in it are not JSON.
 suppress_warnings = ["misc.highlighting_failure"]
 
-# Equations, without a server of others.
-mathjax_path = "mathjax/tex-svg.js"
+# Equations, without a server of others; with all extensions, which are not copied.
+mathjax_path = "mathjax/tex-svg-full.js"
 
 # Notebooks. A result is reused as long as neither the package nor what it reads has changed.
 nb_execution_mode = "cache"
@@ -50,7 +57,10 @@ os.environ["MATPLOTLIBRC"] = str(HERE / "matplotlibrc")
 
 # The Python package.
 autodoc_member_order = "bysource"
-autodoc_typehints = "none"
+toc_object_entries_show_parents = "hide"
+# Types of attributes; those of arguments are in the text.
+autodoc_typehints = "description"
+autodoc_typehints_description_target = "documented"
 numpydoc_show_class_members = False
 numpydoc_class_members_toctree = False
 
@@ -62,12 +72,13 @@ html_css_files = ["site.css"]
 html_show_sourcelink = False
 html_copy_source = False
 html_theme_options = {
-    "header_links_before_dropdown": 7,
+    "header_links_before_dropdown": 8,
     "navigation_with_keys": False,
     "secondary_sidebar_items": ["page-toc"],
     "show_prev_next": True,
+    "navbar_persistent": ["search-button"],
     "footer_start": ["copyright"],
     "footer_end": ["sphinx-version"],
 }
-html_sidebars = {"index": []}
+html_sidebars = {page: [] for page in ("index", "command", "python")}
 copybutton_exclude = ".linenos, .gp, .go"

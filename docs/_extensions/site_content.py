@@ -13,10 +13,15 @@ import os
 import re
 import shlex
 import shutil
-import tomllib
+import subprocess
+import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
+
+import figure_text
+from docutils import nodes
+from myst_nb.sphinx_ import NbMetadataCollector
 
 import schlupf
 from schlupf._core import error_codes, warning_codes
@@ -30,7 +35,7 @@ LAWS = DOCS / "laws"
 TARGET = ROOT / os.environ.get("CARGO_TARGET_DIR", "target")
 
 
-def _of_notebooks() -> list[Path]:
+def of_notebooks() -> list[Path]:
     """Files that notebooks depend on: the package, data, cases, their modules."""
     package = Path(inspect.getfile(schlupf)).parent
     pages = [DOCS / "validation", DOCS / "laws", DOCS / "theory"]
@@ -43,7 +48,7 @@ def _of_notebooks() -> list[Path]:
 def _of_pages() -> list[Path]:
     """Files that pages depend on and Sphinx does not see."""
     texts = sorted(ROOT.glob("*.md"))
-    return [*_of_notebooks(), *texts, ROOT / "data" / "README.md", DOCS / "messages.md"]
+    return [*of_notebooks(), *texts, ROOT / "data" / "README.md", DOCS / "messages.md"]
 
 
 def digest(files: list[Path]) -> str:
@@ -58,7 +63,7 @@ def digest(files: list[Path]) -> str:
 def cache() -> Path:
     """The folder for results of notebooks that are computed with this package."""
     parent = TARGET / "site-cache"
-    own = parent / digest([*_of_notebooks(), DOCS / "matplotlibrc"])
+    own = parent / digest([*of_notebooks(), DOCS / "matplotlibrc", Path(figure_text.__file__)])
     for other in parent.iterdir() if parent.is_dir() else ():
         if other != own:
             shutil.rmtree(other)
@@ -76,6 +81,11 @@ def kernels() -> Path:
         'c.IPKernelApp.log_level = "ERROR"',
     ]
     settings.write_text("\n".join(lines) + "\n")
+    startup = profile / "startup" / "describe_figures.py"
+    startup.parent.mkdir(exist_ok=True)
+    folder_of_modules = str(Path(figure_text.__file__).parent)
+    lines = ["import sys", f"sys.path.insert(0, {folder_of_modules!r})", "import figure_text"]
+    startup.write_text("\n".join([*lines, "figure_text.install()"]) + "\n")
     return folder
 
 
@@ -95,7 +105,7 @@ def _field_rows(fields: list[Field], path: bool) -> Iterator[str]:
     yield "| field | unit | default | meaning |"
     yield "|---|---|---|---|"
     for field in fields:
-        parts = [_capitalised(field.doc)]
+        parts = [capitalised(field.doc)]
         if field.requirement and field.kind not in ("choice", "flag", "path", "text"):
             parts.append(f"Must be {field.requirement}.")
         if field.choices:
@@ -114,23 +124,23 @@ def case_file() -> str:
     lines: list[str] = []
     for section in SECTIONS.values():
         title = f"`[{section.name}]`" if section.name else "Top level"
-        lines += [f"({_anchor(section.name)})=", f"## {title}", "", *_sentence(section.doc)]
+        lines += [f"({anchor(section.name)})=", f"## {title}", "", *_sentence(section.doc)]
         if section.fields:
             lines += [*_field_rows(list(section.fields), path=False), ""]
     return "\n".join(lines)
 
 
-def _anchor(section: str) -> str:
+def anchor(section: str) -> str:
     return f"section-{section or 'top'}".replace(".", "-").replace("_", "-")
 
 
 def _sentence(text: str) -> list[str]:
     """A paragraph, unless it is empty."""
     text = text.strip().removesuffix(".")
-    return [f"{_capitalised(text)}.", ""] if text else []
+    return [f"{capitalised(text)}.", ""] if text else []
 
 
-def _capitalised(text: str) -> str:
+def capitalised(text: str) -> str:
     """With a capital, unless a symbol is the beginning."""
     word = re.match(r"[a-z]{2,}\b", text)
     return text[:1].upper() + text[1:] if word else text
@@ -172,28 +182,6 @@ def laws(path: str) -> str:
 # Python.
 
 
-def api() -> str:
-    """Everything public, under the heading of the module that it is from."""
-    lines: list[str] = []
-    members = [getattr(schlupf, name) for name in schlupf.__all__]
-    documented = [m for m in members if inspect.isclass(m) or inspect.isfunction(m)]
-    modules = dict.fromkeys(inspect.getmodule(member) for member in documented)
-    for module in modules:
-        assert module is not None and module.__doc__
-        title = re.split(r"[.:]", module.__doc__.strip())[0]
-        lines += [f"## {title}", "", "```{eval-rst}"]
-        for name, member in zip(schlupf.__all__, members, strict=True):
-            if member in documented and inspect.getmodule(member) is module:
-                kind = "class" if inspect.isclass(member) else "function"
-                if inspect.isclass(member) and issubclass(member, BaseException):
-                    kind = "exception"
-                lines += [f".. auto{kind}:: schlupf.{name}"]
-                lines += [] if kind == "function" else ["   :members:"]
-                lines += ["   :show-inheritance:", ""] if kind == "exception" else [""]
-        lines += ["```", ""]
-    return "\n".join(lines)
-
-
 NO_BREAK = chr(0xA0)
 
 #: Kinds of presets: heading and where the fields go.
@@ -223,7 +211,7 @@ def presets() -> str:
                 f"`{path}`{NO_BREAK}{str(value).replace(' ', NO_BREAK)}"
                 for path, value in _flat(fields)
             )
-            what = _capitalised(_cell(fields.doc))
+            what = capitalised(_cell(fields.doc))
             source = _cell(fields.source)
             lines.append(f"| `{name}.{preset}` | {what} | {given} | {source} |")
         lines.append("")
@@ -237,15 +225,6 @@ def _flat(fields: dict[str, Any], parent: str = "") -> Iterator[tuple[str, Any]]
             yield from _flat(value, path)
         else:
             yield path, value
-
-
-def examples() -> str:
-    """The cases of the package with links to the gallery."""
-    lines = ["| `schlupf.examples.`… | |", "|---|---|"]
-    for name in dir(schlupf.examples):
-        title = _capitalised(_cell(getattr(schlupf.examples, name).title))
-        lines.append(f"| [`{name}`](#{_case_anchor(name)}) | {title} |")
-    return "\n".join(lines)
 
 
 def warnings() -> str:
@@ -276,24 +255,28 @@ def _shortened(app: Any, what: str, name: str, obj: Any, options: Any, lines: li
         ]
 
 
-# Files outside of docs.
+# The command.
 
 
-def gallery() -> str:
-    """The cases of the gallery."""
-    lines = []
-    for path in sorted((ROOT / "cases").glob("*.toml")):
-        text = path.read_text(encoding="utf-8")
-        title = tomllib.loads(text).get("title", path.stem)
-        relative = os.path.relpath(path, DOCS / "reference")
-        lines += [f"({_case_anchor(path.name)})=", f"## {_capitalised(_cell(title))}", ""]
-        lines += [f"{{download}}`{path.name} <{relative}>`", ""]
-        lines += ["````toml", text.rstrip(), "````", ""]
+def _help(*command: str) -> str:
+    words = [sys.executable, "-m", "schlupf", *command, "--help"]
+    environment = {**os.environ, "COLUMNS": "100", "NO_COLOR": "1"}
+    run = subprocess.run(words, capture_output=True, text=True, check=True, env=environment)
+    return run.stdout.rstrip()
+
+
+def commands() -> str:
+    """What each command takes, as it says itself."""
+    listed = _help().partition("Commands:\n")[2].partition("\n\n")[0]
+    names = re.findall(r"^  (\w+) ", listed, re.M)
+    lines: list[str] = []
+    for name in names:
+        if name != "help":
+            lines += [f"### {name}", "", "```text", _help(name), "```", ""]
     return "\n".join(lines)
 
 
-def _case_anchor(name: str) -> str:
-    return f"case-{name.removesuffix('.toml').replace('_', '-')}"
+# Files outside of docs.
 
 
 def included(name: str) -> str:
@@ -308,6 +291,24 @@ def _readme(start: str, end: str) -> str:
     """Part of the README, from one text to another."""
     text = (ROOT / "README.md").read_text(encoding="utf-8")
     return text[text.index(start) : text.index(end, text.index(start))].strip()
+
+
+def purpose() -> str:
+    """What it is for, and for whom."""
+    return _readme("schlupf computes", "![")
+
+
+def cite() -> str:
+    """The entries of `schlupf.cite()`."""
+    return f"```bibtex\n{schlupf.cite().rstrip()}\n```"
+
+
+def cited() -> Path:
+    """A file with the same, for the bibliography."""
+    path = TARGET / "site-cite.bib"
+    path.parent.mkdir(exist_ok=True)
+    path.write_text(schlupf.cite(), encoding="utf-8")
+    return path
 
 
 def alternatives() -> str:
@@ -329,15 +330,15 @@ def data() -> str:
 
 GENERATED: dict[str, Callable[..., str]] = {
     "alternatives": alternatives,
-    "api": api,
     "case-file": case_file,
+    "cite": cite,
+    "commands": commands,
     "laws": laws,
     "data": data,
-    "examples": examples,
     "fields": fields,
-    "gallery": gallery,
     "included": included,
     "presets": presets,
+    "purpose": purpose,
     "rust-example": rust_example,
     "warnings": warnings,
     "errors": errors,
@@ -350,10 +351,10 @@ OUTSIDE = [
     (re.compile(r"\]\((?:\.\./)+data\)"), "](/reference/data.md)"),
     (re.compile(r"\]\((?:\.\./)+CHANGELOG\.md\)"), "](/reference/changelog.md)"),
     (re.compile(r"\]\((?:\.\./)+ARCHITECTURE\.md\)"), "](/reference/architecture.md)"),
-    (re.compile(r"\]\((?:\.\./)+cases/?\)"), "](/reference/gallery.md)"),
+    (re.compile(r"\]\((?:\.\./)+cases/?\)"), "](/gallery/index.md)"),
     (
         re.compile(r"\]\((?:\.\./)+cases/(\w+)\.toml\)"),
-        lambda match: f"](#{_case_anchor(match[1])})",
+        lambda match: f"](/gallery/{match[1]}.md)",
     ),
 ]
 
@@ -367,6 +368,27 @@ def _read(app: Any, page: str, source: list[str]) -> None:
     for pattern, target in OUTSIDE:
         text = pattern.sub(target, text)
     source[0] = text
+
+
+def _seconds(app: Any, docname: str) -> float | None:
+    """How long the code of a tutorial ran, with the wheel that is installed."""
+    if not docname.startswith("tutorials/"):
+        return None
+    data = NbMetadataCollector.get_exec_data(app.env, docname)
+    return data and data["runtime"]
+
+
+def _tell_time(app: Any, doctree: nodes.document, docname: str) -> None:
+    if seconds := _seconds(app, docname):
+        text = f"The code of this page ran in {seconds:.0f} s when the site was built."
+        title = next(doctree.findall(nodes.title))
+        title.parent.insert(1, nodes.paragraph("", text))
+
+
+def _print_times(app: Any, error: Exception | None) -> None:
+    for docname in sorted(app.env.found_docs) if error is None else ():
+        if seconds := _seconds(app, docname):
+            print(f"{docname}: its code ran in {seconds:.1f} s")
 
 
 def _add_mathjax(app: Any, error: Exception | None) -> None:
@@ -389,6 +411,8 @@ def setup(app: Any) -> dict[str, bool]:
     app.add_config_value("schlupf_digest", digest([*_of_pages(), Path(__file__)]), "env", str)
     app.connect("source-read", _read)
     app.connect("autodoc-process-docstring", _shortened, priority=100)
+    app.connect("doctree-resolved", _tell_time)
+    app.connect("build-finished", _print_times)
     app.connect("build-finished", _add_mathjax)
     app.connect("build-finished", _add_rustdoc)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

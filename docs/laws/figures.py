@@ -72,7 +72,7 @@ def along_the_middle(**elasticities: dict[str, Any]) -> None:
         ax.plot(row["x"] * 1e3, -row["traction_x"] / 1e6, label=label.replace("_", " "))
     ax.plot(row["x"] * 1e3, 0.3 * row["pressure"] / 1e6, "k:", label="μ pₙ")
     ax.set(xlabel="x (mm), rolling →", ylabel="traction on the rail (MPa)")
-    ax.legend()
+    ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=4)
 
 
 def creep_curves(methods: list[str]) -> None:
@@ -109,7 +109,7 @@ def over_sliding(stiffnesses: list[float]) -> None:
         )
         row = case.solve(warn=False).fields.sel(y=0.0, method="nearest")
         share = -row["traction_x"] / (0.3 * row["pressure"])
-        ax.plot((6e-3 - row["x"]) * 1e-4 * 1e6, share, label=f"k_c = {stiffness:.0e}/m")
+        ax.plot((6e-3 - row["x"]) * 1e-4 * 1e6, share, label=f"k_c = {stiffness / 1e6:g}·10⁶/m")
     ax.set(xlabel="sliding distance (µm)", ylabel="traction / μ pₙ")
     ax.legend()
 

@@ -266,6 +266,7 @@ class ResultPlots:
             for name in ("force_x", "force_y"):
                 ratio = history[name] / history["normal_load"]
                 line(ax, history["time"] * 1e3, ratio, f"$F_{name[-1]}/N$", style)
+            ax.set_ylabel("force on the wheel over load")
         else:
             entries = [variable(history, name) for name in names]
             factor, unit = common_unit(entries, "a history")

@@ -37,6 +37,8 @@ class Report(Record):
     """Results of a task: the documented JSON as attributes, tables as data sets."""
 
     #: The kinds of results with more than that, by the names of their tasks.
+    #:
+    #: :meta private:
     OF_TASKS: ClassVar[dict[str, type[Report]]] = {}
 
     _report: _core.Report
@@ -113,6 +115,12 @@ class Curve(Report, task="curve"):
 
     With ``points`` along ``point``, and along the fields that differ where there are several
     curves; with a ``map``.
+
+    >>> import schlupf
+    >>> case = schlupf.Case(grid={"cells_x": 16, "cells_y": 16})
+    >>> curve = case.curve(creepage_x=(0.0, 0.02), points=9, over={"normal.load": [60e3, 80e3]})
+    >>> dict(curve.points.sizes)
+    {'normal_load': 2, 'point': 9}
     """
 
     #: Creepages in their order.
@@ -204,6 +212,11 @@ class Temperatures(Report, task="temperature"):
     """Temperatures of wheel and rail below a point, and along its row with the wake.
 
     With ``profile`` over the depth and ``rows`` over depth and x, in °C.
+
+    >>> import schlupf
+    >>> hot = schlupf.Case(kinematics={"creepage_x": 0.02}).temperature()
+    >>> hot.rows["temperature_wheel"].dims
+    ('depth', 'x')
     """
 
     @cached_property
@@ -230,6 +243,11 @@ class Subsurface(Report, task="subsurface"):
     """Stresses in wheel or rail below the contact.
 
     With ``largest``, ``profile`` and ``volume`` in Pa, and `at` for any point.
+
+    >>> import schlupf
+    >>> below = schlupf.examples.stresses_below.subsurface(warn=False)
+    >>> below.at(x=0.0, y=0.0, depth=[1e-3, 2e-3])["von_mises_stress"].attrs["units"]
+    'Pa'
     """
 
     @cached_property
@@ -310,6 +328,11 @@ class BulkTemperature(Report, task="bulk"):
     """The bulk temperature of the wheel in the long run.
 
     ``temperature.wheel`` (°C), and the balance of heat in ``heat`` (W).
+
+    >>> import schlupf
+    >>> warm = schlupf.examples.steel_wheel_braking.bulk_temperature()
+    >>> warm.temperature.wheel > 20.0
+    True
     """
 
 
@@ -317,6 +340,11 @@ class Calibration(Report, task="calibrate"):
     """Stiffnesses of the elastic layer for a patch.
 
     With how far the layer is from the half-space, and the ``case`` with them.
+
+    >>> import schlupf
+    >>> layer = schlupf.Case(grid={"cells_x": 12, "cells_y": 12}).calibrate()
+    >>> layer.case.elasticity.coupling_x > 0.0
+    True
     """
 
     _case: Case
@@ -335,6 +363,11 @@ class Comparison(Report, task="compare"):
     """A case by all methods.
 
     With ``methods`` along ``model``: forces, power, temperature rise, times in s.
+
+    >>> import schlupf
+    >>> compared = schlupf.examples.methods.compare(warn=False)
+    >>> bool(compared.methods["force_x"].sel(model="Polach") < 0.0)
+    True
     """
 
     @cached_property
@@ -358,6 +391,11 @@ class Wear(Report, task="wear"):
     ``wear``, ``melting``, ``fatigue_index``, ``crack_damage``, ``shakedown`` and ``t_gamma``;
     ``profile`` over y and ``cells``. ``wear`` and ``melting`` are None where the method has no
     fields.
+
+    >>> import schlupf
+    >>> worn = schlupf.examples.worn_profile.wear()
+    >>> worn.profile["archard"].attrs["units"]
+    'm'
     """
 
     @cached_property
@@ -407,6 +445,15 @@ class Fit(Report, task="fit"):
     """Parameters that fit measured creep curves.
 
     With their confidence, ``points`` along ``point``, and the ``case`` with them.
+
+    >>> import schlupf
+    >>> case = schlupf.Case(solver={"method": "polach"}, friction={"model": "constant"})
+    >>> points = case.curve(creepage_x=(0.001, 0.02), points=9).points
+    >>> ratio = -points["force_x"] / case.normal.load
+    >>> measured = {"creepage_x": points["creepage_x"], "force_ratio": ratio}
+    >>> fit = case.fit(["friction.coefficient"], measured)
+    >>> round(fit.case.friction.coefficient, 3)
+    0.4
     """
 
     _case: Case | None
@@ -447,6 +494,11 @@ class RoughContact(Report, task="roughness"):
     """A rough surface, its contact and its k_c.
 
     With ``fields`` over x and y, ``spectrum``, ``loads`` and ``curves``.
+
+    >>> import schlupf
+    >>> rough = schlupf.examples.measured_surface.roughness(warn=False)
+    >>> rough.fields["height"].dims
+    ('y', 'x')
     """
 
     @cached_property
@@ -491,6 +543,12 @@ class Wheelset(Report, task="wheelset"):
     """The contacts of a wheelset over its lateral position, and its equivalent conicity.
 
     With ``contacts`` of both wheels, and ``conicity``.
+
+    >>> import schlupf
+    >>> case = schlupf.examples.wheel_on_rail
+    >>> moved = case.wheelset(lateral_position=("0 mm", "5 mm"), points=3)
+    >>> sorted(set(moved.contacts["side"].values.tolist()))
+    ['left', 'right']
     """
 
     @cached_property

@@ -142,12 +142,19 @@ def subsurface(found: Subsurface, ax: Axes | None = None, **style: Any) -> Axes:
     return ax
 
 
+#: The method without a limit of the force.
+LINEAR = "Kalker linear"
+
+
 @styled
 def methods(comparison: Comparison, ax: Axes | None = None, **style: Any) -> Axes:
     """Longitudinal and lateral forces of all methods as bars."""
     ax = axes_or_new(ax)
     table = comparison.methods
-    factor, unit = scaled(max(largest(table[force]) for force in FORCES), "N")
+    # The linear theory, which knows no limit of friction, may be far beyond all others.
+    limited = table.sel(model=table["model"] != LINEAR)
+    bound = max(largest(limited[force]) for force in FORCES)
+    factor, unit = scaled(bound, "N")
     places = np.arange(table.sizes["model"])
     height = 0.8 / len(FORCES)
     for number, (force, symbol) in enumerate(FORCES.items()):
@@ -156,6 +163,9 @@ def methods(comparison: Comparison, ax: Axes | None = None, **style: Any) -> Axe
         ax.barh(places + shift, table[force] * factor, **options)
     ax.set_yticks(places, table["model"].values.tolist())
     ax.invert_yaxis()
+    left, right = ax.get_xlim()
+    edge = 1.2 * bound * factor
+    ax.set_xlim(max(left, -edge), min(right, edge))
     ax.axvline(0.0, color="black", linewidth=0.6)
     ax.set_xlabel(f"force on the wheel ({unit})")
     legend_beside(ax)

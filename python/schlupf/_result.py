@@ -36,6 +36,11 @@ class Result(Solved):
 
     The scalars of the documented JSON are attributes, such as ``result.force.x`` (N, on the wheel),
     ``result.power.friction`` (W) and ``result.temperature.max_rise`` (K); see the page on results.
+
+    >>> import schlupf
+    >>> result = schlupf.Case(kinematics={"creepage_x": 0.002}).solve()
+    >>> result.force.x < 0.0, result.fields["traction_x"].attrs["units"]
+    (True, 'Pa')
     """
 
     _solution: _core.Solution
@@ -288,13 +293,17 @@ def restored(kind: type[Record], attributes: dict[str, Any]) -> Record:
     return record
 
 
+#: Text among entries: a page's style for code does not make it a box.
+PLAIN = "margin:0;padding:0.3em;border:0;background:none"
+
+
 def table(lines: Sequence[tuple[str, str, str, str] | str]) -> str:
     """A summary as HTML: entries in columns, other lines as they are."""
     rows = []
     for is_text, group in itertools.groupby(lines, lambda line: isinstance(line, str)):
         if is_text:
             text = html.escape("\n".join(map(str, group)).strip("\n"))
-            pre = f'<pre style="margin:0">{text}</pre>'
+            pre = f'<pre style="{PLAIN}">{text}</pre>' if text else ""
             rows.append(f'<tr><td colspan="4" style="text-align:left">{pre}</td></tr>')
         else:
             rows += [_row(line) for line in group if not isinstance(line, str)]
@@ -307,7 +316,7 @@ def _row(entry: tuple[str, str, str, str]) -> str:
     indent = "padding-left:1.5em;" if name.startswith(" ") else ""
     cells = [(name.strip(), f"{indent}text-align:left"), (value, "text-align:right")]
     cells += [(unit, "text-align:left"), (remark, "text-align:left")]
-    columns = (f'<td style="{style}">{html.escape(cell)}</td>' for cell, style in cells)
+    columns = (f'<td style="padding:0 0.3em;{s}">{html.escape(cell)}</td>' for cell, s in cells)
     return f"<tr>{''.join(columns)}</tr>"
 
 

@@ -107,7 +107,8 @@ def parameter(field: dict[str, Any]) -> list[str]:
 
 
 def returned(result: type[Report]) -> list[str]:
-    doc = inspect.getdoc(result) or ""
+    # Without the example.
+    doc = (inspect.getdoc(result) or "").partition(">>>")[0].strip()
     return ["Returns", "-------", result.__name__, paragraph(doc, 4), ""]
 
 

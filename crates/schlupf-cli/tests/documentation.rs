@@ -119,7 +119,7 @@ fn sample_outputs_are_what_the_command_prints() {
     let pages = docs.map(|entry| entry.unwrap().path()).chain([workspace().join("README.md")]);
     let pages = pages.filter(|page| page.extension().is_some_and(|ending| ending == "md"));
     let samples: Vec<Sample> = pages.flat_map(|page| samples(&page)).collect();
-    for page in ["tour.md", "identification.md"] {
+    for page in ["command.md", "identification.md"] {
         assert!(samples.iter().any(|sample| sample.page.ends_with(page)), "{page} has no sample");
     }
     samples.iter().for_each(check);

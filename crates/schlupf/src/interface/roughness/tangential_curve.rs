@@ -2,8 +2,8 @@
 //!
 //! For similar elastic bodies with Coulomb friction in every spot, the traction under a tangential
 //! force Q is that of full sliding under P minus that of full sliding under P*, the load whose
-//! contact area still sticks (Ciavarella 1998, Int. J. Solids Struct. 35, 2349; Jäger 1998, Arch.
-//! Appl. Mech. 68, 23):
+//! contact area still sticks (Ciavarella 1998, Int. J. Solids Struct. 35, 2349; Jäger 1998, J.
+//! Tribol. 120, 677):
 //!
 //! Q = μ (P − P*),  u = μ c (d(P) − d(P*)),  c = (2 − ν)/(2 (1 − ν)).
 //!
