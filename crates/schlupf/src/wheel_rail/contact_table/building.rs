@@ -72,7 +72,7 @@ impl ContactTableOptions {
 
 /// First step along the profile of the wheel, in m, and first numbers of nodes of the other axes.
 const FIRST_STEP: f64 = 3e-3;
-const FIRST_NODES: [usize; AXES - 1] = [5, 3, 3];
+const FIRST_NODES: [usize; AXES - 1] = [5, 3, 5];
 
 /// By how much the error between nodes falls where their distance is halved.
 const ORDER: f64 = 8.0;
@@ -136,7 +136,8 @@ impl ContactTable {
             if !known.iter().any(|node| matches!(node, Node::Contact(_))) {
                 return Err(WheelRailError::EmptyContactTable {}.into());
             }
-            table.grid.values = filled(&table.grid, &known);
+            let values = filled(&table.grid, &known);
+            table.grid = table.grid.with(values);
             let errors: [f64; AXES] = std::array::from_fn(|axis| table.uncertainty(axis, &known));
             let worst = (0..AXES).max_by(|one, two| errors[*one].total_cmp(&errors[*two]));
             let worst = worst.unwrap_or_default();
@@ -170,7 +171,7 @@ impl ContactTable {
         let mut table = Self::over(pair, (contact_modulus, joining), [rolls, rolls, yaws, depths])?;
         let nodes = &table.outlines.nodes;
         let ends = [0, nodes.len() - 1].map(|k| nodes[k].arc);
-        let steps = ((ends[1] - ends[0]) / FIRST_STEP).ceil() as usize;
+        let steps = ((ends[1] - ends[0]) / FIRST_STEP).ceil().max(2.0) as usize;
         table.grid.axes[0] = Axis::between(ends, steps);
         Ok(table)
     }

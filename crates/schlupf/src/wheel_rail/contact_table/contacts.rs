@@ -112,7 +112,7 @@ impl ContactTable {
         }
         axes[YAWS].is_mirrored = true;
         let (pair, outlines) = (Arc::clone(pair), Outlines::new(pair));
-        let (ellipses, grid) = (Ellipses::new()?, Grid { axes, values: Vec::new() });
+        let (ellipses, grid) = (Ellipses::new()?, Grid::new(axes));
         Ok(Self { pair, outlines, ellipses, grid, contact_modulus, joining })
     }
 

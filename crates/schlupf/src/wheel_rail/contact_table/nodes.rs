@@ -52,7 +52,7 @@ impl ContactTable {
         let axis = |axis: Axis| NodeAxis { start: axis.start, step: axis.step, count: axis.count };
         ContactTableNodes {
             axes: self.grid.axes.map(axis),
-            values: self.grid.values.clone(),
+            values: self.grid.values().to_vec(),
             pair: recognised(&self.pair),
             contact_modulus: self.contact_modulus,
             joining: self.joining,
@@ -79,7 +79,7 @@ impl ContactTable {
         let axes: [Axis; AXES] = std::array::from_fn(axis);
         let count: usize = axes.iter().map(|axis| axis.count).product();
         let is_axis = |axis: &Axis| {
-            axis.start.is_finite() && axis.step > 0.0 && axis.step.is_finite() && axis.count >= 2
+            axis.start.is_finite() && axis.step > 0.0 && axis.step.is_finite() && axis.count >= 3
         };
         let is_contact = |values: &[f64; VALUES]| {
             values.iter().all(|value| value.is_finite())
@@ -92,7 +92,7 @@ impl ContactTable {
             return Err(WheelRailError::OtherContactTable {}.into());
         }
         let mut table = Self::over(pair, (contact_modulus, joining), axes)?;
-        table.grid.values = nodes.values;
+        table.grid = table.grid.with(nodes.values);
         Ok(table)
     }
 }

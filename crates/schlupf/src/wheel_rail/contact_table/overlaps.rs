@@ -67,28 +67,29 @@ impl Overlaps {
         let found = Self { is_whole: true, count: 0, regions: [NONE; MOST] };
         let mut search = Search { outlines, placement, found, open: None };
         search.all();
-        search.found.joined(joining)
+        let mut found = search.found;
+        found.join(joining);
+        found
     }
 
     pub fn all(&self) -> &[Overlap] {
         &self.regions[..self.count]
     }
 
-    /// With those that share a plane as one.
-    fn joined(mut self, joining: &Joining) -> Self {
-        let regions = self.regions;
-        let count = std::mem::take(&mut self.count);
-        for region in &regions[..count] {
+    /// Makes one of those that share a plane.
+    fn join(&mut self, joining: &Joining) {
+        let count = self.count.min(1);
+        for k in count..std::mem::replace(&mut self.count, count) {
+            let region = self.regions[k];
             let own = &mut self.regions[..self.count];
-            let beside = own.iter_mut().rev().find(|other| other.belongs(region, joining));
+            let beside = own.iter_mut().rev().find(|other| other.belongs(&region, joining));
             if let Some(other) = beside {
-                other.join(region);
+                other.join(&region);
             } else {
-                self.regions[self.count] = *region;
+                self.regions[self.count] = region;
                 self.count += 1;
             }
         }
-        self
     }
 }
 
