@@ -197,6 +197,20 @@ impl History {
         self
     }
 
+    /// The same at a scale of time at which the wheel rolls a whole number of times a distance (in
+    /// m), the nearest one and at least one.
+    pub(crate) fn in_steps(mut self, distance: f64, otherwise: &Kinematics) -> Self {
+        let [start, end] = self.span();
+        let way = (end - start) * self.mean(start, end, otherwise).speed;
+        if way > 0.0 {
+            let scale = (way / distance).round().max(1.0) * distance / way;
+            for time in &mut self.time {
+                *time = start + scale * (*time - start);
+            }
+        }
+        self
+    }
+
     /// Checks that no creepage over time has its force prescribed, here or in `otherwise`.
     pub fn check_forces(&self, otherwise: &PrescribedForces) -> Result<(), Error> {
         let x = self.force_x.as_ref().map(|_| Quantity::HistoryForceX);
@@ -415,6 +429,25 @@ mod tests {
         assert_relative_eq!(mean.creepage_x, 0.00225 / 1.5, max_relative = 1e-14);
         assert_relative_eq!(history.duration(0.0, 35.0, &ROLLING), 1.0, max_relative = 1e-3);
         assert_relative_eq!(history.duration(2.0, 0.04, &ROLLING), 1e-3, max_relative = 1e-14);
+    }
+
+    /// 2.4 steps become two, 2.6 three, and 0.2 one, at any speed; values keep their places.
+    #[test]
+    fn parts_are_rolled_in_whole_steps() {
+        for (end, expected) in [(2.4, 2.0), (2.6, 3.0), (0.2, 1.0), (3.0, 3.0)] {
+            let history = History {
+                time: vec![1.0, 1.0 + 0.5 * end, 1.0 + end],
+                speed: Some(vec![1.0, 0.5, 1.5]),
+                ..History::default()
+            };
+            let way = end * history.mean(1.0, 1.0 + end, &ROLLING).speed;
+            let whole = history.clone().in_steps(way / end, &ROLLING);
+            assert_relative_eq!(whole.duration(1.0, expected * way / end, &ROLLING), expected);
+            let [start, last] = whole.span();
+            assert_eq!(start, 1.0);
+            assert_relative_eq!(last, 1.0 + expected, max_relative = 1e-14);
+            assert_relative_eq!(whole.time[1], 1.0 + 0.5 * expected, max_relative = 1e-14);
+        }
     }
 
     /// Rolling for 2 s, two shifts, rolling for 1 s, a shift.

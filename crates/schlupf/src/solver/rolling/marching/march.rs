@@ -254,10 +254,12 @@ impl<'a> March<'a> {
 
     /// Goes on to the next part of the history, which begins now.
     fn begin(&mut self, stretch: &Stretch) {
-        self.history = stretch.rolling.clone();
+        let spacing = self.contact.patch.grid.spacing_x;
+        let mut history = stretch.rolling.clone();
         if self.work.steps > 0 {
-            self.history = std::mem::take(&mut self.history).starting_at(self.time);
+            history = history.starting_at(self.time);
         }
+        self.history = history.in_steps(spacing, &self.problem.kinematics);
     }
 
     /// A step in which the wheel rolls over one cell.
