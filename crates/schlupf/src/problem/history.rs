@@ -188,29 +188,6 @@ impl History {
         }
     }
 
-    /// The same from a time on, in s.
-    pub(crate) fn starting_at(mut self, start: f64) -> Self {
-        let delay = start - self.span()[0];
-        for time in &mut self.time {
-            *time += delay;
-        }
-        self
-    }
-
-    /// The same at a scale of time at which the wheel rolls a whole number of times a distance (in
-    /// m), the nearest one and at least one.
-    pub(crate) fn in_steps(mut self, distance: f64, otherwise: &Kinematics) -> Self {
-        let [start, end] = self.span();
-        let way = (end - start) * self.mean(start, end, otherwise).speed;
-        if way > 0.0 {
-            let scale = (way / distance).round().max(1.0) * distance / way;
-            for time in &mut self.time {
-                *time = start + scale * (*time - start);
-            }
-        }
-        self
-    }
-
     /// Checks that no creepage over time has its force prescribed, here or in `otherwise`.
     pub fn check_forces(&self, otherwise: &PrescribedForces) -> Result<(), Error> {
         let x = self.force_x.as_ref().map(|_| Quantity::HistoryForceX);
@@ -431,25 +408,6 @@ mod tests {
         assert_relative_eq!(history.duration(2.0, 0.04, &ROLLING), 1e-3, max_relative = 1e-14);
     }
 
-    /// 2.4 steps become two, 2.6 three, and 0.2 one, at any speed; values keep their places.
-    #[test]
-    fn parts_are_rolled_in_whole_steps() {
-        for (end, expected) in [(2.4, 2.0), (2.6, 3.0), (0.2, 1.0), (3.0, 3.0)] {
-            let history = History {
-                time: vec![1.0, 1.0 + 0.5 * end, 1.0 + end],
-                speed: Some(vec![1.0, 0.5, 1.5]),
-                ..History::default()
-            };
-            let way = end * history.mean(1.0, 1.0 + end, &ROLLING).speed;
-            let whole = history.clone().in_steps(way / end, &ROLLING);
-            assert_relative_eq!(whole.duration(1.0, expected * way / end, &ROLLING), expected);
-            let [start, last] = whole.span();
-            assert_eq!(start, 1.0);
-            assert_relative_eq!(last, 1.0 + expected, max_relative = 1e-14);
-            assert_relative_eq!(whole.time[1], 1.0 + 0.5 * expected, max_relative = 1e-14);
-        }
-    }
-
     /// Rolling for 2 s, two shifts, rolling for 1 s, a shift.
     #[test]
     fn shifts_divide_a_history() {
@@ -474,7 +432,6 @@ mod tests {
         expected[0].0 = true;
         assert_eq!(loads(&shifted), expected);
         assert_eq!(shifted.stretches()[1].shift.unwrap().creepage_y, 2e-3);
-        assert_eq!(shifted.rows(3..5).starting_at(7.0).time, [7.0, 8.0]);
         assert!(!shifted.is_at_rest_throughout() && !shifted.rows(1..2).is_at_rest_throughout());
         let turning = History { turn: Some(vec![0.0, 1e-3, 0.0, 0.0, 0.0, 0.0]), ..history };
         let message = turning.check(&ROLLING).unwrap_err().to_string();
