@@ -303,9 +303,9 @@ fn forces_of_module_1() {
     }
 }
 
-/// Steps of module 1 (T = 2) are a history of the wheelset, each over DQREL DX with velocities of its
-/// own, which change at once; a shift (T = 1) takes a second, and rolls if the wheel goes on along
-/// the rail.
+/// Steps of module 1 (T = 2) are a history of the wheelset, each over DQREL DX with velocities of
+/// its own, which change at once; a shift (T = 1) takes a second, and rolls if the wheel goes on
+/// along the rail.
 #[test]
 fn steps_of_module_1() {
     let row = &rows("manchester_a22.csv")[2];
