@@ -77,6 +77,24 @@ fn steady_rolling_goes_on() {
     }
 }
 
+/// Parts of a history between instants of rest have the nearest whole numbers of cells of 1.2 mm,
+/// of which none is lost or added over several parts: 2.4 cells each have 2, 3 and 2, 1.0001 cells
+/// each have one. The last step of each has the creepage of its end.
+#[test]
+fn parts_have_the_nearest_numbers_of_cells() {
+    for (length, counts) in [(2.4 * 1.2e-3, vec![2, 3, 2]), (1.0001 * 1.2e-3, vec![1; 5])] {
+        let parts = 0..counts.len();
+        let time = parts.clone().flat_map(|k| [k, k + 1].map(|end| end as f64 * length)).collect();
+        let creepage_x = Some(parts.flat_map(|k| [0.0, 1e-3 * (k + 1) as f64]).collect());
+        let found = run(History { time, creepage_x, ..History::default() }, 10);
+        let parts: Vec<_> = found.history.split(|instant| instant.shift.is_some()).collect();
+        assert_eq!(parts.iter().map(|part| part.len()).collect::<Vec<_>>(), counts);
+        for (k, part) in parts.iter().enumerate() {
+            assert_eq!(part.last().unwrap().kinematics.creepage_x, 1e-3 * (k + 1) as f64);
+        }
+    }
+}
+
 /// While the force builds up from rest, it converges at an order of at least 1.2; the differences
 /// of grids twice as fine, at each mm.
 #[test]

@@ -171,26 +171,28 @@ fn distances_on_the_grid() {
 }
 
 /// An approach PEN is measured from where the distance is zero, in a table as in Hertz's contact: a
-/// sphere of 300 mm that is 10 µm lower reaches the contact of 5 mm, with the load of its closed
-/// form.
+/// sphere of 300 mm that is lower by a part of the approach, or by all of it, reaches the contact
+/// of 5 mm, with the load of its closed form.
 #[test]
 fn an_approach_of_any_distance() {
-    let height = |k: i32| (0.1 * f64::from(k)).powi(2) / 600.0 - 0.01;
-    let profile: Vec<String> = (-80..=80).map(|k| height(k).to_string()).collect();
-    let area = format!(
-        "3\n 141 141 -7.0 -7.0 0.1 0.1\n 2 1\n 161 0.0 300. -8.0 0.1\n {}",
-        profile.join("\n ")
-    );
-    let changes = [
-        ("203100", "203000"),
-        (" 52359.878", " 0.0733333333333333"),
-        ("-3\n 44 44 5.0 5.0 1.1", area.as_str()),
-    ];
-    let case = one(&with(BALL, &changes));
-    let load = 4.0 * 82031.25 / 0.72 * 125.0 / 900.0 / 1e3;
-    let line = case.text.lines().find(|line| line.starts_with("load")).unwrap();
-    let found: f64 = line.split(['"', ' ']).nth(3).unwrap().parse().unwrap();
-    assert!((found / load - 1.0).abs() < 3e-4, "{found}, not {load}");
+    for (lower, approach) in [(0.01, " 0.0733333333333333"), (25.0 / 300.0, " 0.0")] {
+        let height = |k: i32| (0.1 * f64::from(k)).powi(2) / 600.0 - lower;
+        let profile: Vec<String> = (-80..=80).map(|k| height(k).to_string()).collect();
+        let area = format!(
+            "3\n 141 141 -7.0 -7.0 0.1 0.1\n 2 1\n 161 0.0 300. -8.0 0.1\n {}",
+            profile.join("\n ")
+        );
+        let changes = [
+            ("203100", "203000"),
+            (" 52359.878", approach),
+            ("-3\n 44 44 5.0 5.0 1.1", area.as_str()),
+        ];
+        let case = one(&with(BALL, &changes));
+        let load = 4.0 * 82031.25 / 0.72 * 125.0 / 900.0 / 1e3;
+        let line = case.text.lines().find(|line| line.starts_with("load")).unwrap();
+        let found: f64 = line.split(['"', ' ']).nth(3).unwrap().parse().unwrap();
+        assert!((found / load - 1.0).abs() < 3e-4, "{found}, not {load}");
+    }
 }
 
 /// One row of elements is a line contact, of any distance that is quadratic along x: CONTACT's

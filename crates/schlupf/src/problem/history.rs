@@ -188,15 +188,6 @@ impl History {
         }
     }
 
-    /// The same from a time on, in s.
-    pub(crate) fn starting_at(mut self, start: f64) -> Self {
-        let delay = start - self.span()[0];
-        for time in &mut self.time {
-            *time += delay;
-        }
-        self
-    }
-
     /// Checks that no creepage over time has its force prescribed, here or in `otherwise`.
     pub fn check_forces(&self, otherwise: &PrescribedForces) -> Result<(), Error> {
         let x = self.force_x.as_ref().map(|_| Quantity::HistoryForceX);
@@ -441,7 +432,6 @@ mod tests {
         expected[0].0 = true;
         assert_eq!(loads(&shifted), expected);
         assert_eq!(shifted.stretches()[1].shift.unwrap().creepage_y, 2e-3);
-        assert_eq!(shifted.rows(3..5).starting_at(7.0).time, [7.0, 8.0]);
         assert!(!shifted.is_at_rest_throughout() && !shifted.rows(1..2).is_at_rest_throughout());
         let turning = History { turn: Some(vec![0.0, 1e-3, 0.0, 0.0, 0.0, 0.0]), ..history };
         let message = turning.check(&ROLLING).unwrap_err().to_string();

@@ -4,8 +4,8 @@
 //! that step, from the contacts, the tractions and the depth of the step before. Cells lie on a
 //! lattice that moves with the wheelset along the track and stays in place on the rail across it. A
 //! contact goes on from the elements on its cells, whichever contacts of the step before left them
-//! there: so contacts move across the rail, split and merge. Of a wheelset that rests on both rails
-//! both wheels go on.
+//! there: so contacts move across the rail, split and merge. Every part of a history ends with the
+//! step whose end is nearest. Of a wheelset that rests on both rails both wheels go on.
 
 use std::sync::Arc;
 
@@ -33,6 +33,14 @@ pub struct WheelAt {
     /// The wheel. If rolling follows a time that is that of the instant before, it begins with the
     /// motion of the next instant.
     pub wheel: WheelOnRail,
+}
+
+impl WheelAt {
+    /// Whether the wheel is where that of another instant is, with the same load.
+    fn is_in_place_of(&self, other: &Self) -> bool {
+        let (own, other) = (&self.wheel, &other.wheel);
+        own.position == other.position && own.support == other.support
+    }
 }
 
 /// A wheel over time, linear between the instants.
@@ -72,8 +80,6 @@ impl WheelOverTime {
         if self.starts_rolling {
             rolling.go_on(&first.wheel, Step::Settle)?;
         }
-        // Shifts and rolling begin at the end of the step before.
-        let mut delay = 0.0;
         for pair in self.instants.windows(2) {
             let [before, after] = [&pair[0], &pair[1]];
             if after.time < before.time {
@@ -81,27 +87,32 @@ impl WheelOverTime {
                 return Err(Error::NotAscending { quantity, axis: "", before, after });
             }
             if after.time == before.time {
-                rolling.go_on(&after.wheel, Step::Shift(self.shift_duration))?;
+                let changes = self.shift_duration > 0.0 || !before.is_in_place_of(after);
+                if changes || rolling.wheels.is_empty() {
+                    rolling.go_on(&after.wheel, Step::Shift(self.shift_duration))?;
+                }
                 was_at_rest = true;
                 continue;
             }
             let starts = was_at_rest && rolling.instants.last().is_some();
             let motion = if starts { after.wheel.motion } else { before.wheel.motion };
             let from = WheelOnRail { motion, ..before.wheel.clone() };
-            if was_at_rest {
-                delay = rolling.time - before.time;
-            }
             was_at_rest = false;
-            let [start, end] = [before.time, after.time].map(|time| time + delay);
-            while rolling.time < end - 1e-9 * (end - start) {
+            let [start, end] = [before.time, after.time];
+            loop {
                 let at = |time: f64| {
                     let share = ((time - start) / (end - start)).clamp(0.0, 1.0);
                     between([&from, &after.wheel], share)
                 };
                 let duration = rolling.spacing[0] / at(rolling.time).motion.speed;
+                let is_nearest = |time: f64| time + 0.5 * duration >= end;
+                if is_nearest(rolling.time) && (rolling.distance > 0.0 || rolling.time >= end) {
+                    break;
+                }
                 rolling.time += duration;
                 rolling.distance += rolling.spacing[0];
-                rolling.go_on(&at(rolling.time), Step::Roll)?;
+                let place = if is_nearest(rolling.time) { end } else { rolling.time };
+                rolling.go_on(&at(place), Step::Roll)?;
             }
         }
         rolling.told()
@@ -171,15 +182,13 @@ impl<'a> Rolling<'a> {
     ) -> Result<Self, Error> {
         let rests = history.rests;
         let mut start: Option<(f64, Vec<Left>)> = None;
-        let mut last: Option<&WheelOnRail> = None;
+        let mut last: Option<&WheelAt> = None;
         let mut size = [f64::INFINITY; 2];
-        for WheelAt { wheel, .. } in &history.instants {
+        for at in &history.instants {
+            let wheel = &at.wheel;
             wheel.check()?;
             tangential.check(wheel.motion.speed)?;
-            let is_known = |last: &WheelOnRail| {
-                last.position == wheel.position && last.support == wheel.support
-            };
-            if last.replace(wheel).is_some_and(is_known) {
+            if last.replace(at).is_some_and(|last| last.is_in_place_of(at)) {
                 continue;
             }
             let (roll, left) = pressed(wheel, rests, (tangential, watch))?;

@@ -273,12 +273,15 @@ fn table(
     let places =
         |k: usize| (0..counts[k]).map(move |n| MILLIMETRE * (first[k] + n as f64 * side[k]));
     let modulus = hertz::modulus(given.elastic);
-    let found = load(case, given, |level| {
-        let distance =
-            UndeformedDistance::on_lattice(places(0).collect(), places(1).collect(), heights)?;
-        let approach = level - distance.lowest();
-        let profile = Profile::from_approach(distance, modulus, approach, Profile::DEFAULT_CELLS)?;
-        Ok(profile.normal_contact(None)?.summary.load)
+    let distance =
+        UndeformedDistance::on_lattice(places(0).collect(), places(1).collect(), heights);
+    let found = distance.and_then(|distance| {
+        let motion = above(given, distance.lowest() / MILLIMETRE);
+        load(case, NormalProblem { motion: &motion, ..given }, |approach| {
+            let cells = Profile::DEFAULT_CELLS;
+            let profile = Profile::from_approach(distance, modulus, approach, cells)?;
+            Ok(profile.normal_contact(None)?.summary.load)
+        })
     });
     let load = accepted(case, given.motion.normal, found)?;
     let name = format!("{stem}_distance.csv");

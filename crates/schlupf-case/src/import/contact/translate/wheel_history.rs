@@ -37,7 +37,24 @@ pub fn write(case: &mut Translation, job: &Job) {
         rows.push(row);
     }
     job.write_start(case);
+    if rows.iter().skip(1).any(|row| row.duration == 0.0) {
+        case.document.quantity(field!("history.shift_duration"), 1.0, "s");
+    } else {
+        rows = with_jumps(&rows);
+    }
     write_rows(case, &rows, &job.first.control);
+}
+
+/// The rows with changes of the velocities between steps, of which each has its own throughout: at
+/// rest, without a shift.
+fn with_jumps(steps: &[Row]) -> Vec<Row> {
+    let mut rows: Vec<Row> = Vec::new();
+    for row in steps {
+        let before = rows.last().filter(|before| before.velocities() != row.velocities());
+        rows.extend(before.map(|before| Row { duration: 0.0, position: before.position, ..*row }));
+        rows.push(*row);
+    }
+    rows
 }
 
 /// What a step ends with.
@@ -75,6 +92,11 @@ impl Row {
         }
         Some(row)
     }
+
+    /// As in the file, in a second.
+    fn velocities(&self) -> [f64; 6] {
+        self.velocity.map(|velocity| self.rate * velocity.value)
+    }
 }
 
 /// A column: the place of its value, the factor and the unit that make it of one.
@@ -108,20 +130,13 @@ fn write_rows(case: &mut Translation, rows: &[Row], control: &Control) {
         })
         .collect();
     case.document.quantities(field!("history.time"), &times, "s");
-    if rows.iter().skip(1).any(|row| row.duration == 0.0) {
-        case.document.quantity(field!("history.shift_duration"), 1.0, "s");
-    }
     let support = if control.normal.is(0) { HEIGHT } else { LOAD };
     let positions = POSITIONS.into_iter().chain([support]).map(|column| (column, false));
     for ((path, place, factor, unit), is_velocity) in
         positions.chain(VELOCITIES.map(|column| (column, true)))
     {
         let of = |row: &Row| {
-            if is_velocity {
-                row.rate * row.velocity[place].value
-            } else {
-                row.position[place].value
-            }
+            if is_velocity { row.velocities()[place] } else { row.position[place].value }
         };
         let values: Vec<f64> = rows.iter().map(|row| factor * of(row)).collect();
         if sequence::changes(&values) || path == ANGULAR_VELOCITY {

@@ -142,6 +142,9 @@ struct March<'a> {
     /// That of the bodies alone: how the material is displaced that enters.
     displacement_of_bodies: VectorField,
     time: f64,
+    /// The time of the history whose values hold, in s: where a part ends within half a cell, its
+    /// last.
+    place: f64,
     /// Rolled since the start, in m.
     distance: f64,
     now: Snapshot,
@@ -212,6 +215,7 @@ impl<'a> March<'a> {
             has_other_pressure: before.is_some(),
             options,
             time,
+            place: time,
             distance: 0.0,
             now: Snapshot::blank(kinematics, conduction, contact.patch.len()),
             trend: vec![0.0; 2 * elements.len()],
@@ -255,12 +259,11 @@ impl<'a> March<'a> {
     /// Goes on to the next part of the history, which begins now.
     fn begin(&mut self, stretch: &Stretch) {
         self.history = stretch.rolling.clone();
-        if self.work.steps > 0 {
-            self.history = std::mem::take(&mut self.history).starting_at(self.time);
-        }
+        [self.place, _] = self.history.span();
     }
 
-    /// A step in which the wheel rolls over one cell.
+    /// A step in which the wheel rolls over one cell. Every part of a history ends with the step
+    /// whose end is nearest.
     fn roll(&mut self, watch: Watch) -> Result<(), Error> {
         let mut start = Start::of(&self.displacement, &self.contact, &self.now);
         let arrivals = self.move_on(&mut start, watch)?;
@@ -270,10 +273,17 @@ impl<'a> March<'a> {
         Ok(())
     }
 
+    /// Of a step over one cell, in s.
+    fn duration(&self) -> f64 {
+        let spacing = self.contact.patch.grid.spacing_x;
+        self.history.duration(self.time, spacing, &self.problem.kinematics)
+    }
+
     fn is_finished(&self) -> bool {
         if !self.history.is_endless() {
-            let [start, end] = self.history.span();
-            return self.time >= end - 1e-9 * (end - start);
+            let [_, end] = self.history.span();
+            let is_next = self.time + 0.5 * self.duration() >= end;
+            return self.time >= end || self.distance > 0.0 && is_next;
         }
         let is_steady = self.passage_change <= self.options.tolerance;
         is_steady
@@ -303,14 +313,16 @@ impl<'a> March<'a> {
 
     /// Carries every element over into the next cell; Eqs. (9)–(12).
     fn move_on(&mut self, start: &mut Start, watch: Watch) -> Result<Vec<Arrival>, Error> {
-        let spacing = self.contact.patch.grid.spacing_x;
+        let duration = self.duration();
         let (history, otherwise) = (&self.history, &self.problem.kinematics);
-        let duration = history.duration(self.time, spacing, otherwise);
         self.motion_before = self.now.over_step;
         self.now.over_step = history.mean(self.time, self.time + duration, otherwise);
         self.time += duration;
-        self.distance += spacing;
-        self.now.kinematics = history.kinematics(self.time, otherwise);
+        self.distance += self.contact.patch.grid.spacing_x;
+        let [_, end] = history.span();
+        let is_last = self.time + 0.5 * duration >= end;
+        self.place = if is_last { self.time.max(end) } else { self.time };
+        self.now.kinematics = history.kinematics(self.place, otherwise);
         self.now.conduction = self.problem.interface.conduction(&self.now.over_step);
         start.former = self.follow_load(watch)?;
         let moves = start.former.is_some();
@@ -323,7 +335,7 @@ impl<'a> March<'a> {
 
     /// Switches to the patch of a load that changes with time; returns the previous one.
     fn follow_load(&mut self, watch: Watch) -> Result<Option<Former>, Error> {
-        let load = self.history.load(self.time);
+        let load = self.history.load(self.place);
         let stays = load.is_none_or(|load| load == self.contact.normal.load);
         if stays && !std::mem::take(&mut self.has_other_pressure) {
             return Ok(None);

@@ -29,7 +29,7 @@ impl March<'_> {
         let old_traction = self.now.traction.clone();
         self.outcome = Outcome::default();
         let mut forces = std::mem::take(&mut self.forces);
-        forces.begin(&self.history, self.time, self.contact.normal.load);
+        forces.begin(&self.history, self.place, self.contact.normal.load);
         let mut moved = Vec::new();
         let mut is_missed = false;
         let mut tried = None;
