@@ -212,6 +212,30 @@ impl PartialEq for InputFile {
     }
 }
 
+/// Text in UTF-8 or UTF-16, or in a code page of which only ASCII is understood: comments and names
+/// from measuring devices are in any, numbers are in ASCII. `None` for what is no text.
+pub(crate) fn text(bytes: &[u8]) -> Option<String> {
+    // ASCII in UTF-16 without a byte order mark.
+    let is_every_second =
+        |zero: usize| bytes.len() > 3 && (0..4).all(|k| (bytes[k] == 0) == (k % 2 == zero));
+    let is_little = bytes.starts_with(&[0xff, 0xfe]) || is_every_second(1);
+    let is_big = bytes.starts_with(&[0xfe, 0xff]) || is_every_second(0);
+    let text = if is_little || is_big {
+        let unit = |pair: &[u8]| {
+            let pair = [pair[0], pair[1]];
+            if is_little { u16::from_le_bytes(pair) } else { u16::from_be_bytes(pair) }
+        };
+        let units: Vec<u16> = bytes.chunks_exact(2).map(unit).collect();
+        String::from_utf16_lossy(&units)
+    } else {
+        match std::str::from_utf8(bytes) {
+            Ok(text) => text.to_owned(),
+            Err(_) => bytes.iter().map(|byte| char::from(*byte)).collect(),
+        }
+    };
+    (!text.contains('\0')).then(|| text.trim_start_matches('\u{feff}').to_owned())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

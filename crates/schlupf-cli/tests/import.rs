@@ -96,6 +96,31 @@ fn existing_files_stay() {
     assert!(run.stderr.contains("own.toml is also the input file"), "{}", run.stderr);
 }
 
+/// Text as editors on other systems write it: with a byte order mark, in UTF-16, with comments in
+/// Latin-1.
+#[test]
+fn encodings_of_input_files() {
+    let bench = Bench::new();
+    let end = INPUT.find("\n 3  MODULE\n  203100    P-B-T-N-F-S\n  102500").unwrap();
+    let text = format!("{}\n 0\n", &INPUT[..end]);
+    let utf_16 = text.encode_utf16().flat_map(u16::to_le_bytes);
+    let encoded: [(&str, Vec<u8>); 4] = [
+        ("plain", text.clone().into_bytes()),
+        ("mark", format!("\u{feff}{text}").into_bytes()),
+        ("wide", [0xff, 0xfe].into_iter().chain(utf_16).collect()),
+        ("latin", [b"% Stra\xdfe\n".as_slice(), text.as_bytes()].concat()),
+    ];
+    for (name, bytes) in encoded {
+        let name = format!("{name}.inp");
+        std::fs::write(bench.path(&name), bytes).unwrap();
+        let run = bench.run(&["import", &name]);
+        assert_eq!(run.code, Some(0), "{name}: {}", run.stderr);
+    }
+    let case = |name: &str| bench.read(name).lines().skip(3).map(str::to_owned).collect::<Vec<_>>();
+    assert_eq!(case("mark.toml"), case("plain.toml"));
+    assert_eq!(case("wide.toml"), case("plain.toml"));
+}
+
 /// A table that a case needs is written beside it.
 #[test]
 fn a_distance_is_a_file_of_its_own() {

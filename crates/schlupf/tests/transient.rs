@@ -16,7 +16,7 @@ use schlupf::interface::Incremental;
 use schlupf::interface::friction::TemperatureLinear;
 use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::normal::AtLoad;
-use schlupf::problem::History;
+use schlupf::problem::{History, Transient};
 use schlupf::{Problem, Solution, Warning, solver, unwatched};
 
 /// With bristles that are nearly rigid.
@@ -92,6 +92,27 @@ fn parts_have_the_nearest_numbers_of_cells() {
         for (k, part) in parts.iter().enumerate() {
             assert_eq!(part.last().unwrap().kinematics.creepage_x, 1e-3 * (k + 1) as f64);
         }
+    }
+}
+
+/// A part of less than half a cell of 1.2 mm has no step, nor has one of 0.6 cells where 0.6 and 1.2
+/// cells both have one; the error says with how many cells along rolling there is one.
+#[test]
+fn parts_without_a_step_are_refused() {
+    for (lengths, told) in [
+        ([0.3, 2.0], "from 0 s to 3.6e-4 s"),
+        ([2.0, 0.3], "from 2.4e-3 s to 2.76e-3 s"),
+        ([0.6, 0.6], "from 7.2e-4 s to 1.44e-3 s"),
+    ] {
+        let [one, other] = lengths.map(|cells| cells * 1.2e-3);
+        let time = vec![0.0, one, one, one + other];
+        let history = History { time, ..History::default() };
+        let transient = Transient { history, ..Transient::to_steady_state(&reference()) };
+        let error = solver::march(&transient, &cells(10), &unwatched).unwrap_err().to_string();
+        assert!(error.contains(told), "{error}");
+        let needed = if error.contains("7.2e-4") { 17 } else { 34 };
+        assert!(error.ends_with(&format!("cells_x must be at least {needed}")), "{error}");
+        assert!(solver::march(&transient, &cells(34), &unwatched).is_ok());
     }
 }
 

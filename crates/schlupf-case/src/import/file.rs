@@ -6,6 +6,7 @@ use std::io;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
+use crate::files::text;
 use crate::import::contact::{self, Import, ImportedCase, Options, WheelBody};
 use crate::{
     CaseError, CaseErrors, CaseFile, Files, LARGEST_FILE, Overrides, Place, Source, read_up_to,
@@ -82,14 +83,9 @@ pub fn contact_file(request: Request) -> Result<Import, CaseErrors> {
         let message = format!("the input file cannot be read: {error}");
         unreadable(message).of_file(request.path, &error)
     })?;
-    if bytes.contains(&0) {
+    let Some(text) = text(&bytes) else {
         let message = "the input file must be text, but is not".to_owned();
         return Err(unreadable(message).into());
-    }
-    // Comments are in any code page; all else is in ASCII.
-    let text = match String::from_utf8(bytes) {
-        Ok(text) => text,
-        Err(error) => error.as_bytes().iter().map(|byte| char::from(*byte)).collect(),
     };
     let source = Arc::new(Source { name, text });
     let stem = request.path.file_stem().map(|stem| stem.to_string_lossy().into_owned());

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::FieldPath;
 use crate::error::CaseError;
+use crate::files::text;
 use crate::place::{Place, Source};
 use schlupf::reporting::quoted;
 
@@ -66,13 +67,12 @@ impl File {
     /// # Errors
     /// Bytes that are no text.
     pub fn new(name: String, bytes: &[u8], field: FieldPath) -> Result<Self, CaseError> {
-        let text = decoded(bytes);
-        if text.contains('\0') {
+        let Some(text) = text(bytes) else {
             let message = format!("{field} must be a text file, but is not");
             return Err(CaseError::new(field, message, Place::File { name }));
-        }
+        };
         // Lines as text editors count them.
-        let text = text.trim_start_matches('\u{feff}').replace("\r\n", "\n").replace('\r', "\n");
+        let text = text.replace("\r\n", "\n").replace('\r', "\n");
         Ok(Self { source: Arc::new(Source { name, text }), field })
     }
 
@@ -113,28 +113,6 @@ impl File {
     pub fn number(&self, line: usize, word: &str) -> Result<f64, CaseError> {
         number(word)
             .ok_or_else(|| self.error(line, format!("{} must be a finite number", quoted(word))))
-    }
-}
-
-/// Text in UTF-8 or UTF-16, or in a code page of which only ASCII is understood: names of places in
-/// measuring devices are in any, numbers are in ASCII.
-fn decoded(bytes: &[u8]) -> String {
-    // ASCII in UTF-16 without a byte order mark.
-    let is_every_second =
-        |zero: usize| bytes.len() > 3 && (0..4).all(|k| (bytes[k] == 0) == (k % 2 == zero));
-    let is_little = bytes.starts_with(&[0xff, 0xfe]) || is_every_second(1);
-    let is_big = bytes.starts_with(&[0xfe, 0xff]) || is_every_second(0);
-    if is_little || is_big {
-        let unit = |pair: &[u8]| {
-            let pair = [pair[0], pair[1]];
-            if is_little { u16::from_le_bytes(pair) } else { u16::from_be_bytes(pair) }
-        };
-        let units: Vec<u16> = bytes.chunks_exact(2).map(unit).collect();
-        return String::from_utf16_lossy(&units);
-    }
-    match std::str::from_utf8(bytes) {
-        Ok(text) => text.to_owned(),
-        Err(_) => bytes.iter().map(|byte| char::from(*byte)).collect(),
     }
 }
 

@@ -13,8 +13,8 @@ use crate::numerics::fourier::{RealTransform, smooth_from, wrapped};
 use crate::numerics::{love, upstream};
 use crate::reporting::{Error, Quantity, Requirement, Warning, require};
 
-/// Largest f = E/E∞ − 1: of softer bodies the pressure may not be found.
-const MOST_RELAXATION: f64 = 20.0 * (1.0 + 1e-9);
+/// Largest f = E/E∞ − 1: of softer bodies pressure and tractions take minutes, or are not found.
+const MOST_RELAXATION: f64 = 12.0 * (1.0 + 1e-9);
 
 /// The standard linear solid: how a body creeps under constant stress.
 ///

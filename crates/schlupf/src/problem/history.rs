@@ -346,6 +346,13 @@ impl History {
     }
 }
 
+/// Of a part of a history (its first and last time, in s) without a step over a cell, which takes a
+/// time (in s), of so many cells along rolling.
+pub(crate) fn part_too_short(span: [f64; 2], (step, cells): (f64, usize)) -> Error {
+    let cells = (cells as f64 * step / (span[1] - span[0])).ceil() as usize;
+    Error::PartTooShort { span, step, cells }
+}
+
 #[cfg(test)]
 mod tests {
     use approx::assert_relative_eq;

@@ -10,7 +10,7 @@ mod transient;
 
 pub use builder::ProblemBuilder;
 pub use history::History;
-pub(crate) use history::{Shift, Stretch};
+pub(crate) use history::{Shift, Stretch, part_too_short};
 pub use method::{
     AreaReduction, Brush, Driver, FastMethod, Flexibilities, Method, SlopeReduction, TractionBound,
 };

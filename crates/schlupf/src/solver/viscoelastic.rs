@@ -129,7 +129,7 @@ mod tests {
         let modulus = contact_modulus(&rubber, &rubber);
         let line: Arc<dyn PressureSource> =
             Arc::new(Line::new([0.1, 0.1], 0.1, modulus, 20e3).unwrap());
-        for (ratio, most) in [(1.0, 20), (20.0, 150)] {
+        for (ratio, most) in [(1.0, 20), (12.0, 150)] {
             for length in [0.0, 1e-3, 1e-2, 3e-2, 1.0] {
                 let solid = StandardLinearSolid {
                     relaxed_modulus: rubber.young_modulus / (1.0 + ratio),

@@ -18,7 +18,7 @@ use super::time_step::{Left, Past, Step};
 use super::wheel::{Position, Support, WheelOnRail, WheelSolution};
 use crate::normal::PressureSource;
 use crate::numerics::interpolation::mix;
-use crate::problem::Options;
+use crate::problem::{Options, part_too_short};
 use crate::reporting::{
     Error, Progress, Quantity, Requirement, Stage, Unconverged, Warning, Watch, WheelRailError,
     require, within,
@@ -74,45 +74,25 @@ impl WheelOverTime {
             return Err(Error::TooFew { quantity, fewest: 2, count });
         };
         require(Quantity::ShiftDuration, Requirement::NotNegative, self.shift_duration)?;
+        let mut pairs = self.instants.windows(2).map(|pair| [pair[0].time, pair[1].time]);
+        if let Some([before, after]) = pairs.find(|[before, after]| after < before) {
+            return Err(Error::NotAscending { quantity, axis: "", before, after });
+        }
         let mut rolling = Rolling::new(self, tangential, watch)?;
         rolling.time = first.time;
-        let mut was_at_rest = !self.starts_rolling;
         if self.starts_rolling {
             rolling.go_on(&first.wheel, Step::Settle)?;
         }
-        for pair in self.instants.windows(2) {
-            let [before, after] = [&pair[0], &pair[1]];
-            if after.time < before.time {
-                let (before, after) = (before.time, after.time);
-                return Err(Error::NotAscending { quantity, axis: "", before, after });
-            }
-            if after.time == before.time {
-                let changes = self.shift_duration > 0.0 || !before.is_in_place_of(after);
+        let mut last = None;
+        for part in self.instants.chunk_by(|before, after| before.time < after.time) {
+            if let Some(before) = last.replace(&part[part.len() - 1]) {
+                let changes = self.shift_duration > 0.0 || !before.is_in_place_of(&part[0]);
                 if changes || rolling.wheels.is_empty() {
-                    rolling.go_on(&after.wheel, Step::Shift(self.shift_duration))?;
+                    rolling.go_on(&part[0].wheel, Step::Shift(self.shift_duration))?;
                 }
-                was_at_rest = true;
-                continue;
-            }
-            let starts = was_at_rest && rolling.instants.last().is_some();
-            let motion = if starts { after.wheel.motion } else { before.wheel.motion };
-            let from = WheelOnRail { motion, ..before.wheel.clone() };
-            was_at_rest = false;
-            let [start, end] = [before.time, after.time];
-            loop {
-                let at = |time: f64| {
-                    let share = ((time - start) / (end - start)).clamp(0.0, 1.0);
-                    between([&from, &after.wheel], share)
-                };
-                let duration = rolling.spacing[0] / at(rolling.time).motion.speed;
-                let is_nearest = |time: f64| time + 0.5 * duration >= end;
-                if is_nearest(rolling.time) && (rolling.distance > 0.0 || rolling.time >= end) {
-                    break;
-                }
-                rolling.time += duration;
-                rolling.distance += rolling.spacing[0];
-                let place = if is_nearest(rolling.time) { end } else { rolling.time };
-                rolling.go_on(&at(place), Step::Roll)?;
+                rolling.roll(part, rolling.instants.last().is_some())?;
+            } else {
+                rolling.roll(part, false)?;
             }
         }
         rolling.told()
@@ -215,6 +195,37 @@ impl<'a> Rolling<'a> {
             missed: 0.0,
             uncarried: 0.0,
         })
+    }
+
+    /// Rolls through a part of a history, between two shifts; after a shift all of the first
+    /// interval has the motion of its end. The last step has the values of the end of the part.
+    fn roll(&mut self, part: &[WheelAt], is_shifted: bool) -> Result<(), Error> {
+        let ([first, next, ..], Some(last)) = (part, part.last()) else { return Ok(()) };
+        let motion = if is_shifted { next.wheel.motion } else { first.wheel.motion };
+        let from = WheelOnRail { motion, ..first.wheel.clone() };
+        let at = |time: f64| {
+            let after = part.partition_point(|at| at.time <= time).clamp(1, part.len() - 1);
+            let (before, after) = (&part[after - 1], &part[after]);
+            let share = ((time - before.time) / (after.time - before.time)).clamp(0.0, 1.0);
+            let start = if before.time == first.time { &from } else { &before.wheel };
+            between([start, &after.wheel], share)
+        };
+        let before = self.distance;
+        loop {
+            let duration = self.spacing[0] / at(self.time).motion.speed;
+            let is_nearest = |time: f64| time + 0.5 * duration >= last.time;
+            if is_nearest(self.time) {
+                if self.distance > before {
+                    return Ok(());
+                }
+                let cells = self.tangential.options.cells_x;
+                return Err(part_too_short([first.time, last.time], (duration, cells)));
+            }
+            self.time += duration;
+            self.distance += self.spacing[0];
+            let place = if is_nearest(self.time) { last.time } else { self.time };
+            self.go_on(&at(place), Step::Roll)?;
+        }
     }
 
     /// Goes on to a wheel, whose contacts do in a step.

@@ -503,6 +503,23 @@ messages! {
         readable(*most)
     );
 
+    /// A part of the history in which the wheel rolls is too short for the cells.
+    "part-too-short" PartTooShort {
+        /// First and last time of the part, in s.
+        span: [f64; 2],
+        /// Time in which the wheel rolls over a cell, in s.
+        step: f64,
+        /// Number of cells along rolling with which that is one step at least.
+        cells: usize,
+    } Quantity::Time, |name, words| format!(
+        "{name}: from {} s to {} s the wheel rolls over less than half a cell, which takes {} s: {} \
+         must be at least {cells}",
+        readable(span[0]),
+        readable(span[1]),
+        readable(*step),
+        words.word(Quantity::CellsX)
+    );
+
     /// The initial state is inconsistent.
     "impossible-state" ImpossibleState {} Quantity::InitialState, |name, words| format!(
         "{name}: the state has an element outside the grid, two in one cell, one with more traction \

@@ -8,7 +8,9 @@ mod result;
 use crate::bodies::Kinematics;
 use crate::normal::{NormalContact, VectorField};
 use crate::numerics::vector::norm;
-use crate::problem::{Element, History, Options, Problem, State, Stretch, Transient};
+use crate::problem::{
+    Element, History, Options, Problem, State, Stretch, Transient, part_too_short,
+};
 use crate::reporting::{Error, Quantity, Watch, tell, within};
 use crate::solution::{FieldsAt, Instant, Solution, Strategy, Work};
 use crate::solver::equilibrium::{Newton, Outcome, measure};
@@ -77,9 +79,14 @@ pub(crate) fn march_from(
             march.shift(shift, watch)?;
             tell(watch, march.progress())?;
         }
+        let before = march.distance;
         while !march.is_finished() {
             march.roll(watch)?;
             tell(watch, march.progress())?;
+        }
+        let span = march.history.span();
+        if march.distance <= before && span[0] < span[1] {
+            return Err(part_too_short(span, (march.duration(), options.cells_x)));
         }
     }
     Ok(at.back(march.into_solution()))
@@ -282,8 +289,7 @@ impl<'a> March<'a> {
     fn is_finished(&self) -> bool {
         if !self.history.is_endless() {
             let [_, end] = self.history.span();
-            let is_next = self.time + 0.5 * self.duration() >= end;
-            return self.time >= end || self.distance > 0.0 && is_next;
+            return self.time >= end || self.time + 0.5 * self.duration() >= end;
         }
         let is_steady = self.passage_change <= self.options.tolerance;
         is_steady
