@@ -29,7 +29,7 @@ messages! {
 
     /// CONTACT's FASTSIM has other flexibilities and takes cells as a whole.
     "other-fastsim" OtherFastsim {} field!("solver.method").as_str(), |subject, words| "CONTACT's FASTSIM shifts its \
-        three flexibilities towards one and takes cells as a whole: forces differ by 1 to 2 % of the \
+        three flexibilities towards one and takes cells as a whole: forces differ by 1 to 4 % of the \
         friction limit".to_owned();
 
     /// Influences on a curved surface follow its turn.
