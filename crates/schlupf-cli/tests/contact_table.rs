@@ -48,7 +48,7 @@ fn a_table_serves_its_wheel_only() {
     let run = bench.run(&loose);
     assert_eq!(run.code, Some(0), "{}", run.stderr);
     assert!(run.stdout.starts_with("contacts.npz\n\nnodes      "), "{}", run.stdout);
-    assert!(run.stdout.contains(" x 5 x 3 x 3: place on the wheel, roll"), "{}", run.stdout);
+    assert!(run.stdout.contains(" x 5 x 3 x 5: place on the wheel, roll"), "{}", run.stdout);
     assert!(run.stdout.contains("\nload       median 0."), "{}", run.stdout);
     let check = |table: &str, more: &[&str]| {
         let own = format!("element.contact_table={table}");
