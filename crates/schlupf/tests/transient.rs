@@ -95,8 +95,8 @@ fn parts_have_the_nearest_numbers_of_cells() {
     }
 }
 
-/// A part of less than half a cell of 1.2 mm has no step, nor has one of 0.6 cells where 0.6 and 1.2
-/// cells both have one; the error says with how many cells along rolling there is one.
+/// A part of less than half a cell of 1.2 mm has no step, nor has one of 0.6 cells where 0.6 and
+/// 1.2 cells both have one; the error says with how many cells along rolling there is one.
 #[test]
 fn parts_without_a_step_are_refused() {
     for (lengths, told) in [

@@ -119,7 +119,7 @@ impl Grid {
         Self { axes, values: Vec::new(), coefficients: Vec::new() }
     }
 
-    /// Its values, at all nodes.
+    /// Its values at all nodes, dimensionless.
     pub fn values(&self) -> &[[f64; VALUES]] {
         &self.values
     }
