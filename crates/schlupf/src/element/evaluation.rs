@@ -103,9 +103,12 @@ impl Evaluation {
         row.and_then(|row| row.get(by)).copied().unwrap_or(f64::NAN)
     }
 
-    /// The derivatives of an output, or after them of a rate; `None` without derivatives.
-    pub(super) fn row(&mut self, row: usize) -> Option<&mut [f64]> {
-        self.derivatives.chunks_exact_mut(self.columns).nth(row)
+    /// An output with its derivatives with respect to all inputs, in the units of [`Self`].
+    pub(super) fn put(&mut self, row: usize, value: f64, slopes: &[f64]) {
+        self.outputs[row] = value;
+        if !self.derivatives.is_empty() {
+            self.derivatives[row * self.columns..][..self.columns].copy_from_slice(slopes);
+        }
     }
 
     pub(super) fn set<const N: usize>(&mut self, row: usize, found: &Dual<N>) {

@@ -110,8 +110,6 @@ pub(super) struct Wheel {
     flash: Option<Flash>,
     settings: Settings,
     start: Vec<f64>,
-    /// Outputs of a contact: their places among all that it has.
-    of_contact: Vec<usize>,
 }
 
 /// Of one contact.
@@ -165,13 +163,7 @@ impl Wheel {
         // The rolling speed of a contact stands for the angular velocity times a radius of one.
         let settings = Settings { motion: Motion::Velocities, rolling_radius: 1.0, ..settings };
         let (flash, interface) = (Flash::new(interface), interface.clone());
-        let has = |of| match of {
-            Quantity::MomentZ => law.has_moment(),
-            Quantity::MaxRise => flash.is_some(),
-            _ => true,
-        };
-        let of_contact = (0..OF_CONTACT.len()).filter(|k| has(OF_CONTACT[*k])).collect();
-        Ok(Self { table, side, motion, interface, law, flash, settings, start, of_contact })
+        Ok(Self { table, side, motion, interface, law, flash, settings, start })
     }
 
     pub fn inputs() -> Vec<Signal> {
@@ -186,10 +178,20 @@ impl Wheel {
     /// Those of the wheel, then those of each contact.
     pub fn outputs(&self) -> Vec<Signal> {
         let contact = |k: usize| {
-            self.of_contact.iter().map(move |of| Signal::new(OF_CONTACT[*of], Some(k + 1)))
+            let known = OF_CONTACT.into_iter().filter(|of| self.has(*of));
+            known.map(move |of| Signal::new(of, Some(k + 1)))
         };
         let of_wheel = OF_WHEEL.into_iter().map(Signal::from);
         of_wheel.chain((0..CONTACTS).flat_map(contact)).collect()
+    }
+
+    /// Whether a quantity of a contact is among the outputs.
+    fn has(&self, of: Quantity) -> bool {
+        match of {
+            Quantity::MomentZ => self.law.has_moment(),
+            Quantity::MaxRise => self.flash.is_some(),
+            _ => true,
+        }
     }
 
     /// Finds outputs and derivatives; as many inputs as there should be.
@@ -241,18 +243,23 @@ impl Wheel {
             turning: [roll_rate, angular_velocity, yaw_rate],
             along: (speed, curvature),
         };
-        found.fill(0.0);
         let mut of_wheel = [Dual::<N>::from(0.0); OF_WHEEL.len()];
+        let mut row = OF_WHEEL.len();
+        let none = [Dual::from(0.0); OF_CONTACT.len()];
+        let mut acting = [none; CONTACTS];
         let mut is_found = false;
         for (place, contact) in contacts.by_place().enumerate() {
-            let acting = self.acting(&wheelset, contact, &own);
-            let parts = acting.force.into_iter().chain(acting.moment).chain([acting.power]);
+            let found = self.acting(&wheelset, contact, &own);
+            let parts = found.force.into_iter().chain(found.moment).chain([found.power]);
             of_wheel.iter_mut().zip(parts).for_each(|(sum, part)| *sum = *sum + part);
             is_found |= contact.load.value > 0.0;
             // Of more contacts than that the last one stays that at the flange.
-            let first = OF_WHEEL.len() + place.min(CONTACTS - 1) * self.of_contact.len();
-            for (row, of) in self.of_contact.iter().enumerate() {
-                self.put(found, first + row, (OF_CONTACT[*of], &acting.values[*of]));
+            acting[place.min(CONTACTS - 1)] = found.values;
+        }
+        for values in &acting {
+            for (of, value) in OF_CONTACT.into_iter().zip(values).filter(|(of, _)| self.has(*of)) {
+                self.put(found, row, (of, value));
+                row += 1;
             }
         }
         for (row, (of, value)) in OF_WHEEL.iter().zip(&of_wheel).enumerate() {
@@ -277,14 +284,15 @@ impl Wheel {
         (of, value): (Quantity, &Dual<N>),
     ) {
         let sign = if OPPOSITE_OUTPUTS.contains(&of) { self.side.outwards() } else { 1.0 };
-        found.outputs[row] = sign * value.value;
-        let Some(slopes) = found.row(row) else { return };
-        let signed =
-            self.signs().into_iter().zip(&value.slopes).map(|(own, slope)| sign * own * slope);
-        slopes.iter_mut().zip(signed).for_each(|(own, slope)| *own = slope);
+        let signs = self.signs();
+        let mut slopes = [0.0; INPUTS.len()];
+        for (k, slope) in value.slopes.iter().enumerate() {
+            slopes[k] = sign * signs[k] * slope;
+        }
         for (k, opposite) in OPPOSITES.into_iter().enumerate() {
             slopes[VARIABLES + k] = -slopes[opposite];
         }
+        found.put(row, sign * value.value, &slopes);
     }
 
     fn acting<const N: usize>(
