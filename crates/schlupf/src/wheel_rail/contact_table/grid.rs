@@ -69,7 +69,7 @@ impl Axis {
 
     /// The first node with one on either side: contacts at yaw angles either way are mirror images.
     fn first(&self) -> usize {
-        if self.is_mirrored { 0 } else { 1 }
+        usize::from(!self.is_mirrored)
     }
 
     /// Nodes around a position, constant beyond the ends. Towards an end the parabola goes on that
