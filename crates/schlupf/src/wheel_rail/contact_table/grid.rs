@@ -1,5 +1,5 @@
 //! Values on a grid of four axes, interpolated by quadratic B-splines, whose slopes are continuous
-//! (de Boor 1978, chapter IX).
+//! (de Boor 1978).
 
 use wide::f64x2;
 
