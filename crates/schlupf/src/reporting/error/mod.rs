@@ -503,7 +503,7 @@ messages! {
         readable(*most)
     );
 
-    /// A part of the history in which the wheel rolls is too short for the cells.
+    /// A part of the history in which the wheel rolls has no time step, which takes a cell.
     "part-too-short" PartTooShort {
         /// First and last time of the part, in s.
         span: [f64; 2],
@@ -512,7 +512,7 @@ messages! {
         /// Number of cells along rolling with which that is one step at least.
         cells: usize,
     } Quantity::Time, |name, words| format!(
-        "{name}: from {} s to {} s the wheel rolls over less than half a cell, which takes {} s: {} \
+        "{name}: no time step ends from {} s to {} s, since the wheel rolls over a cell in {} s: {} \
          must be at least {cells}",
         readable(span[0]),
         readable(span[1]),
