@@ -12,6 +12,7 @@ import numpy as np
 
 from . import _core
 from ._errors import quoted
+from ._fields import CATALOGUE
 from ._files import in_place
 from ._units import Number, Series, plain, refused
 from .sections import FieldPath
@@ -50,7 +51,7 @@ class Argument:
 #: By task and name.
 ARGUMENTS = {
     task["name"]: {entry["name"]: Argument.of(entry) for entry in task["fields"]}
-    for task in _core.tasks()
+    for task in CATALOGUE["tasks"]
 }
 
 

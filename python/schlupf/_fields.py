@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import json
+from dataclasses import dataclass, fields
+from typing import Any
 
-from ._core import conditions, field_table
+from ._core import catalogue, conditions
 from ._errors import no_such
 
 
@@ -40,26 +42,25 @@ class SectionTable:
     fields: tuple[Field, ...]
 
 
-def _read() -> dict[str, SectionTable]:
-    sections = {}
-    for section in field_table():
-        fields = tuple(
-            Field(
-                **{
-                    **entry,
-                    "choices": tuple(entry["choices"]),
-                    "used_with": tuple((p, tuple(n)) for p, n in entry["used_with"]),
-                    "columns": tuple(dict(table) for table in entry["columns"]),
-                }
-            )
-            for entry in section["fields"]
-        )
-        sections[section["name"]] = SectionTable(section["name"], section["doc"], fields)
-    return sections
+def _field(entry: dict[str, Any]) -> Field:
+    return Field(
+        **{
+            **{of.name: entry[of.name] for of in fields(Field)},
+            "choices": tuple((name, doc) for name, doc in entry["choices"]),
+            "used_with": tuple((p, tuple(n)) for p, n in entry["used_with"]),
+            "columns": tuple(dict(table) for table in entry["columns"]),
+        }
+    )
 
+
+#: What the library has: sections of a case, tasks, and presets.
+CATALOGUE: dict[str, list[dict[str, Any]]] = json.loads(catalogue())
 
 #: Sections by name, in the order of the case file; the top level has an empty name.
-SECTIONS: dict[str, SectionTable] = _read()
+SECTIONS: dict[str, SectionTable] = {
+    of["name"]: SectionTable(of["name"], of["doc"], tuple(map(_field, of["fields"])))
+    for of in CATALOGUE["sections"]
+}
 
 #: Fields by dotted path.
 FIELDS: dict[str, Field] = {

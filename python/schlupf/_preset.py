@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
 
-from ._core import presets
 from ._errors import UnknownName, no_such
+from ._fields import CATALOGUE
 
 if TYPE_CHECKING:
     from collections.abc import ItemsView, Iterator
@@ -43,9 +43,9 @@ class Presets(Generic[Fields]):
 
     def __init_subclass__(cls, group: str) -> None:
         cls._presets = {
-            name: Preset(_nested(fields), doc, source)
-            for of, name, doc, source, fields in presets()
-            if of == group
+            of["name"]: Preset(_nested(of["fields"]), of["doc"], of["source"])
+            for of in CATALOGUE["presets"]
+            if of["group"] == group
         }
 
     if not TYPE_CHECKING:

@@ -9,7 +9,7 @@ from pathlib import Path
 from textwrap import fill
 
 from schlupf import _core
-from schlupf._fields import FIELDS, SECTIONS, Field, SectionTable
+from schlupf._fields import CATALOGUE, FIELDS, SECTIONS, Field, SectionTable
 from schlupf._forces import NUMBERS
 from schlupf._tasks import Tasks
 
@@ -200,7 +200,8 @@ def sections() -> str:
 
 def fields_of(group: str) -> list[str]:
     """The dictionaries that the presets of a group may be: of sections with all of its fields."""
-    fields = {field for of, *_, fields in _core.presets() if of == group for field, _ in fields}
+    presets = (preset for preset in CATALOGUE["presets"] if preset["group"] == group)
+    fields = {field for preset in presets for field, _ in preset["fields"]}
     fitting = [
         path for path in SECTIONS if all(f"{path}.{f}".removeprefix(".") in FIELDS for f in fields)
     ]
@@ -211,10 +212,11 @@ def fields_of(group: str) -> list[str]:
 def presets() -> str:
     groups: dict[str, list[str]] = {}
     of_groups = {group: fields_of(group) for group in GROUPS}
-    for group, name, doc, source, _ in _core.presets():
-        kind = " | ".join(of_groups[group])
-        lines = [f"    {name}: Entry[Preset[{kind}], Never] = Entry()"]
-        groups.setdefault(group, []).extend(lines + docstring(f"{doc} ({source})"))
+    for preset in CATALOGUE["presets"]:
+        kind = " | ".join(of_groups[preset["group"]])
+        lines = [f"    {preset['name']}: Entry[Preset[{kind}], Never] = Entry()"]
+        lines += docstring(f"{preset['doc']} ({preset['source']})")
+        groups.setdefault(preset["group"], []).extend(lines)
     imported = ",\n    ".join(sorted({name for names in of_groups.values() for name in names}))
     text = PRESETS.replace("{imported}", imported)
     for group, lines in groups.items():

@@ -10,7 +10,8 @@ from textwrap import fill
 from typing import Any
 
 import schlupf
-from schlupf import _core, _units
+from schlupf import _units
+from schlupf._fields import CATALOGUE
 from schlupf._report import Report
 
 FILE = Path(__file__).parents[1] / "schlupf/_tasks.py"
@@ -169,7 +170,7 @@ def indented(lines: list[str], indent: str) -> str:
 
 def source() -> str:
     # A case has these itself.
-    tasks = [task for task in _core.tasks() if task["function"] not in vars(schlupf.Case)]
+    tasks = [task for task in CATALOGUE["tasks"] if task["function"] not in vars(schlupf.Case)]
     unknown = set(Report.OF_TASKS) - {task["name"] for task in tasks}
     assert not unknown, f"there are no tasks {unknown}"
     text = "\n".join(indented(function(t), "    ") for t in tasks if not t["is_of_argument"])

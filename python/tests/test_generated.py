@@ -4,7 +4,7 @@ import pytest
 from generate import SOURCES
 
 import schlupf
-from schlupf import _core
+from schlupf._fields import CATALOGUE
 
 
 @pytest.mark.parametrize("file", SOURCES, ids=lambda file: file.name)
@@ -13,5 +13,5 @@ def test_modules_follow_from_the_library(file):
 
 
 def test_every_task_is_at_hand():
-    for task in _core.tasks():
+    for task in CATALOGUE["tasks"]:
         assert hasattr(schlupf if task["is_of_argument"] else schlupf.Case, task["function"])

@@ -36,7 +36,7 @@ mod _core {
     #[pymodule_export]
     use super::element::{Element, element_status};
     #[pymodule_export]
-    use super::fields::{command, error_codes, field_table, presets, warning_codes};
+    use super::fields::{catalogue, command, error_codes, warning_codes};
     #[pymodule_export]
     use super::imports::import_contact;
     #[pymodule_export]
@@ -48,7 +48,7 @@ mod _core {
     #[pymodule_export]
     use super::solution::Solution;
     #[pymodule_export]
-    use super::tasks::{run, tasks};
+    use super::tasks::run;
 
     #[pymodule_export]
     use super::study::{Study, StudyRun, merge, read_table};

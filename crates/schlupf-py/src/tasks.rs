@@ -5,17 +5,15 @@ use std::sync::Arc;
 
 use pyo3::exceptions::{PyKeyError, PyTypeError};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList, PyString};
+use pyo3::types::{PyDict, PyString};
 use schlupf::Status;
-use schlupf_case::fields::Kind;
 use schlupf_case::{CaseError, CaseErrors, CaseFile as Case, Folder, InputFile, Overrides, Place};
-use schlupf_tasks::request::{Field, Form, Need};
+use schlupf_tasks::request::{Field, Need};
 use schlupf_tasks::task::Found;
-use schlupf_tasks::{Asked, Entry, Face, Given, TASKS, TaskError, Value, Wanted, study};
+use schlupf_tasks::{Asked, Entry, Face, Given, TaskError, Value, Wanted, study};
 
 use crate::case_file::CaseFile;
 use crate::errors;
-use crate::fields::described_columns;
 use crate::report::Report;
 use crate::study::raised;
 
@@ -105,69 +103,4 @@ fn converted(field: &Field, value: &Bound<'_, PyAny>) -> PyResult<Value> {
     };
     let parts = parts.map(|part| converted(field, &part?));
     Ok(Value::List(parts.collect::<PyResult<_>>()?))
-}
-
-/// All tasks: name, function, what it does, sources, what the case is, whether it is of an argument
-/// and has several results, and fields.
-#[pyfunction]
-pub fn tasks(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
-    let tasks = PyList::empty(py);
-    for task in TASKS {
-        let entry = PyDict::new(py);
-        entry.set_item("name", task.name)?;
-        entry.set_item("function", task.function)?;
-        entry.set_item("about", task.about)?;
-        entry.set_item("sources", task.sources)?;
-        entry.set_item("case", task.case.doc())?;
-        entry.set_item("is_of_argument", task.is_of_argument())?;
-        entry.set_item("has_several", task.has_several)?;
-        let fields = PyList::empty(py);
-        for field in (task.fields)() {
-            fields.append(described(py, &field)?)?;
-        }
-        entry.set_item("fields", fields)?;
-        tasks.append(entry)?;
-    }
-    Ok(tasks)
-}
-
-/// A field: name, kind, how often it is given, default as text, unit (SI), choices, columns of a
-/// table with their units, meaning.
-fn described<'py>(py: Python<'py>, field: &Field) -> PyResult<Bound<'py, PyDict>> {
-    let entry = PyDict::new(py);
-    entry.set_item("name", field.name)?;
-    entry.set_item("is_several", field.need == Need::Several)?;
-    entry.set_item("is_needed", field.is_needed())?;
-    entry.set_item("default", field.default.as_deref())?;
-    entry.set_item("units", field.form.unit())?;
-    let choices = field.form.choices().iter().map(|choice| (choice.name, choice.doc));
-    entry.set_item("choices", choices.collect::<Vec<_>>())?;
-    let columns = field.form.columns();
-    let kind = if columns.is_empty() { kind(field.form) } else { "table" };
-    entry.set_item("kind", kind)?;
-    entry.set_item("columns", described_columns(&columns))?;
-    entry.set_item("doc", field.doc)?;
-    Ok(entry)
-}
-
-fn kind(form: Form) -> &'static str {
-    match form {
-        Form::Flag => "flag",
-        Form::Count(_) => "count",
-        Form::Number(_) | Form::Position | Form::Length | Form::Angle => "number",
-        Form::Depths | Form::Range(_) => "range",
-        Form::Choice(_) => "choice",
-        Form::Family => "family",
-        Form::File(_) => "file",
-        Form::List(_) => "list",
-        Form::OfCase(_) => match form.of_case() {
-            Some(Kind::Flag) => "flag",
-            Some(Kind::Count) => "count",
-            Some(Kind::Number | Kind::Quantity(_)) => "number",
-            Some(Kind::Quantities(_) | Kind::Numbers) => "numbers",
-            Some(Kind::Choice(_)) => "choice",
-            Some(Kind::Path) => "file",
-            Some(Kind::NumberOr(_) | Kind::Text) | None => "text",
-        },
-    }
 }

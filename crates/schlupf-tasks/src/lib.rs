@@ -42,10 +42,12 @@ mod bulk;
 mod calibrate;
 mod fit;
 mod wheelset;
+mod catalogue;
 pub mod states;
 #[cfg(feature = "study")]
 pub mod study;
 
+pub use catalogue::catalogue;
 pub use error::TaskError;
 pub use notice::Notice;
 pub use request::{Asked, Face, Value};
