@@ -260,8 +260,12 @@ impl StateSolver {
         watch: Watch,
     ) -> Result<Acting<'_>, NoState> {
         let posed = self.pose(entries, name, watch)?;
-        if let Some((force, load)) = posed.force(entries, warn)? {
-            return Ok(Acting { force, load, status: Status::Converged, wheel: None });
+        match posed.force(entries, warn) {
+            Ok(Some((force, load))) => {
+                return Ok(Acting { force, load, status: Status::Converged, wheel: None });
+            }
+            Ok(None) => {}
+            Err(error) => return Err(CaseErrors::from(posed.case.explain(&error)).into()),
         }
         let solution = posed.solve(entries, watch)?;
         let wheel = posed.case.wheel.as_deref();
@@ -285,24 +289,22 @@ impl StateSolver {
         if self.load.and_then(|load| entries[load].number()) == Some(0.0) {
             return Err(NoState::NoContact);
         }
-        let before = match self.posed.take() {
-            Some(posed) if posed.takes(&self.fields, entries) => {
-                return Ok(self.posed.insert(posed));
-            }
-            before => before,
-        };
-        match self.posed_anew(entries, name(), watch) {
-            Ok(mut posed) => {
-                if let Some(before) = before {
-                    posed.take_over(*before, &self.fields);
+        let posed = match self.posed.take() {
+            Some(posed) if posed.takes(&self.fields, entries) => posed,
+            before => match self.posed_anew(entries, name(), watch) {
+                Ok(mut posed) => {
+                    if let Some(before) = before {
+                        posed.take_over(*before, &self.fields);
+                    }
+                    posed
                 }
-                Ok(self.posed.insert(posed))
-            }
-            Err(failure) => {
-                self.posed = before;
-                Err(failure)
-            }
-        }
+                Err(failure) => {
+                    self.posed = before;
+                    return Err(failure);
+                }
+            },
+        };
+        Ok(self.posed.insert(posed))
     }
 
     fn posed_anew(
@@ -351,6 +353,7 @@ const LOAD: FieldPath = field!("normal.load");
 
 impl Posed {
     /// Whether its solvers take other values without another case.
+    #[inline]
     fn takes(&self, fields: &[&'static Field], entries: &[Entry]) -> bool {
         let each = self.entries.iter().zip(entries).zip(&self.conditions).zip(fields);
         each.into_iter().all(|(((own, other), condition), field)| match (condition, other) {
@@ -376,6 +379,7 @@ impl Posed {
     }
 
     /// The motion and the load of a state; what does not vary is that of the case.
+    #[inline]
     fn motion(&self, entries: &[Entry]) -> (Kinematics, Option<f64>) {
         let mut motion = self.case.problem.kinematics;
         let mut load = None;
@@ -424,31 +428,38 @@ impl Posed {
         &mut self,
         entries: &[Entry],
         warn: &mut dyn FnMut(&Warning),
-    ) -> Result<Option<(Resultant, f64)>, NoState> {
+    ) -> Result<Option<(Resultant, f64)>, Error> {
         let (motion, load) = self.motion(entries);
-        let Self { case, fast, of_forces, .. } = self;
-        let found = || -> Result<Option<(Resultant, f64)>, Error> {
-            let fast = match (fast, of_forces) {
-                (Some(fast), _) => fast,
-                (None, None) => return Ok(None),
-                (fast, Some(method)) => {
-                    let contact = FastContact::new(&case.problem, method.clone(), &case.options)?;
-                    let (load, warnings) = (contact.contact().normal.load, contact.warnings());
-                    fast.insert(Fast { contact, load, warnings })
-                }
-            };
-            if let Some(load) = load.filter(|load| *load != fast.load) {
-                fast.contact.set_load(load)?;
-                fast.load = load;
-                let pressure = fast.contact.contact().normal.peak_pressure;
-                let of_load = |warning: &Warning| matches!(warning, Warning::BeyondElastic { .. });
-                fast.warnings.retain(|warning| !of_load(warning));
-                fast.warnings.extend(case.problem.interface.beyond_elastic(pressure));
-            }
-            let force = fast.contact.force(&motion)?;
-            fast.warnings.iter().chain(&fast.contact.beyond_friction(&force)).for_each(warn);
-            Ok(Some((force, fast.load)))
-        };
-        found().map_err(|error| CaseErrors::from(case.explain(&error)).into())
+        if self.fast.is_none() {
+            self.fast = self.set_up()?;
+        }
+        let Some(fast) = &mut self.fast else { return Ok(None) };
+        if let Some(load) = load.filter(|load| *load != fast.load) {
+            fast.set_load(load, &self.case.problem)?;
+        }
+        let force = fast.contact.force(&motion)?;
+        fast.warnings.iter().for_each(&mut *warn);
+        if fast.contact.is_beyond_friction(&force) {
+            fast.contact.beyond_friction(&force).iter().for_each(warn);
+        }
+        Ok(Some((force, fast.load)))
+    }
+
+    fn set_up(&self) -> Result<Option<Fast>, Error> {
+        let Some(method) = &self.of_forces else { return Ok(None) };
+        let contact = FastContact::new(&self.case.problem, method.clone(), &self.case.options)?;
+        let (load, warnings) = (contact.contact().normal.load, contact.warnings());
+        Ok(Some(Fast { contact, load, warnings }))
+    }
+}
+
+impl Fast {
+    fn set_load(&mut self, load: f64, problem: &Problem) -> Result<(), Error> {
+        self.contact.set_load(load)?;
+        self.load = load;
+        let pressure = self.contact.contact().normal.peak_pressure;
+        self.warnings.retain(|warning| !matches!(warning, Warning::BeyondElastic { .. }));
+        self.warnings.extend(problem.interface.beyond_elastic(pressure));
+        Ok(())
     }
 }

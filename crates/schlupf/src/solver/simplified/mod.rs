@@ -195,6 +195,12 @@ impl FastContact {
         warnings::of_any_motion(&self.at.problem, &self.contact.normal, &self.method)
     }
 
+    /// Whether a force that [`Self::force`] has just found exceeds friction.
+    #[inline]
+    pub fn is_beyond_friction(&self, force: &Resultant) -> bool {
+        warnings::is_beyond_friction(&self.method, force, self.limit)
+    }
+
     /// The warning about a force that [`Self::force`] has just found, if it exceeds friction.
     /// Allocates nothing.
     pub fn beyond_friction(&self, force: &Resultant) -> Option<Warning> {

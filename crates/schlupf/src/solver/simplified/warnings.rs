@@ -62,9 +62,15 @@ pub(super) fn beyond_friction(
     force: &Resultant,
     limit: f64,
 ) -> Option<Warning> {
-    let total = force.tangential();
-    let is_beyond = !method.has_fields() && total > limit * (1.0 + ROUNDING);
-    is_beyond.then(|| Warning::BeyondFriction { method: method.name(), ratio: total / limit })
+    let ratio = force.tangential() / limit;
+    is_beyond_friction(method, force, limit)
+        .then(|| Warning::BeyondFriction { method: method.name(), ratio })
+}
+
+/// Whether a force exceeds friction; a square takes less time than a root.
+pub(super) fn is_beyond_friction(method: &FastMethod, force: &Resultant, limit: f64) -> bool {
+    let most = limit * (1.0 + ROUNDING);
+    force.x * force.x + force.y * force.y > most * most && !method.has_fields()
 }
 
 /// Beyond the table of Kalker's coefficients their error is larger.
