@@ -7,6 +7,7 @@ from pathlib import Path
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE / "_extensions"))
 
+import gallery  # noqa: E402
 import site_content  # noqa: E402
 
 import schlupf  # noqa: E402
@@ -69,6 +70,8 @@ html_theme = "pydata_sphinx_theme"
 html_title = "schlupf"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
+# The explorer, where it was built.
+html_extra_path = [str(path) for path in [gallery.EXPLORER] if path.exists()]
 html_show_sourcelink = False
 html_copy_source = False
 html_theme_options = {

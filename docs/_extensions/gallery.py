@@ -30,6 +30,9 @@ import schlupf
 FOLDER = site_content.DOCS / "gallery"
 CASES = site_content.ROOT / "cases"
 
+#: The folder with the explorer, if it was built: `cargo xtask web`.
+EXPLORER = site_content.ROOT / "web/dist"
+
 #: Columns of the code of a page.
 WIDTH = 88
 
@@ -175,7 +178,7 @@ def write(path: Path) -> tuple[str, str]:
         *_tab("Command", "sh", shell),
         "::::",
         "",
-        f"{{download}}`{path.name} <{relative}>`",
+        f"{{download}}`{path.name} <{relative}>`{_in_explorer(path)}",
         "",
         "## Summary",
         "",
@@ -185,6 +188,13 @@ def write(path: Path) -> tuple[str, str]:
     ]
     (FOLDER / f"{path.stem}.md").write_text("\n".join(page) + "\n", encoding="utf-8")
     return pictures[-1 if len(commands) > 1 else 0]
+
+
+def _in_explorer(path: Path) -> str:
+    """A link to the explorer with a case, if the site has it."""
+    if not (EXPLORER / "explore/index.html").exists():
+        return ""
+    return f', <a href="../explore/index.html#case={path.stem}">open it in the explorer</a>'
 
 
 def _tab(name: str, language: str, text: str) -> list[str]:

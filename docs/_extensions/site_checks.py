@@ -18,7 +18,7 @@ from sphinx.util import logging
 LIST = "external_links.txt"
 
 #: Folders with pages of other programs, which are checked as targets only.
-FOREIGN = ("rust", "_static")
+FOREIGN = ("explore", "rust", "_static")
 
 #: Signs on the buttons of films.
 BUTTONS = {
@@ -84,7 +84,9 @@ class Site:
         if not target.is_file() or not target.is_relative_to(self.root):
             return False
         anchor = unquote(parts.fragment)
-        return not anchor or target.suffix != ".html" or anchor in self.page(target).anchors
+        # What a script reads is no anchor.
+        is_anchor = bool(anchor) and "=" not in anchor and target.suffix == ".html"
+        return not is_anchor or anchor in self.page(target).anchors
 
 
 def _check(app: Any, error: Exception | None) -> None:

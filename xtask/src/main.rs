@@ -10,6 +10,7 @@ mod python;
 mod site;
 mod sources;
 mod step;
+mod web;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -111,7 +112,7 @@ mod tests {
         assert_eq!(
             names,
             [
-                "fmt", "clippy", "test", "doc", "sources", "examples", "wasm", "package", "oldest",
+                "fmt", "clippy", "test", "doc", "sources", "examples", "web", "package", "oldest",
                 "c", "python", "site"
             ]
         );

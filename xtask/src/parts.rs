@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use crate::step::Step;
-use crate::{c, python, site, sources};
+use crate::{c, python, site, sources, web};
 
 /// A part of the checks, or a task that takes too long to be one; each is a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,8 +22,8 @@ pub enum Part {
     Sources,
     /// The examples of the library.
     Examples,
-    /// The libraries for the browser.
-    Wasm,
+    /// The explorer in the browser.
+    Web,
     /// The packages as they would be published.
     Package,
     /// The oldest supported Rust.
@@ -49,7 +49,7 @@ impl Part {
         Self::Doc,
         Self::Sources,
         Self::Examples,
-        Self::Wasm,
+        Self::Web,
         Self::Package,
         Self::Oldest,
         Self::C,
@@ -69,7 +69,7 @@ impl Part {
             Self::Doc => "doc",
             Self::Sources => "sources",
             Self::Examples => "examples",
-            Self::Wasm => "wasm",
+            Self::Web => "web",
             Self::Package => "package",
             Self::Oldest => "oldest",
             Self::C => "c",
@@ -89,7 +89,7 @@ impl Part {
             Self::Doc => "documentation of the workspace, warnings denied",
             Self::Sources => "the rules of the sources (they are tests of xtask too)",
             Self::Examples => "runs the examples of the library",
-            Self::Wasm => "builds the libraries for wasm32-unknown-unknown",
+            Self::Web => "builds the explorer, tests it in Chromium (needs Node.js 20)",
             Self::Package => "makes the packages that would be published",
             Self::Oldest => "checks the workspace with the oldest Rust of Cargo.toml",
             Self::C => "installs the C library, runs programs with it (needs gcc, valgrind, …)",
@@ -100,7 +100,7 @@ impl Part {
         }
     }
 
-    /// The steps of the part, in order; sources, C, Python and the site have their own way.
+    /// The steps of the part, in order; sources, page, C, Python and the site have their own way.
     fn steps(self, workspace: &Path) -> Result<Vec<Step>, String> {
         Ok(match self {
             Self::Fmt => vec![Step::cargo("fmt --all --check")],
@@ -128,7 +128,7 @@ impl Part {
                 let doc = Step::cargo("doc --workspace --no-deps");
                 vec![Step { variable: Some(("RUSTDOCFLAGS", "-D warnings".to_owned())), ..doc }]
             }
-            Self::Sources | Self::C | Self::Python | Self::Site => Vec::new(),
+            Self::Sources | Self::Web | Self::C | Self::Python | Self::Site => Vec::new(),
             // The build of the tests includes the examples; building them alone would be another
             // build.
             Self::Examples => {
@@ -137,11 +137,6 @@ impl Part {
                 let run = |name: &String| Step::program(folder.join(name));
                 let build = Step::cargo("test --workspace --no-run");
                 std::iter::once(build).chain(names.iter().map(run)).collect()
-            }
-            Self::Wasm => {
-                let build = "build --target wasm32-unknown-unknown --features schlupf-tasks/png";
-                let packages = PORTABLE.map(|name| format!(" --package {name}")).concat();
-                vec![Step::cargo(&format!("{build}{packages}"))]
             }
             Self::Package => {
                 // Building them from their packages takes minutes and is part of the long tests.
@@ -169,6 +164,7 @@ impl Part {
     fn run(self, workspace: &Path) -> Result<(), String> {
         match self {
             Self::Sources => sources::report(workspace),
+            Self::Web => web::run(workspace, &workspace.join(target())),
             Self::C => c::run(workspace, &target()),
             Self::Python => python::run(workspace, &workspace.join(target())),
             Self::Site => site::run(workspace, &workspace.join(target()), &LIBRARIES),
@@ -176,9 +172,6 @@ impl Part {
         }
     }
 }
-
-/// The packages that need no operating system, and so are built for the browser.
-const PORTABLE: [&str; 3] = LIBRARIES;
 
 /// The packages that others build on.
 const LIBRARIES: [&str; 3] = ["schlupf", "schlupf-case", "schlupf-tasks"];

@@ -10,6 +10,7 @@ use schlupf::wheel_rail::{WheelOnRail, WheelSolution};
 
 use crate::document::{self, Entry};
 use crate::error::{CaseError, CaseErrors};
+use crate::fields::{self, Field};
 use crate::files::{Files, Folder, LARGEST_FILE, read_up_to};
 use crate::kept::Kept;
 use crate::laws::Laws;
@@ -185,6 +186,11 @@ impl CaseFile {
         self.parts.apply(&laws).map_err(|error| self.explain(&error))?;
         self.laws = laws;
         Ok(self)
+    }
+
+    /// Fields that have an effect with the models that were chosen, given or by default.
+    pub fn effective(&self) -> impl Iterator<Item = &'static Field> {
+        fields::all().filter(|field| self.settings.has_effect(field))
     }
 
     /// The wheel of a case of two profiles, with what determines where it touches.

@@ -4,6 +4,7 @@ use clap::{Arg, Command, Subcommand};
 use clap_complete::Shell;
 
 use crate::arguments::{CheckArguments, InitArguments};
+use crate::explore::Explore;
 use crate::failure::{Failure, SUCCESS};
 use crate::fmu::Fmu;
 use crate::import::ImportArguments;
@@ -70,6 +71,8 @@ pub enum Other {
     Table(Table),
     /// Write the force element of a case as an FMU, for simulators
     Fmu(Fmu),
+    /// Open the explorer in a browser: sliders, fields, curves, wheel on rail
+    Explore(Explore),
     /// Validate a case file and show what would be solved
     Check(CheckArguments),
     /// Write the cases of an input file of CONTACT as case files

@@ -5,6 +5,7 @@
 mod arguments;
 mod command_line;
 mod commands;
+mod explore;
 mod failure;
 mod import;
 mod figures;
@@ -57,6 +58,7 @@ fn run(matches: &ArgMatches) -> Result<u8, Failure> {
         Other::Merge(arguments) => sweep::merge(&arguments),
         Other::Table(arguments) => table::table(&arguments),
         Other::Fmu(arguments) => fmu::fmu(&arguments),
+        Other::Explore(arguments) => explore::explore(&arguments),
         Other::Check(arguments) => commands::check(&arguments),
         Other::Import(arguments) => import::import(&arguments),
         Other::Init(arguments) => commands::init(&arguments),

@@ -14,4 +14,4 @@ mod standard;
 pub use archive::{StoredTable, TableFileError};
 pub use metadata::{Metadata, StatedError};
 pub use shared::shared;
-pub use standard::standard;
+pub use standard::{provide, standard};

@@ -4,7 +4,11 @@ use std::sync::OnceLock;
 
 use crate::look_up_table::archive::{StoredTable, TableFileError};
 
-const BYTES: &[u8] = include_bytes!("standard.npz");
+/// In a browser it is fetched when it is asked for: see [`provide`].
+const BYTES: &[u8] =
+    if cfg!(target_family = "wasm") { &[] } else { include_bytes!("standard.npz") };
+
+static STANDARD: OnceLock<Result<StoredTable, TableFileError>> = OnceLock::new();
 
 /// The standard table: a/b from 0.1 to 10, all creepages, ν = 0.28, Coulomb's law; `schlupf table`
 /// without options makes it. It is read once.
@@ -20,6 +24,13 @@ const BYTES: &[u8] = include_bytes!("standard.npz");
 /// # Errors
 /// None, unless the program was built from a damaged file.
 pub fn standard() -> Result<StoredTable, TableFileError> {
-    static STANDARD: OnceLock<Result<StoredTable, TableFileError>> = OnceLock::new();
+    if BYTES.is_empty() && STANDARD.get().is_none() {
+        return StoredTable::from_bytes(BYTES);
+    }
     STANDARD.get_or_init(|| StoredTable::from_bytes(BYTES)).clone()
+}
+
+/// The bytes of `standard.npz`, where it is not part of the program.
+pub fn provide(bytes: &[u8]) {
+    STANDARD.get_or_init(|| StoredTable::from_bytes(bytes));
 }

@@ -34,6 +34,18 @@ pub fn figure(title: &str, wheel: &WheelOnRail, height: f64) -> Result<Vec<Figur
 /// A curve and what places its points in the drawing's plane, in mm.
 type Placed<'a> = (&'a Surface, &'a dyn Fn([f64; 2]) -> [f64; 2], &'static str);
 
+/// Points of the rail and of the wheel as they are in the track at the lateral position of the
+/// wheelset, with the axle at its nominal height: y and z of each, in m.
+pub fn outlines(wheel: &WheelOnRail) -> [Vec<[f64; 2]>; 2] {
+    let (pair, outwards) = (wheel.pair(), wheel.side.outwards());
+    let shift = pair.wheel_offset() + outwards * wheel.position.lateral;
+    let in_track = |surface, shift| {
+        let placed = |[y, z]: [f64; 2]| [outwards * (y + shift), z];
+        places(surface).map(placed).collect()
+    };
+    [in_track(pair.rail(), 0.0), in_track(pair.wheel(), shift)]
+}
+
 fn drawing(title: &str, wheel: &WheelOnRail, height: f64) -> String {
     let pair = wheel.pair();
     let outwards = -wheel.side.outwards();

@@ -11,8 +11,11 @@ pub(crate) const FAMILIES: &str = "'DejaVu Sans', Verdana, sans-serif";
 const UPRIGHT: &[u8] = include_bytes!("../../../fonts/DejaVuSans.woff2");
 const OBLIQUE: &[u8] = include_bytes!("../../../fonts/DejaVuSans-Oblique.woff2");
 
-/// The fonts as a style sheet.
+/// The fonts as a style sheet; none in a browser, where they would be larger than what they are in.
 pub(crate) fn faces() -> String {
+    if cfg!(target_family = "wasm") {
+        return String::new();
+    }
     let face = |style, data| {
         format!(
             "@font-face{{font-family:'DejaVu Sans';font-style:{style};\

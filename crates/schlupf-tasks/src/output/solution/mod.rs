@@ -14,7 +14,8 @@ use crate::output::figures::{self, Drawing, FigureError};
 use crate::output::json::{self, Document};
 use crate::output::report::{OwnFile, Report};
 use crate::output::summary::Summary;
-use crate::output::{table, vtk};
+use crate::output::table::{self, ColumnValues};
+use crate::output::vtk;
 
 /// A solution with its input.
 #[derive(Debug, Clone)]
@@ -62,6 +63,31 @@ impl Report for SolutionReport {
     fn csv(&self) -> Option<String> {
         let note = "tractions on the wheel, positions are centroids of the covered part of a cell";
         Some(table::csv(&self.solution.fields, note))
+    }
+
+    /// Fields and scalars, of each contact of a wheel; the wheel and its contacts; time steps, and
+    /// the fields at some of them.
+    fn tables(&self) -> Vec<(&'static str, Vec<ColumnValues>)> {
+        let contacts = self.wheel.iter().flat_map(|wheel| &wheel.contacts);
+        let mut solutions: Vec<&Solution> = contacts.map(|contact| &contact.solution).collect();
+        if solutions.is_empty() {
+            solutions.push(&self.solution);
+        }
+        let mut tables = Vec::new();
+        for solution in solutions {
+            tables.push(("fields", table::columns(&solution.fields)));
+            tables.push(("solution", table::columns(solution)));
+        }
+        if let Some(wheel) = self.wheel.as_deref() {
+            tables.push(("wheel", table::columns(wheel)));
+            tables.extend(wheel.contacts.iter().map(|of| ("contact", table::columns(of))));
+        }
+        let frames = self.solution.field_history.iter();
+        tables.extend(frames.map(|at| ("frame", table::columns(&at.fields))));
+        if !self.solution.history.is_empty() {
+            tables.push(("history", table::columns(self.solution.history.as_slice())));
+        }
+        tables
     }
 
     fn figure_names() -> Vec<String> {

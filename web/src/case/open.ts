@@ -1,0 +1,92 @@
+/** Opens files of a person's: cases, profiles, and others that a case names. */
+import { h } from '../dom';
+import { t } from '../texts';
+import { filesNamedIn, galleryCase } from './gallery';
+import type { CaseModel } from './model';
+
+/** A case with profiles. */
+const EXAMPLE = 'wheel_on_rail';
+/** What a file may be for a case. */
+const USES = ['wheel.profile', 'rail.profile', ''] as const;
+
+/** Opens files: a case with those that it names, or files for the present case. */
+export async function openFiles(model: CaseModel, list: Iterable<File>): Promise<void> {
+  const all = [...list];
+  const isCase = (file: File) => file.name.toLowerCase().endsWith('.toml');
+  const given = all.filter((file) => !isCase(file));
+  const bytes = new Map<string, Uint8Array>();
+  for (const file of given) bytes.set(file.name, new Uint8Array(await file.arrayBuffer()));
+  const chosen = all.find(isCase);
+  if (chosen) {
+    const text = await chosen.text();
+    const named = await filesNamedIn(text);
+    model.open(chosen.name, text, new Map([...named, ...bytes]), null);
+    return;
+  }
+  for (const [name, content] of bytes) {
+    const isNamed = model.text.includes(`"${name}"`);
+    const use = isNamed ? '' : await askUse(name);
+    if (use === null) continue;
+    if (use && !hasProfiles(model)) await openProfiles(model);
+    model.addFile(name, content);
+    if (use) model.assign([[use, JSON.stringify(name)]]);
+  }
+}
+
+function hasProfiles(model: CaseModel): boolean {
+  return `${model.text}${model.assignments.get('normal.model')?.toml}`.includes('"wheel-rail"');
+}
+
+/** Opens the case of the gallery that has profiles. */
+export async function openProfiles(model: CaseModel): Promise<void> {
+  const found = await galleryCase(EXAMPLE);
+  if (found) model.open(`${EXAMPLE}.toml`, found.text, found.files, EXAMPLE);
+}
+
+/** Asks what a file is; null if a person thinks better of it. */
+function askUse(name: string): Promise<string | null> {
+  const labels = {
+    'wheel.profile': t('of_wheel'),
+    'rail.profile': t('of_rail'),
+    '': t('other_file'),
+  };
+  return new Promise((resolve) => {
+    const answer = (use: string | null) => () => {
+      dialog.close();
+      resolve(use);
+    };
+    const dialog = h(
+      'dialog',
+      { 'aria-label': t('which_body'), oncancel: answer(null) },
+      h('h2', {}, t('which_body')),
+      h('p', {}, h('code', {}, name)),
+      h(
+        'div',
+        { class: 'toolbar' },
+        ...USES.map((use) => h('button', { type: 'button', onclick: answer(use) }, labels[use])),
+        h('button', { type: 'button', onclick: answer(null) }, t('cancel')),
+      ),
+    );
+    dialog.addEventListener('close', () => dialog.remove());
+    document.body.append(dialog);
+    dialog.showModal();
+  });
+}
+
+/** Opens what is dropped on the page. */
+export function acceptDrops(model: CaseModel): void {
+  const veil = h('div', { class: 'veil', hidden: true }, t('drop_here'));
+  document.body.append(veil);
+  document.addEventListener('dragover', (event) => {
+    event.preventDefault();
+    veil.hidden = false;
+  });
+  document.addEventListener('dragleave', (event) => {
+    if (event.relatedTarget === null) veil.hidden = true;
+  });
+  document.addEventListener('drop', (event) => {
+    event.preventDefault();
+    veil.hidden = true;
+    if (event.dataTransfer) void openFiles(model, event.dataTransfer.files);
+  });
+}

@@ -1,0 +1,104 @@
+/** Solves the case whenever it changes, and tells who shows it. */
+import type { CaseModel, Change } from './case/model';
+import { debounced } from './dom';
+import { CaseProblems, type Lane } from './solver/lane';
+import type { Answered, Described, Fields, Problem } from './solver/protocol';
+
+/** A solution with the case that it belongs to. */
+export interface Result {
+  answered: Answered;
+  fields: Fields;
+  milliseconds: number;
+  isTransient: boolean;
+}
+
+/** Who is told what happens. */
+export interface Audience {
+  described(described: Described): void;
+  solving(): void;
+  solved(result: Result): void;
+  failed(problems: Problem[]): void;
+}
+
+/** Steps of a transient between two frames. */
+const EVERY = 1;
+
+/** The loop from the case to its solution. */
+export class Explorer {
+  /** The case as it was read last. */
+  described: Described | null = null;
+  /** The last solution. */
+  result: Result | null = null;
+  private readonly describeLater = debounced(250, () => void this.describe());
+  private readonly playLater = debounced(200, () => void this.solve());
+  private count = 0;
+
+  constructor(
+    readonly model: CaseModel,
+    readonly contact: Lane,
+    readonly long: Lane,
+    private readonly audience: Audience,
+  ) {
+    model.listen((change) => void this.changed(change));
+  }
+
+  private async changed(change: Change): Promise<void> {
+    this.count += 1;
+    if (change === 'opened') {
+      const files = this.model.fileBytes();
+      this.contact.setFiles(files);
+      this.long.setFiles(files);
+    }
+    if (change === 'moved') {
+      this.describeLater();
+      if (this.isTransient()) this.playLater();
+      else await this.solve();
+      return;
+    }
+    if (await this.describe()) await this.solve();
+  }
+
+  private isTransient(): boolean {
+    const given = this.described?.fields.given ?? [];
+    return given.includes('history.time') || given.includes('history.file');
+  }
+
+  private async describe(): Promise<boolean> {
+    const described = await this.tried(
+      this.contact.ask('describe', 'describe', { input: this.model.whole() }),
+    );
+    if (!described) return false;
+    this.described = described;
+    this.audience.described(described);
+    return true;
+  }
+
+  private async solve(): Promise<void> {
+    const { model } = this;
+    const started = performance.now();
+    this.audience.solving();
+    const isTransient = this.isTransient();
+    const answered = await this.tried(
+      isTransient
+        ? this.long.ask('play', 'play', { input: model.whole(), every: EVERY })
+        : this.contact.ask('solve', 'solve', { input: model.fixed(), ...model.moving() }),
+    );
+    const { fields } = this.described ?? {};
+    if (!answered || !fields) return;
+    const milliseconds = performance.now() - started;
+    this.result = { answered, fields, milliseconds, isTransient };
+    this.audience.solved(this.result);
+  }
+
+  /** The answer; null if it is stale or there is none, which the audience is told. */
+  private async tried<T>(answer: Promise<T | null>): Promise<T | null> {
+    const count = this.count;
+    try {
+      return await answer;
+    } catch (error) {
+      if (!(error instanceof CaseProblems)) throw error;
+      if (count === this.count) this.audience.failed(error.problems);
+      return null;
+    }
+  }
+}

@@ -1,0 +1,47 @@
+/** The page: reads the module, builds the views and shows the first case. */
+import wasmUrl from '../pkg/schlupf_wasm_bg.wasm?url';
+import { Catalogue } from './catalogue';
+import { FIRST_CASE } from './case/gallery';
+import { CaseModel } from './case/model';
+import { acceptDrops } from './case/open';
+import { restore } from './case/share';
+import { byId, h } from './dom';
+import { Page } from './page';
+import { Lane } from './solver/lane';
+import './style.css';
+import { chooseLanguage, t } from './texts';
+import { startTheme } from './theme';
+
+async function compiled(): Promise<WebAssembly.Module> {
+  const response = fetch(wasmUrl);
+  try {
+    return await WebAssembly.compileStreaming(response);
+  } catch {
+    // A server that does not know the type of the file.
+    return WebAssembly.compile(await (await fetch(wasmUrl)).arrayBuffer());
+  }
+}
+
+async function start(): Promise<void> {
+  chooseLanguage();
+  startTheme();
+  const module = await compiled();
+  const [contact, long] = [new Lane(module, false), new Lane(module, true)];
+  const catalogue = new Catalogue(await contact.start());
+  const model = new CaseModel();
+  const page = new Page(catalogue, model, contact, long);
+  byId('page').replaceChildren(...page.elements);
+  page.begin();
+  acceptDrops(model);
+  const isRestored = await restore(model, location.hash).catch(() => false);
+  if (!isRestored) await restore(model, `#case=${FIRST_CASE}`);
+  if ('serviceWorker' in navigator && import.meta.env.PROD) {
+    await navigator.serviceWorker.register('./service_worker.js');
+  }
+}
+
+start().catch((error: unknown) => {
+  byId('page').replaceChildren(
+    h('p', { class: 'problems', role: 'alert' }, `${t('failed_start')} ${String(error)}`),
+  );
+});

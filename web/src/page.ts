@@ -1,0 +1,229 @@
+/** The page as a whole: head, controls, views and results around one case. */
+import type { Catalogue } from './catalogue';
+import type { CaseModel } from './case/model';
+import { hashOf, restore, viewOf } from './case/share';
+import { Panel } from './controls/panel';
+import { debounced, h } from './dom';
+import { Explorer, type Result } from './explorer';
+import { Head } from './head';
+import { problemList } from './report/problems';
+import { summary } from './report/summary';
+import type { Lane } from './solver/lane';
+import type { Described, Problem } from './solver/protocol';
+import { t } from './texts';
+import { onTheme } from './theme';
+import { AdhesionMap } from './views/adhesion_map';
+import { CurveView } from './views/curve';
+import { PatchView } from './views/patch';
+import { TaskPanel } from './views/task_panel';
+import { Tabs } from './views/tabs';
+import { WheelView } from './views/wheel';
+
+/** Field of the seed of a generated surface. */
+const SEED = 'contact_law.roughness.seed';
+
+/** All that is seen. */
+export class Page {
+  readonly elements: HTMLElement[];
+  private readonly explorer: Explorer;
+  private readonly panel: Panel;
+  private readonly patch = new PatchView(() => this.showSummary());
+  private readonly curve: CurveView;
+  private readonly map: AdhesionMap;
+  private readonly wheel: WheelView;
+  private readonly roughness: TaskPanel;
+  private readonly tabs: Tabs;
+  private readonly head: Head;
+  private readonly problems = h('div', {});
+  private readonly results = h('div', { class: 'results' });
+  private readonly pin = h(
+    'button',
+    { type: 'button', 'aria-pressed': 'false', onclick: () => this.togglePin() },
+    t('pin'),
+  );
+  private pinned: Result | null = null;
+  private readonly storeHash = debounced(400, () => void this.writeHash());
+  private written = '';
+
+  constructor(
+    catalogue: Catalogue,
+    private readonly model: CaseModel,
+    contact: Lane,
+    long: Lane,
+  ) {
+    this.explorer = new Explorer(model, contact, long, {
+      described: (described) => this.describe(described),
+      solving: () => this.results.setAttribute('aria-busy', 'true'),
+      solved: (result) => this.show(result),
+      failed: (problems) => this.fail(problems),
+    });
+    this.panel = new Panel(catalogue, model);
+    this.curve = new CurveView(catalogue, model, long);
+    this.map = new AdhesionMap(catalogue, model, long, this.curve);
+    this.wheel = new WheelView(catalogue, model, long);
+    this.roughness = this.roughnessPanel(long);
+    const below = new TaskPanel(
+      t('below'),
+      ['temperature', 'subsurface', 'wear'].map((task) => ({
+        task,
+        label: t(task as 'temperature' | 'subsurface' | 'wear'),
+      })),
+      model,
+      long,
+    );
+    this.tabs = new Tabs(
+      [
+        {
+          name: 'patch',
+          label: t('patch'),
+          children: [this.patch.element, below.element, this.roughness.element],
+        },
+        { name: 'curve', label: t('curve'), children: [this.curve.element, this.map.element] },
+        { name: 'wheel', label: t('wheel'), children: [this.wheel.element] },
+      ],
+      (name) => this.changeView(name),
+    );
+    this.head = new Head(
+      this.explorer,
+      () => this.shownTask(),
+      () => this.tabs.panel,
+      () => this.link(),
+    );
+    const side = h(
+      'aside',
+      { class: 'side', 'aria-label': t('results') },
+      h('header', {}, h('h2', {}, t('results')), this.pin),
+      this.results,
+    );
+    const main = h(
+      'main',
+      { id: 'view', tabindex: -1 },
+      this.tabs.list,
+      this.problems,
+      this.tabs.body,
+    );
+    const controls = h(
+      'aside',
+      { class: 'controls', 'aria-label': t('conditions') },
+      this.panel.element,
+    );
+    this.elements = [
+      h(
+        'a',
+        {
+          href: '#view',
+          class: 'skip',
+          onclick: (event) => {
+            event.preventDefault();
+            main.focus();
+          },
+        },
+        t('skip'),
+      ),
+      this.head.element,
+      h('div', { class: 'columns' }, controls, main, side),
+    ];
+  }
+
+  /** Shows the view of the link, and follows links. */
+  begin(): void {
+    this.tabs.choose(viewOf(location.hash) ?? 'patch');
+    onTheme(() => {
+      this.patch.refresh();
+      this.map.refresh();
+      this.wheel.refresh();
+    });
+    window.addEventListener('hashchange', () => {
+      if (location.hash === this.written) return;
+      this.tabs.choose(viewOf(location.hash) ?? this.tabs.chosen);
+      void restore(this.model, location.hash);
+    });
+  }
+
+  private roughnessPanel(long: Lane): TaskPanel {
+    const renew = () => {
+      const seed = this.explorer.described?.fields.values[SEED];
+      this.model.assign([[SEED, String((typeof seed === 'number' ? seed : 1) + 1)]]);
+    };
+    return new TaskPanel(
+      t('roughness'),
+      [
+        { label: t('find_spots'), task: 'roughness' },
+        { label: t('new_surface'), task: 'roughness', before: renew },
+      ],
+      this.model,
+      long,
+    );
+  }
+
+  private describe(described: Described): void {
+    this.panel.show(described.fields);
+    this.head.show();
+    this.wheel.describe(described);
+    this.map.show(described.fields);
+    this.roughness.element.hidden = !described.fields.given.some((path) =>
+      path.startsWith('contact_law.roughness'),
+    );
+    this.storeHash();
+  }
+
+  private show(result: Result): void {
+    this.problems.replaceChildren();
+    this.results.removeAttribute('aria-busy');
+    this.tabs.body.classList.remove('old');
+    this.patch.show(result, this.pinned);
+    this.curve.show(result, this.pinned);
+    this.map.refresh();
+    this.wheel.show(result);
+    this.showSummary();
+    document.documentElement.dataset['solved'] = String(performance.now());
+  }
+
+  private showSummary(): void {
+    const { result } = this.explorer;
+    if (!result) return;
+    const isOpen = this.results.querySelector<HTMLDetailsElement>('.whole')?.open ?? false;
+    this.results.replaceChildren(summary(result, this.pinned, this.patch.contactIndex));
+    const whole = this.results.querySelector<HTMLDetailsElement>('.whole');
+    if (whole) whole.open = isOpen;
+  }
+
+  private fail(problems: Problem[]): void {
+    this.results.removeAttribute('aria-busy');
+    this.tabs.body.classList.add('old');
+    const remove = (path: string) => this.model.assign([[path, '']]);
+    this.problems.replaceChildren(problemList(problems, this.model.text, remove));
+    this.panel.showProblems(problems);
+  }
+
+  private togglePin(): void {
+    this.pinned = this.pinned ? null : this.explorer.result;
+    this.pin.setAttribute('aria-pressed', String(this.pinned !== null));
+    this.pin.textContent = t(this.pinned ? 'unpin' : 'pin');
+    const { result } = this.explorer;
+    if (result) this.show(result);
+  }
+
+  private changeView(name: string): void {
+    this.curve.visible = name === 'curve';
+    if (name === 'wheel') this.wheel.refresh();
+    this.storeHash();
+  }
+
+  private shownTask() {
+    const isCurve = this.tabs.chosen === 'curve';
+    return { task: isCurve ? ('curve' as const) : ('solve' as const), ...this.curve.request() };
+  }
+
+  private async link(): Promise<string> {
+    const url = new URL(location.href);
+    url.hash = await hashOf(this.model, this.tabs.chosen);
+    return url.href;
+  }
+
+  private async writeHash(): Promise<void> {
+    const hash = await hashOf(this.model, this.tabs.chosen);
+    this.written = hash;
+    history.replaceState(null, '', hash);
+  }
+}

@@ -1,0 +1,41 @@
+/** What is wrong with a case: each with its place, the line there and what helps. */
+import { h } from '../dom';
+import type { Problem } from '../solver/protocol';
+import { t } from '../texts';
+
+/** What the program proposes to take out of the case. */
+const TO_REMOVE = /with explorer ([\w.]+)=$/;
+
+/** A list of problems; `text` is the case in which places are lines. */
+export function problemList(
+  problems: Problem[],
+  text: string,
+  remove?: (path: string) => void,
+): HTMLElement {
+  const lines = text.split('\n');
+  const item = ({ message, place, help }: Problem) => {
+    const at = /^(.*):(\d+):(\d+)$/.exec(place);
+    const row = Number(at?.[2] ?? 0);
+    const column = Number(at?.[3] ?? 1);
+    const shown = at ? `${at[1]}, ${t('line')} ${row}` : place;
+    const quoted = lines[row - 1];
+    const parts: Node[] = [h('p', { class: 'place' }, shown), h('p', {}, message)];
+    if (at && quoted !== undefined) {
+      parts.push(h('pre', {}, `${quoted}\n${' '.repeat(Math.max(0, column - 1))}^`));
+    }
+    const path = TO_REMOVE.exec(help ?? '')?.[1];
+    if (path && remove) {
+      const act = () => remove(path);
+      parts.push(h('button', { type: 'button', onclick: act }, `${t('take_out')} ${path}`));
+    } else if (help) {
+      parts.push(h('p', { class: 'help' }, help));
+    }
+    return h('li', {}, ...parts);
+  };
+  return h(
+    'section',
+    { class: 'problems', role: 'alert' },
+    h('h2', {}, t('problems')),
+    h('ul', {}, ...problems.map(item)),
+  );
+}

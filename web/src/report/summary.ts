@@ -1,0 +1,185 @@
+/** Scalars of a solution, beside those of a pinned one, with warnings. */
+import { h } from '../dom';
+import type { Result } from '../explorer';
+import { digits, shownIn } from '../quantity';
+import type { Column, Table, Told } from '../solver/protocol';
+import { symbolOf } from '../symbols';
+import { nameOf, t } from '../texts';
+
+/** Quantities that are shown large. */
+const LARGE = ['force.x', 'force.y', 'traction_coefficient', 'temperature.max_rise'];
+/** Parts of a solution that say how it was found. */
+const OWN = /^(work|residual|extrapolation|normalised)/;
+
+/** Parts of names that short ones do without. */
+const COMMON = /^(normal|kinematics|temperature)\./;
+
+/** The summary of a result. */
+export function summary(result: Result, pinned: Result | null, contact: number): HTMLElement {
+  const { told, tables } = result.answered;
+  const solution = tables['solution']?.[contact] ?? {};
+  const other = pinned?.answered.tables['solution']?.[0];
+  const isConverged = told.status === 'converged';
+  const status = h(
+    'p',
+    { class: isConverged ? 'status' : 'status bad', role: 'status' },
+    t(isConverged ? 'converged' : 'not_converged'),
+    ' · ',
+    t('solved_in'),
+    ` ${digits(result.milliseconds, 2)} ms`,
+  );
+  return h(
+    'div',
+    {},
+    status,
+    large(solution),
+    wheelTable(tables['wheel']?.[0]),
+    scalars(solution, other),
+    warnings(told),
+    whole(told),
+  );
+}
+
+function isKnown([name, column]: [string, Column]): boolean {
+  const value = column.values[0];
+  return !OWN.test(name) && typeof value === 'number' && !Number.isNaN(value);
+}
+
+/** A scalar without the noise of a force that vanishes. */
+function cleaned(column: Column | undefined): number {
+  const {
+    values: [value],
+    units,
+  } = column ?? { values: [NaN], units: '' };
+  const number = Number(value);
+  return (units === 'N' || units === 'N m') && Math.abs(number) < 1e-6 ? 0 : number;
+}
+
+/** What a column is called. */
+function label(name: string, { long_name: meaning, symbol }: Column, isShort = false): Node[] {
+  const body = /_(wheel|rail)$/.exec(name)?.[1];
+  const own = body && !meaning.includes(body) ? `${meaning}, ${body}` : meaning;
+  const english = name.startsWith('t_gamma.') ? `Tγ ${name.slice(8).replace('_', ' ')}` : own;
+  const text = isShort
+    ? nameOf(name, name.replace(COMMON, '').replace(/[._]/g, ' '))
+    : nameOf(name, english);
+  const parts: Node[] = [document.createTextNode(`${text} `)];
+  if (symbol && !name.startsWith('t_gamma')) parts.push(symbolOf(symbol));
+  return parts;
+}
+
+function large(solution: Table): HTMLElement {
+  const shown = Object.entries(solution).filter(
+    (entry) => LARGE.includes(entry[0]) && isKnown(entry),
+  );
+  return h(
+    'dl',
+    { class: 'large' },
+    ...shown.map(([name, column]) => {
+      const value = cleaned(column);
+      const { unit, factor } = shownIn(column.units, value);
+      return h(
+        'div',
+        {},
+        h('dt', {}, nameOf(name, column.long_name)),
+        h(
+          'dd',
+          { 'data-quantity': name, 'data-value': value },
+          digits(value / factor),
+          h('span', { class: 'unit' }, ` ${unit}`),
+        ),
+      );
+    }),
+  );
+}
+
+function scalars(solution: Table, other: Table | undefined): HTMLElement {
+  const head = other
+    ? [
+        h(
+          'thead',
+          {},
+          h(
+            'tr',
+            {},
+            h('td', {}),
+            ...[t('present'), t('pinned'), t('difference')].map((text) =>
+              h('th', { scope: 'col' }, text),
+            ),
+            h('td', { class: 'unit' }),
+          ),
+        ),
+      ]
+    : [];
+  const rows = Object.entries(solution)
+    .filter(isKnown)
+    .map(([name, column]) => {
+      const value = cleaned(column);
+      const { unit, factor } = shownIn(column.units, value);
+      const cells = [value];
+      if (other) {
+        const before = cleaned(other[name]);
+        cells.push(before, value - before);
+      }
+      const title = `${name}: ${column.long_name}`;
+      return h(
+        'tr',
+        {},
+        h('th', { scope: 'row', title }, ...label(name, column, other !== undefined)),
+        ...cells.map((cell) => h('td', {}, digits(cell / factor))),
+        h('td', { class: 'unit' }, unit),
+      );
+    });
+  return h(
+    'table',
+    { class: other ? 'scalars compared' : 'scalars' },
+    ...head,
+    h('tbody', {}, ...rows),
+  );
+}
+
+function wheelTable(wheel: Table | undefined): HTMLElement | string {
+  if (!wheel) return '';
+  const rows = Object.entries(wheel)
+    .filter(isKnown)
+    .map(([name, column]) => {
+      const value = cleaned(column);
+      const { unit, factor } = shownIn(column.units, value);
+      return h(
+        'tr',
+        {},
+        h('th', { scope: 'row', title: name }, ...label(name, column)),
+        h('td', {}, digits(value / factor)),
+        h('td', { class: 'unit' }, unit),
+      );
+    });
+  return h('table', { class: 'scalars' }, h('tbody', {}, ...rows));
+}
+
+/** Warnings with their codes. */
+export function warnings({ warnings: list }: Told): HTMLElement | string {
+  if (list.length === 0) return '';
+  return h(
+    'section',
+    { class: 'warnings' },
+    h('h3', {}, t('warnings')),
+    h('ul', {}, ...list.map(({ code, text }) => h('li', {}, h('code', {}, code), ` ${text}`))),
+  );
+}
+
+/** The summary as the program writes it. */
+export function whole(told: Told, isOpen = false): HTMLElement {
+  const line = (entry: Told['summary'][number]) => {
+    if (typeof entry === 'string') return entry;
+    const [name, value, unit, remark] = entry;
+    return `${name.padEnd(26)} ${value.padStart(9)} ${unit.padEnd(5)} ${remark}`.trimEnd();
+  };
+  const details = h(
+    'details',
+    { class: 'whole' },
+    h('summary', {}, t('summary')),
+    h('pre', { tabindex: 0 }, told.summary.map(line).join('\n')),
+  );
+  details.open = isOpen;
+  return details;
+}

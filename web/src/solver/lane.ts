@@ -1,0 +1,102 @@
+/** A worker to which the newest request of each topic goes; older ones that wait are dropped. */
+import type { FileBytes, Kind, Problem, Reply, Requests } from './protocol';
+
+/** Errors of a case. */
+export class CaseProblems extends Error {
+  constructor(readonly problems: Problem[]) {
+    super(problems.map((problem) => problem.message).join('\n'));
+  }
+}
+
+interface Job {
+  topic: string;
+  kind: Kind;
+  ask: Requests[Kind]['ask'];
+  resolve: (answer: Requests[Kind]['answer'] | null) => void;
+  reject: (error: unknown) => void;
+}
+
+/** Requests to one worker, one after the other. */
+export class Lane {
+  private worker: Worker | null = null;
+  private running: Job | null = null;
+  private readonly waiting = new Map<string, Job>();
+  private files: FileBytes = [];
+  private count = 0;
+
+  /** `endsStale`: a running request is ended when a newer one of its topic arrives. */
+  constructor(
+    private readonly module: WebAssembly.Module,
+    private readonly endsStale: boolean,
+  ) {}
+
+  /** Starts the worker, which else starts when it is first asked; the text of the catalogue. */
+  async start(): Promise<string> {
+    this.begin();
+    const answer = await this.ask('start', 'start', { module: this.module });
+    return answer?.catalogue ?? '';
+  }
+
+  /** Gives the files that cases may name. */
+  setFiles(files: FileBytes): void {
+    this.files = files;
+    if (this.worker) void this.ask('inputs', 'inputs', { files });
+  }
+
+  /** The answer, or null if a newer request of the topic took its place. */
+  ask<K extends Kind>(
+    topic: string,
+    kind: K,
+    ask: Requests[K]['ask'],
+  ): Promise<Requests[K]['answer'] | null> {
+    return new Promise((resolve, reject) => {
+      if (!this.worker && kind !== 'start') this.restart();
+      this.waiting.get(topic)?.resolve(null);
+      const taken = resolve as Job['resolve'];
+      this.waiting.set(topic, { topic, kind, ask, resolve: taken, reject });
+      if (this.endsStale && this.running?.topic === topic) this.restart();
+      this.next();
+    });
+  }
+
+  private begin(): void {
+    this.worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
+    this.worker.onmessage = ({ data }: MessageEvent<Reply>) => this.take(data);
+    this.worker.onerror = ({ message }) => this.running?.reject(new Error(message));
+  }
+
+  /** Another worker, set up as the first. */
+  private restart(): void {
+    this.worker?.terminate();
+    this.running?.resolve(null);
+    this.running = null;
+    this.begin();
+    const others = [...this.waiting.values()];
+    this.waiting.clear();
+    void this.ask('start', 'start', { module: this.module });
+    void this.ask('inputs', 'inputs', { files: this.files });
+    for (const job of others) this.waiting.set(job.topic, job);
+  }
+
+  private next(): void {
+    const [job] = this.waiting.values();
+    if (this.running || !job || !this.worker) return;
+    this.waiting.delete(job.topic);
+    this.running = job;
+    this.count += 1;
+    this.worker.postMessage({ id: this.count, kind: job.kind, ask: job.ask });
+  }
+
+  private take(reply: Reply): void {
+    const job = this.running;
+    if (!job || reply.id !== this.count) return;
+    this.running = null;
+    if (reply.problems) {
+      job.reject(new CaseProblems(reply.problems));
+      if (reply.problems.some((problem) => problem.place === 'schlupf')) this.restart();
+    } else {
+      job.resolve(reply.answer ?? null);
+    }
+    this.next();
+  }
+}

@@ -1,0 +1,145 @@
+/** The solver in a worker: answers one message after the other. */
+import init, { Answer, Case, Files, catalogue } from '../../pkg/schlupf_wasm.js';
+import type {
+  Answered,
+  CaseInput,
+  Described,
+  Fields,
+  Grid,
+  Kind,
+  Message,
+  NamedText,
+  Outlines,
+  Problem,
+  Reply,
+  Requests,
+  Tables,
+  Told,
+} from './protocol';
+
+/** What solutions are kept as. */
+const SOLUTION = 'solution';
+
+let files!: Files;
+/** The case that was solved last keeps its set-up for the next. */
+let kept: { key: string; solved: Case } | null = null;
+/** The last answer of each kind, of which files may be wanted. */
+const last = new Map<string, Answer>();
+
+function opened(input: CaseInput): Case {
+  return new Case(input.text, input.name, input.assignments, files);
+}
+
+function described(input: CaseInput): Described {
+  const opening = opened(input);
+  try {
+    return {
+      toml: opening.toml(),
+      fields: JSON.parse(opening.fields()) as Fields,
+      outlines: JSON.parse(opening.outlines()) as Outlines | null,
+    };
+  } finally {
+    opening.free();
+  }
+}
+
+function answered(of: string, answer: Answer, wantsFigures: boolean): Answered {
+  last.get(of)?.free();
+  last.set(of, answer);
+  return {
+    tables: answer.tables() as Tables,
+    grids: JSON.parse(answer.grids()) as Grid[],
+    told: JSON.parse(answer.told()) as Told,
+    figures: wantsFigures ? (answer.figures() as NamedText[]) : [],
+  };
+}
+
+function solved({ input, paths, values }: Requests['solve']['ask']): Answered {
+  const key = JSON.stringify(input);
+  if (kept?.key !== key) {
+    kept?.solved.free();
+    kept = null;
+    kept = { key, solved: opened(input) };
+  }
+  return answered(SOLUTION, kept.solved.solve(paths, Float64Array.from(values)), false);
+}
+
+function played({ input, every }: Requests['play']['ask']): Answered {
+  const opening = opened(input);
+  try {
+    return answered(SOLUTION, opening.play(every), false);
+  } finally {
+    opening.free();
+  }
+}
+
+function done({ input, task, request, wantsFigures }: Requests['task']['ask']): Answered {
+  const opening = opened(input);
+  try {
+    const of = 'over' in request ? `${task} over` : task;
+    return answered(of, opening.ask(task, JSON.stringify(request)), wantsFigures);
+  } finally {
+    opening.free();
+  }
+}
+
+function filesOf({ of, what }: Requests['files']['ask']): NamedText[] {
+  const answer = last.get(of);
+  if (!answer) return [];
+  if (what === 'figures') return answer.figures() as NamedText[];
+  const text = what === 'csv' ? answer.csv() : answer.json();
+  return text === undefined ? [] : [[what, text]];
+}
+
+async function act(message: Message): Promise<Requests[Kind]['answer']> {
+  switch (message.kind) {
+    case 'start':
+      await init({ module_or_path: message.ask.module });
+      files = new Files();
+      return { catalogue: catalogue() };
+    case 'inputs':
+      kept?.solved.free();
+      kept = null;
+      files = new Files();
+      for (const [name, bytes] of message.ask.files) files.set(name, bytes);
+      return {};
+    case 'describe':
+      return described(message.ask.input);
+    case 'solve':
+      return solved(message.ask);
+    case 'play':
+      return played(message.ask);
+    case 'task':
+      return done(message.ask);
+    case 'files':
+      return { files: filesOf(message.ask) };
+  }
+}
+
+/** The buffers of the numbers in tables, which move to the page without a copy. */
+function buffers(answer: Requests[Kind]['answer']): ArrayBuffer[] {
+  if (!('tables' in answer)) return [];
+  const columns = Object.values(answer.tables)
+    .flat()
+    .flatMap((table) => Object.values(table));
+  return columns.flatMap(({ values }) =>
+    values instanceof Float64Array && values.buffer instanceof ArrayBuffer ? [values.buffer] : [],
+  );
+}
+
+function problemsOf(error: unknown): Problem[] {
+  if (typeof error === 'string') return JSON.parse(error) as Problem[];
+  return [{ field: '', message: String(error), place: 'schlupf', help: null }];
+}
+
+self.onmessage = async ({ data }: MessageEvent<Message>) => {
+  const reply: Reply = { id: data.id };
+  try {
+    reply.answer = await act(data);
+    self.postMessage(reply, { transfer: buffers(reply.answer) });
+  } catch (error) {
+    self.postMessage({ id: data.id, problems: problemsOf(error) } satisfies Reply);
+    // After a trap the module's memory cannot be trusted: the page starts another worker.
+    if (typeof error !== 'string') self.close();
+  }
+};

@@ -1,0 +1,297 @@
+/** The view of creep curves: any result over a creepage or force, with the present point on it. */
+import type { Catalogue, RequestField } from '../catalogue';
+import type { CaseModel } from '../case/model';
+import { debounced, h, labelledControl } from '../dom';
+import { Chart, type Curve } from '../draw/chart';
+import { numberOf, numbers } from '../draw/fields';
+import type { Result } from '../explorer';
+import { digits, labelled, shownFor } from '../quantity';
+import { problemList } from '../report/problems';
+import { CaseProblems, type Lane } from '../solver/lane';
+import type { Table } from '../solver/protocol';
+import { nameOf, t } from '../texts';
+import { Handle } from './handle';
+import { interpolated } from './patch';
+
+/** How far a curve goes where the case says nothing, by the unit of its abscissa. */
+const REACH: Record<string, number> = { '': 0.02, '1/m': 1, N: -20e3, 'N m': 20 };
+/** How far it goes beyond the present point. */
+const BEYOND = 3;
+
+/** A curve and the case that it belongs to. */
+interface Computed {
+  key: string;
+  table: Table;
+}
+
+/** The path of the field that a request of a curve varies. */
+export function varied(name: string): string {
+  return `kinematics.${name}`;
+}
+
+/** What can be varied along a curve. */
+export function abscissae(catalogue: Catalogue): RequestField[] {
+  const fields = catalogue.task('curve')?.fields ?? [];
+  return fields.filter(({ kind, name }) => kind === 'range' && catalogue.field(varied(name)));
+}
+
+/** The present value of a column of curves. */
+function presentOf(result: Result, name: string): number {
+  const { tables } = result.answered;
+  const candidates = [
+    numberOf(tables['solution']?.[0], name),
+    numberOf(tables['solution']?.[0], varied(name)),
+    numbers(tables['history']?.[0]?.[name]).at(-1) ?? NaN,
+  ];
+  return candidates.find((value) => !Number.isNaN(value)) ?? NaN;
+}
+
+/** Creep curves. */
+export class CurveView {
+  readonly element: HTMLElement;
+  readonly chart = new Chart(400);
+  private readonly abscissa: HTMLSelectElement;
+  private readonly end = h('input', {
+    type: 'text',
+    inputmode: 'decimal',
+    id: 'range-end',
+    class: 'short',
+    onchange: () => this.ended(),
+  });
+  private readonly count = h('input', {
+    type: 'number',
+    min: 5,
+    max: 201,
+    value: 31,
+    id: 'curve-points',
+    onchange: () => void this.compute(),
+  });
+  private readonly ordinate = h('select', { id: 'ordinate', onchange: () => this.draw() });
+  private readonly problems = h('div', {});
+  private readonly handle = new Handle(t('present_point'), (value) => this.move(value));
+  private readonly computeLater = debounced(250, () => void this.compute());
+  private computed: Computed | null = null;
+  private pinnedCurve: Computed | null = null;
+  private result: Result | null = null;
+  private pinned: Result | null = null;
+  private isShown = false;
+  private hasOwnEnd = false;
+
+  constructor(
+    private readonly catalogue: Catalogue,
+    private readonly model: CaseModel,
+    private readonly lane: Lane,
+  ) {
+    this.abscissa = h(
+      'select',
+      {
+        id: 'abscissa',
+        onchange: () => {
+          this.hasOwnEnd = false;
+          this.computeLater();
+        },
+      },
+      ...abscissae(catalogue).map(({ name, doc }) =>
+        h('option', { value: name, title: doc }, nameOf(name)),
+      ),
+    );
+    const bar = h(
+      'div',
+      { class: 'toolbar' },
+      labelledControl(t('abscissa'), this.abscissa),
+      labelledControl(t('range_end'), this.end),
+      labelledControl(t('points'), this.count),
+      labelledControl(t('ordinate'), this.ordinate),
+    );
+    const place = h('div', { class: 'curve-place' }, this.chart.element, this.handle.element);
+    this.element = h(
+      'div',
+      {},
+      bar,
+      place,
+      h('p', { class: 'hint' }, t('present_point')),
+      this.problems,
+    );
+    new ResizeObserver(() => this.placeHandle()).observe(place);
+  }
+
+  /** The request of the curve, as a person would give it. */
+  request(): { name: string; range: string; points: number } {
+    const { name, units } = this.field();
+    const end = Number(this.end.value.replace(',', '.')) || 0;
+    return { name, range: `0..${end} ${units}`.trim(), points: Number(this.count.value) };
+  }
+
+  /** The present value of what is varied, in SI. */
+  present(): number {
+    return this.result ? presentOf(this.result, this.field().name) : NaN;
+  }
+
+  /** Moves the present point, in SI. */
+  move(value: number): void {
+    const field = this.catalogue.field(varied(this.field().name));
+    this.hasOwnEnd = true;
+    if (field) this.model.move(field, value);
+  }
+
+  /** Whether the view is seen: a curve is computed only then. */
+  set visible(isShown: boolean) {
+    this.isShown = isShown;
+    if (isShown) this.update();
+  }
+
+  /** Shows the point of a result, and its curve as soon as that is known. */
+  show(result: Result, pinned: Result | null): void {
+    if (pinned !== this.pinned) this.pinnedCurve = pinned ? this.computed : null;
+    [this.result, this.pinned] = [result, pinned];
+    if (this.isShown) this.update();
+  }
+
+  private update(): void {
+    if (!this.hasOwnEnd) this.end.value = String(this.usualEnd());
+    if (this.key() !== this.computed?.key) this.computeLater();
+    this.draw();
+  }
+
+  private field(): RequestField {
+    const all = abscissae(this.catalogue);
+    return (
+      all.find(({ name }) => name === this.abscissa.value) ?? {
+        name: 'creepage_x',
+        doc: '',
+        kind: 'range',
+        units: '',
+      }
+    );
+  }
+
+  private usualEnd(): number {
+    const { name, units } = this.field();
+    const now = this.result ? presentOf(this.result, name) : NaN;
+    const reach = REACH[units] ?? 0.02;
+    if (!now) return name === 'traction_coefficient' ? 0.2 : reach;
+    const kept = Number(this.end.value);
+    if (kept * now > 0 && Math.abs(now) < Math.abs(kept) && Math.abs(now) > 0.05 * Math.abs(kept))
+      return kept;
+    return Number((BEYOND * now).toPrecision(1));
+  }
+
+  /** What the curve depends on: all but what it varies. */
+  private key(): string {
+    const { name, range, points } = this.request();
+    const input = this.model.whole();
+    const others = input.assignments.filter((one) => !one.startsWith(`${varied(name)}=`));
+    return JSON.stringify([input.text, others, name, range, points]);
+  }
+
+  private ended(): void {
+    this.hasOwnEnd = this.end.value.trim() !== '';
+    this.update();
+  }
+
+  private async compute(): Promise<void> {
+    if (!this.isShown) return;
+    const key = this.key();
+    const { name, range, points } = this.request();
+    const ask = {
+      input: this.model.whole(),
+      task: 'curve',
+      request: { [name]: range, points },
+      wantsFigures: false,
+    };
+    this.element.setAttribute('aria-busy', 'true');
+    try {
+      const answered = await this.lane.ask('curve', 'task', ask);
+      const table = answered?.tables['points']?.[0];
+      if (!table) return;
+      this.computed = { key, table };
+      this.problems.replaceChildren();
+      this.fillOrdinates(table);
+      this.draw();
+    } catch (error) {
+      if (!(error instanceof CaseProblems)) throw error;
+      this.problems.replaceChildren(problemList(error.problems, this.model.text));
+    }
+    this.element.removeAttribute('aria-busy');
+  }
+
+  private fillOrdinates(table: Table): void {
+    const names = Object.entries(table)
+      .filter(
+        ([, { values }]) =>
+          values instanceof Float64Array && values.some((value) => Number.isFinite(value)),
+      )
+      .map(([name]) => name);
+    const present = [...this.ordinate.options].map(({ value }) => value);
+    if (names.join() === present.join()) return;
+    const chosen = this.ordinate.value || 'traction_coefficient';
+    this.ordinate.replaceChildren(
+      ...names.map((name) => h('option', { value: name }, nameOf(name, table[name]?.long_name))),
+    );
+    this.ordinate.value = names.includes(chosen) ? chosen : (names[0] ?? '');
+  }
+
+  private draw(): void {
+    const { computed, pinnedCurve } = this;
+    const { name, units } = this.field();
+    const ordinate = this.ordinate.value;
+    const column = computed?.table[ordinate];
+    if (!computed || !column) return;
+    const xs = numbers(computed.table[name]);
+    const ys = numbers(column);
+    const [xScale, yScale] = [shownFor(units, xs), shownFor(column.units, ys)];
+    const order = [...xs.keys()].sort((one, other) => (xs[one] ?? 0) - (xs[other] ?? 0));
+    const sorted = (values: Float64Array, factor: number) =>
+      order.map((index) => (values[index] ?? NaN) / factor);
+    const x = sorted(xs, xScale.factor);
+    const curves: Curve[] = [
+      { label: nameOf(ordinate, column.symbol), values: sorted(ys, yScale.factor), colour: 0 },
+    ];
+    if (pinnedCurve?.table[ordinate] && pinnedCurve.table[name]) {
+      const [px, py] = [numbers(pinnedCurve.table[name]), numbers(pinnedCurve.table[ordinate])];
+      curves.push({
+        label: t('pinned'),
+        colour: 2,
+        dashed: true,
+        values: x.map((value) => interpolated(px, py, value * xScale.factor) / yScale.factor),
+      });
+    }
+    const points = [this.pinned, this.result]
+      .flatMap((one, index) =>
+        one
+          ? [
+              {
+                x: presentOf(one, name) / xScale.factor,
+                y: presentOf(one, ordinate) / yScale.factor,
+                isPinned: index === 0,
+              },
+            ]
+          : [],
+      )
+      .filter((point) => Number.isFinite(point.x) && Number.isFinite(point.y));
+    this.chart.show({
+      x,
+      curves,
+      points,
+      xLabel: labelled(nameOf(name, computed.table[name]?.long_name), xScale.unit),
+      yLabel: labelled(nameOf(ordinate, column.long_name), yScale.unit),
+    });
+    this.chart.touch(points);
+    this.placeHandle();
+  }
+
+  /** The handle lies on the present point. */
+  private placeHandle(): void {
+    const { plot } = this.chart;
+    const { name, units } = this.field();
+    const ordinate = this.computed?.table[this.ordinate.value];
+    if (!plot || !this.result || !ordinate || !this.computed) return;
+    const [si, value] = [presentOf(this.result, name), presentOf(this.result, this.ordinate.value)];
+    const { factor } = shownFor(units, numbers(this.computed.table[name]));
+    const y = value / shownFor(ordinate.units, numbers(ordinate)).factor;
+    const end = Number(this.end.value) || 0;
+    const range: [number, number] = [Math.min(0, end), Math.max(0, end)];
+    const text = `${nameOf(name)} ${digits(si)} ${units}`;
+    this.handle.place({ plot, si, x: si / factor, y, factor, range, text });
+  }
+}

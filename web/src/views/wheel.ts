@@ -1,0 +1,227 @@
+/** The view of a wheel on a rail: drag it sideways, yaw it, see its contacts move and split. */
+import type { Catalogue, Field } from '../catalogue';
+import { openProfiles } from '../case/open';
+import type { CaseModel } from '../case/model';
+import { FieldControl } from '../controls/field_control';
+import { tomlOfTyped } from '../catalogue';
+import { dragged, h, perFrame } from '../dom';
+import type { Frame } from '../draw/axes';
+import { numberOf } from '../draw/fields';
+import type { Result } from '../explorer';
+import { digits, shownIn } from '../quantity';
+import type { Lane } from '../solver/lane';
+import type { Described, Table } from '../solver/protocol';
+import { symbolOf } from '../symbols';
+import { nameOf, t } from '../texts';
+import { drawPlan, drawProfiles, type Scene } from './wheel_drawing';
+import { WheelsetCurves } from './wheelset_curves';
+
+/** Fields that the view moves. */
+const LATERAL = 'wheelset.lateral_position';
+const MOVED = [LATERAL, 'wheelset.yaw_angle'];
+/** Steps of the arrow keys, in m. */
+const STEP = 1e-4;
+/** Columns of contacts that are told. */
+const TOLD = [
+  'position.y',
+  'angle',
+  'rolling_radius',
+  'normal.load',
+  'normal.peak_pressure',
+  'normal.semi_axis_x',
+  'normal.semi_axis_y',
+  'force.x',
+  'force.y',
+  'creepage_x',
+  'creepage_y',
+  'spin',
+];
+
+/** Wheel and rail. */
+export class WheelView {
+  readonly element: HTMLElement;
+  readonly canvas = h('canvas', { tabindex: 0, role: 'slider', 'aria-label': t('drag_wheel') });
+  private readonly plan = h('canvas', {
+    role: 'img',
+    'aria-label': nameOf('pressure', 'normal pressure'),
+  });
+  private readonly close = h('input', { type: 'checkbox', onchange: () => this.redraw() });
+  private readonly contacts = h('div', { class: 'contacts' });
+  private readonly none: HTMLElement;
+  private readonly drawn: HTMLElement;
+  private readonly controls: { field: Field; control: FieldControl }[];
+  private readonly curves: WheelsetCurves;
+  private readonly redraw = perFrame(() => this.draw());
+  private described: Described | null = null;
+  private result: Result | null = null;
+  private frame: Frame | null = null;
+
+  constructor(
+    catalogue: Catalogue,
+    private readonly model: CaseModel,
+    lane: Lane,
+  ) {
+    const actions = {
+      move: (field: Field, si: number) => model.move(field, si),
+      type: (field: Field, text: string) => model.assign([[field.path, tomlOfTyped(field, text)]]),
+      reset: (field: Field) => model.reset([field.path]),
+    };
+    this.controls = MOVED.flatMap((path) => {
+      const field = catalogue.field(path);
+      return field ? [{ field, control: new FieldControl(field, actions, 'view') }] : [];
+    });
+    this.curves = new WheelsetCurves(model, lane);
+    this.none = h(
+      'div',
+      { class: 'hint' },
+      h('p', {}, t('no_profiles')),
+      h('button', { type: 'button', onclick: () => void openProfiles(model) }, t('open_profiles')),
+    );
+    this.drawn = h(
+      'div',
+      {},
+      h(
+        'div',
+        { class: 'toolbar' },
+        ...this.controls.map(({ control }) => control.element),
+        h('label', {}, this.close, ` ${t('zoom_contact')}`),
+      ),
+      h('div', { class: 'profiles' }, this.canvas, this.plan),
+      h('p', { class: 'hint' }, t('drag_wheel'), ' ', legend()),
+      this.contacts,
+      this.curves.element,
+    );
+    this.element = h('div', {}, this.none, this.drawn);
+    new ResizeObserver(this.redraw).observe(this.element);
+    this.canvas.addEventListener('pointerdown', (event) => this.drag(event));
+    this.canvas.addEventListener('keydown', (event) => this.step(event));
+  }
+
+  /** Shows the profiles of a case. */
+  describe(described: Described): void {
+    this.described = described;
+    const hasProfiles = described.outlines !== null;
+    this.none.hidden = hasProfiles;
+    this.drawn.hidden = !hasProfiles;
+    const { values, given } = described.fields;
+    for (const { field, control } of this.controls) {
+      control.show({
+        value: values[field.path],
+        isGiven: given.includes(field.path),
+        isChanged: this.model.assignments.has(field.path),
+        problem: null,
+      });
+    }
+    this.redraw();
+  }
+
+  /** Shows a result. */
+  show(result: Result): void {
+    this.result = result;
+    this.contacts.replaceChildren(contactTable(result.answered.tables['contact'] ?? []));
+    this.curves.mark(this.lateral());
+    this.draw();
+  }
+
+  /** Draws anew, in other colours. */
+  refresh(): void {
+    this.redraw();
+  }
+
+  /** The lateral position of the case, in m: as it is moved now. */
+  private lateral(): number {
+    const value = this.described?.fields.values[LATERAL];
+    return this.model.assignments.get(LATERAL)?.si ?? (typeof value === 'number' ? value : 0);
+  }
+
+  private draw(): void {
+    const { described, result } = this;
+    const width = this.element.clientWidth;
+    if (!described?.outlines || !result?.answered.tables['contact'] || width < 200) return;
+    const wheel = result.answered.tables['wheel']?.[0];
+    const described_at = described.fields.values[LATERAL];
+    const scene: Scene = {
+      outlines: described.outlines,
+      answered: result.answered,
+      isClose: this.close.checked,
+      pose: {
+        lateral: this.lateral() - (typeof described_at === 'number' ? described_at : 0),
+        height: numberOf(wheel, 'wheelset.height'),
+        roll: numberOf(wheel, 'wheelset.roll_angle'),
+      },
+    };
+    this.frame = drawProfiles(this.canvas, width, scene);
+    if (this.frame) drawPlan(this.plan, width, this.frame, scene);
+    const shown = digits(this.lateral() * 1e3, 3);
+    this.canvas.setAttribute('aria-valuenow', String(this.lateral() * 1e3));
+    this.canvas.setAttribute('aria-valuetext', `${nameOf('lateral_position')} ${shown} mm`);
+  }
+
+  private move(lateral: number): void {
+    const [first] = this.controls;
+    if (first) this.model.move(first.field, Number(lateral.toFixed(5)));
+    this.redraw();
+  }
+
+  private drag(event: PointerEvent): void {
+    const { frame } = this;
+    if (!frame) return;
+    const start = this.lateral();
+    const scale = (frame.x[1] - frame.x[0]) / frame.width / 1e3;
+    dragged(this.canvas, event, ({ clientX }) =>
+      this.move(start + (clientX - event.clientX) * scale),
+    );
+  }
+
+  private step(event: KeyboardEvent): void {
+    const signs: Record<string, number> = {
+      ArrowLeft: 1,
+      ArrowUp: 1,
+      ArrowRight: -1,
+      ArrowDown: -1,
+    };
+    const sign = signs[event.key];
+    if (!sign) return;
+    event.preventDefault();
+    this.move(this.lateral() + sign * STEP * (event.shiftKey ? 10 : 1));
+  }
+}
+
+function legend(): HTMLElement {
+  return h(
+    'span',
+    { class: 'legend' },
+    h('span', { class: 'dark' }, '→'),
+    ` ${t('normal_load')} `,
+    h('span', { class: 'light' }, '→'),
+    ` ${nameOf('force_y', 'lateral force')}`,
+  );
+}
+
+function contactTable(contacts: Table[]): HTMLElement {
+  const [first] = contacts;
+  const rows = TOLD.flatMap((name) => {
+    const column = first?.[name];
+    if (!column) return [];
+    const values = contacts.map((contact) => numberOf(contact, name));
+    const { unit, factor } = shownIn(column.units, Math.max(...values.map(Math.abs)));
+    return [
+      h(
+        'tr',
+        {},
+        h('th', { scope: 'row' }, nameOf(name, column.long_name), ' ', symbolOf(column.symbol)),
+        ...values.map((value) => h('td', {}, digits(value / factor))),
+        h('td', { class: 'unit' }, unit),
+      ),
+    ];
+  });
+  const heads = contacts.map((_, index) =>
+    h('th', { scope: 'col' }, `${t('contact')} ${index + 1}`),
+  );
+  return h(
+    'table',
+    { class: 'scalars' },
+    h('thead', {}, h('tr', {}, h('td', {}), ...heads)),
+    h('tbody', {}, ...rows),
+  );
+}

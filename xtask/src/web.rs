@@ -1,0 +1,43 @@
+//! The explorer: its WebAssembly module, its page, and tests of both in a browser.
+
+use std::fs;
+use std::path::Path;
+
+use crate::step::Step;
+
+/// Profile and target of the module.
+const PROFILE: &str = "web";
+const TARGET: &str = "wasm32-unknown-unknown";
+
+/// The table of creep forces, which the page fetches when it is asked for.
+const TABLE: &str = "crates/schlupf-case/src/look_up_table/standard.npz";
+
+/// Builds the module and the page, tests the page in Chromium, and puts it where the command takes
+/// it from.
+pub fn run(workspace: &Path, target: &Path) -> Result<(), String> {
+    let build = Step {
+        variable: Some(("RUSTFLAGS", "-C target-feature=+simd128".to_owned())),
+        ..Step::cargo(&format!(
+            "build --package schlupf-wasm --target {TARGET} --profile {PROFILE}"
+        ))
+    };
+    build.run(workspace)?;
+    let module = target.join(TARGET).join(PROFILE).join("schlupf_wasm.wasm");
+    page(&format!("bindings {} web/pkg", module.display())).run(workspace)?;
+    let public = workspace.join("web/public");
+    let copied = fs::create_dir_all(&public)
+        .and_then(|()| fs::copy(workspace.join(TABLE), public.join("standard.npz")));
+    copied.map_err(|error| format!("{}: {error}", public.display()))?;
+    Step::cargo("build --package schlupf-cli").run(workspace)?;
+    let web = workspace.join("web");
+    Step::new("npm".into(), "ci --no-audit --no-fund").run(&web)?;
+    Step::new("npm".into(), "run build").run(&web)?;
+    let command = target.join("debug").join(format!("schlupf{}", std::env::consts::EXE_SUFFIX));
+    let variable = Some(("SCHLUPF_COMMAND", command.display().to_string()));
+    Step { variable, ..Step::new("npm".into(), "test") }.run(&web)?;
+    page("pack web/dist crates/schlupf-cli/page/page.zip").run(workspace)
+}
+
+fn page(arguments: &str) -> Step {
+    Step::cargo(&format!("run --quiet --package xtask --features page --bin page -- {arguments}"))
+}
