@@ -28,7 +28,8 @@ function offline(): Plugin {
 
 export default defineConfig({
   base: './',
-  build: { target: 'es2022', assetsInlineLimit: 0, chunkSizeWarningLimit: 200 },
+  // The site takes all of dist.
+  build: { outDir: 'dist/explore', emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0, chunkSizeWarningLimit: 200 },
   worker: { format: 'es' },
   server: { host: '127.0.0.1', fs: { allow: ['..'] } },
   plugins: [offline()],

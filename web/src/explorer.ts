@@ -21,7 +21,7 @@ export interface Audience {
 }
 
 /** Steps of a transient between two frames. */
-const EVERY = 1;
+const EVERY = 2;
 
 /** The loop from the case to its solution. */
 export class Explorer {
@@ -30,6 +30,7 @@ export class Explorer {
   /** The last solution. */
   result: Result | null = null;
   private readonly describeLater = debounced(250, () => void this.describe());
+  private readonly settleLater = debounced(150, () => void this.solve());
   private readonly playLater = debounced(200, () => void this.solve());
   private count = 0;
 
@@ -52,7 +53,7 @@ export class Explorer {
     if (change === 'moved') {
       this.describeLater();
       if (this.isTransient()) this.playLater();
-      else await this.solve();
+      else if (await this.solve(true)) this.settleLater();
       return;
     }
     if (await this.describe()) await this.solve();
@@ -73,7 +74,8 @@ export class Explorer {
     return true;
   }
 
-  private async solve(): Promise<void> {
+  /** Solves the case, a wheel that moves by quick methods; whether it was by those. */
+  private async solve(isMoving = false): Promise<boolean> {
     const { model } = this;
     const started = performance.now();
     this.audience.solving();
@@ -81,13 +83,14 @@ export class Explorer {
     const answered = await this.tried(
       isTransient
         ? this.long.ask('play', 'play', { input: model.whole(), every: EVERY })
-        : this.contact.ask('solve', 'solve', { input: model.fixed(), ...model.moving() }),
+        : this.contact.ask('solve', 'solve', { input: model.fixed(), ...model.moving(), isMoving }),
     );
     const { fields } = this.described ?? {};
-    if (!answered || !fields) return;
+    if (!answered || !fields) return false;
     const milliseconds = performance.now() - started;
     this.result = { answered, fields, milliseconds, isTransient };
     this.audience.solved(this.result);
+    return answered.isQuick;
   }
 
   /** The answer; null if it is stale or there is none, which the audience is told. */

@@ -191,8 +191,10 @@ export class Page {
   private fail(problems: Problem[]): void {
     this.results.removeAttribute('aria-busy');
     this.tabs.body.classList.add('old');
-    const remove = (path: string) => this.model.assign([[path, '']]);
-    this.problems.replaceChildren(problemList(problems, this.model.text, remove));
+    const hint = h('p', { class: 'status bad' }, t('outdated'));
+    if (!this.results.querySelector('.status.bad')) this.results.prepend(hint);
+    const assign = (values: [string, string][]) => this.model.assign(values);
+    this.problems.replaceChildren(problemList(problems, this.model.text, assign));
     this.panel.showProblems(problems);
   }
 

@@ -54,6 +54,11 @@ const TEXTS = {
   not_converged: ['not converged', 'nicht konvergiert', '未收敛'],
   solving: ['solving …', 'rechnet …', '求解中…'],
   solved_in: ['solved in', 'gelöst in', '求解用时'],
+  quick: [
+    'while it moves: Kik–Piotrowski, FASTSIM',
+    'solange es bewegt wird: Kik–Piotrowski, FASTSIM',
+    '移动时:Kik–Piotrowski、FASTSIM',
+  ],
   pin: ['Pin to compare', 'Vergleichen', '固定以比较'],
   unpin: ['Unpin', 'Lösen', '取消固定'],
   present: ['present', 'jetzt', '当前'],
@@ -82,7 +87,6 @@ const TEXTS = {
     'Wird auf Wunsch für die jetzigen Bedingungen berechnet.',
     '按需对当前工况计算。',
   ],
-  depth: ['depth', 'Tiefe', '深度'],
   outdated: [
     'The case has changed since.',
     'Der Fall hat sich seither geändert.',
@@ -126,7 +130,6 @@ const TEXTS = {
     '向左 ←，沿滚动方向观察',
   ],
   zoom_contact: ['zoom to the contact', 'Kontakt vergrößern', '放大接触区'],
-  scale_forces: ['forces on the wheel', 'Kräfte auf das Rad', '作用于车轮的力'],
   wheelset: [
     'Wheelset over its lateral position',
     'Radsatz über der Querverschiebung',
@@ -144,9 +147,7 @@ const TEXTS = {
     'Fälle (TOML), Profile oder andere Dateien ablegen',
     '拖放算例 (TOML)、廓形或其他文件',
   ],
-  offline: ['works offline', 'funktioniert offline', '可离线使用'],
   skip: ['Skip to the view', 'Zur Ansicht springen', '跳到视图'],
-  from_below: ['at y =', 'bei y =', '位于 y ='],
   surface_3d: ['surface', 'Fläche', '曲面'],
   failed_start: [
     'The solver could not be loaded.',

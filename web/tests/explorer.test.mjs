@@ -203,6 +203,40 @@ test('speaks German and Chinese', async () => {
   }
 });
 
+test('every case of the gallery is solved', () =>
+  withPage({}, '', async (page, errors) => {
+    const options = page.locator('#gallery optgroup option');
+    const names = await options.evaluateAll((all) => all.map(({ value }) => value));
+    assert.ok(names.length > 25);
+    for (const name of names) {
+      await andSolved(page, () => page.selectOption('#gallery', name));
+      assert.deepEqual(await page.locator('.problems').allInnerTexts(), [], name);
+    }
+    assert.deepEqual(errors, []);
+  }));
+
+/** What axe finds that is serious. */
+async function seriousFlaws(page) {
+  await page.evaluate(AXE);
+  const { violations } = await page.evaluate(() => globalThis.axe.run(document));
+  const serious = violations.filter(({ impact }) => ['serious', 'critical'].includes(impact));
+  return serious.map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join('\n  ')}`);
+}
+
+test('axe finds nothing serious in dialogs and where a case is wrong', () =>
+  withPage({ viewport: { width: 820, height: 1180 } }, '', async (page) => {
+    for (const name of ['Edit case', 'The same by command and in Python']) {
+      await page.getByRole('button', { name }).click();
+      assert.deepEqual(await seriousFlaws(page), [], name);
+      await page.keyboard.press('Escape');
+    }
+    const load = page.locator('.panel [data-path="normal.load"] input[type=text]');
+    await load.fill('80 kJ');
+    await load.press('Enter');
+    await page.locator('.problems').waitFor();
+    assert.deepEqual(await seriousFlaws(page), []);
+  }));
+
 test('axe finds nothing serious in any view, light or dark', async () => {
   const views = [
     '#case=wheel_on_rail&view=patch',
@@ -213,13 +247,7 @@ test('axe finds nothing serious in any view, light or dark', async () => {
     for (const hash of views) {
       await withPage({ colorScheme }, hash, async (page) => {
         if (hash.includes('curve')) await page.locator('.curve-place .u-legend').waitFor();
-        await page.evaluate(AXE);
-        const { violations } = await page.evaluate(() => globalThis.axe.run(document));
-        const serious = violations.filter(({ impact }) => ['serious', 'critical'].includes(impact));
-        const told = serious.map(
-          ({ id, nodes }) => `${id}: ${nodes.map((node) => node.html).join('\n  ')}`,
-        );
-        assert.deepEqual(told, [], `${colorScheme} ${hash}`);
+        assert.deepEqual(await seriousFlaws(page), [], `${colorScheme} ${hash}`);
       });
     }
   }

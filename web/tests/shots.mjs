@@ -54,7 +54,7 @@ const VIEWS = {
     '#case=braking_from_rolling&view=patch',
     async (page) => {
       await page.selectOption('#quantity', 'traction_x');
-      await page.locator('.player input').fill('40');
+      await page.locator('.player input').fill('20');
     },
   ],
   compare: [

@@ -9,7 +9,7 @@ import init, { Case, Files } from '../pkg/schlupf_wasm.js';
 const web = fileURLToPath(new URL('..', import.meta.url));
 
 /** The built page. */
-export const DIST = join(web, 'dist');
+export const DIST = join(web, 'dist/explore');
 /** The gallery. */
 export const CASES = join(web, '..', 'cases');
 

@@ -133,3 +133,62 @@ fn escaped(text: &str) -> String {
     }
     escaped
 }
+
+#[cfg(test)]
+mod tests {
+    use std::io::{Read, Write};
+    use std::net::TcpStream;
+    use std::thread;
+
+    use super::*;
+
+    /// What a server of a small page says to a request.
+    fn answered(request: &str) -> String {
+        let server = Server::http((Ipv4Addr::LOCALHOST, 0)).unwrap();
+        let address = server.server_addr().to_ip().unwrap();
+        assert!(address.ip().is_loopback());
+        let page = Page::from([
+            ("index.html".to_owned(), b"<p>page</p>".to_vec()),
+            ("assets/solver.wasm".to_owned(), b"\0asm".to_vec()),
+        ]);
+        let serving = thread::spawn(move || answer(&page, server.recv().unwrap()).unwrap());
+        let mut stream = TcpStream::connect(address).unwrap();
+        stream.write_all(format!("{request}\r\nConnection: close\r\n\r\n").as_bytes()).unwrap();
+        let mut said = String::new();
+        stream.read_to_string(&mut said).unwrap();
+        serving.join().unwrap();
+        said
+    }
+
+    #[test]
+    fn nothing_but_the_page_is_served() {
+        let page = answered("GET /?x=1 HTTP/1.1\r\nHost: 127.0.0.1:8000");
+        assert!(page.starts_with("HTTP/1.1 200") && page.ends_with("<p>page</p>"), "{page}");
+        let module = answered("GET /assets/solver.wasm HTTP/1.1\r\nHost: localhost");
+        assert!(module.contains("application/wasm"), "{module}");
+        for path in ["/Cargo.toml", "/../Cargo.toml", "/assets", "//etc/passwd"] {
+            let refused = answered(&format!("GET {path} HTTP/1.1\r\nHost: 127.0.0.1"));
+            assert!(refused.starts_with("HTTP/1.1 404"), "{path}: {refused}");
+        }
+        let put = answered("PUT / HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 0");
+        assert!(put.starts_with("HTTP/1.1 405"), "{put}");
+    }
+
+    /// A name of another machine that leads here (DNS rebinding).
+    #[test]
+    fn pages_from_elsewhere_are_not_answered() {
+        let refused = answered("GET / HTTP/1.1\r\nHost: example.com");
+        assert!(refused.starts_with("HTTP/1.1 403"), "{refused}");
+    }
+
+    #[test]
+    fn a_case_is_part_of_an_address() {
+        assert_eq!(escaped("a = \"1 µm\"\n"), "a%20%3D%20%221%20%C2%B5m%22%0A");
+    }
+
+    #[test]
+    fn a_command_without_the_page_says_how_to_get_it() {
+        let Err(failure) = page(&[]) else { panic!("there is no page") };
+        assert!(failure.to_string().contains("cargo xtask web"), "{failure}");
+    }
+}

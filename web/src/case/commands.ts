@@ -26,7 +26,7 @@ export function commandOf(model: CaseModel, shown: Shown): string {
 
 function shell(toml: string): string {
   if (toml === '') return '';
-  return /^"[\w. +-]*"$/.test(toml) ? toml : /^[\w.+-]+$/.test(toml) ? toml : `'${toml}'`;
+  return /^"[^"$`\\!]*"$/.test(toml) ? toml : /^[\w.+-]+$/.test(toml) ? toml : `'${toml}'`;
 }
 
 interface Keywords {

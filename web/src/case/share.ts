@@ -41,7 +41,9 @@ export async function restore(model: CaseModel, hash: string): Promise<boolean> 
     if (found) model.open(`${name}.toml`, found.text, found.files, name);
     return found !== null;
   }
-  if (!state) return false;
+  const toml = parts.get('toml');
+  if (toml !== null) model.open('case.toml', toml, await filesNamedIn(toml), null);
+  if (!state) return toml !== null;
   const bytes = await through(bytesOf(state), new DecompressionStream('deflate-raw'));
   const shared = JSON.parse(new TextDecoder().decode(bytes)) as Shared;
   const found = shared.gallery ? await galleryCase(shared.gallery) : null;

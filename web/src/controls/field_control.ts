@@ -172,7 +172,7 @@ export class FieldControl {
 }
 
 /** Symbol and meaning: a description opens with the symbol where there is one. */
-export function explained(field: Field): [string, string] {
+function explained(field: Field): [string, string] {
   const found = /^([^\s,;:]{1,5}), (.*)$/s.exec(field.doc);
   const choices = field.choices.map(([name, doc]) => `${name}: ${doc}`).join('\n');
   const meaning = [field.doc, choices].filter(Boolean).join('\n');

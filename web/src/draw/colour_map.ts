@@ -51,8 +51,8 @@ export interface ColourScale {
 }
 
 /** Colours for values: diverging about zero where signs differ. */
-export function colourScale(values: ArrayLike<number>, common?: ColourScale): ColourScale {
-  let [low, high] = common ? [common.low, common.high] : [Infinity, -Infinity];
+export function colourScale(values: ArrayLike<number>): ColourScale {
+  let [low, high] = [Infinity, -Infinity];
   for (let index = 0; index < values.length; index += 1) {
     const value = values[index] ?? NaN;
     if (value < low) low = value;

@@ -53,18 +53,13 @@ export class HeatMap {
     });
   }
 
-  /** Shows another content; a common scale makes maps comparable. */
-  show(content: MapContent, common?: ColourScale): void {
+  /** Shows another content; one scale makes maps comparable. */
+  show(content: MapContent, scale = colourScale(content.values)): void {
     this.content = content;
-    this.scale = colourScale(content.values, common);
+    this.scale = scale;
     this.canvas.setAttribute('aria-label', this.label());
     this.draw();
     if (this.cell) this.choose(this.cell);
-  }
-
-  /** The scale of its colours. */
-  colours(): ColourScale | undefined {
-    return this.scale ?? undefined;
   }
 
   private label(): string {

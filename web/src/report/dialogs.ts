@@ -1,7 +1,8 @@
-/** Dialogs: the case as text, and the commands that give the same. */
+/** Dialogs: the case as text, figures, and the commands that give the same. */
 import { commandOf, pythonOf, type Shown } from '../case/commands';
 import type { CaseModel } from '../case/model';
 import { h } from '../dom';
+import type { NamedText } from '../solver/protocol';
 import { t } from '../texts';
 
 function shown(title: string, ...children: Node[]): HTMLDialogElement {
@@ -63,6 +64,17 @@ export function showSame(model: CaseModel, task: Shown): void {
     block(t('command_line'), commandOf(model, task)),
     block('Python', pythonOf(model, task)),
   );
+}
+
+/** Shows figures by their file names; each can be saved. */
+export function showFigures(figures: NamedText[]): void {
+  const drawn = figures.map(([name, svg]) => {
+    const url = URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' }));
+    const image = h('img', { src: url, alt: name, class: 'drawing' });
+    return h('a', { href: url, download: name, title: name }, image, h('span', {}, name));
+  });
+  const dialog = shown(t('save_svg'), h('div', { class: 'drawings' }, ...drawn));
+  dialog.addEventListener('close', () => drawn.forEach(({ href }) => URL.revokeObjectURL(href)));
 }
 
 /** Copies a text, and says so on the button. */

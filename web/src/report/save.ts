@@ -2,6 +2,7 @@
 import type { Shown } from '../case/commands';
 import type { Explorer } from '../explorer';
 import { h } from '../dom';
+import { showFigures } from './dialogs';
 
 /** Offers a file to save. */
 export function offer(name: string, content: Blob): void {
@@ -15,7 +16,7 @@ export function saveCase({ described, model }: Explorer): void {
   if (described) offer(model.name, new Blob([described.toml], { type: 'application/toml' }));
 }
 
-/** Saves what the program writes of the last solution, or of the last curve. */
+/** Saves what the program writes of the last solution or curve; of figures a person chooses. */
 export async function saveResult(
   explorer: Explorer,
   task: Shown['task'],
@@ -26,10 +27,12 @@ export async function saveResult(
   const of = task === 'curve' ? 'curve' : 'solution';
   const answer = await lane.ask('save', 'files', { of, what });
   const base = explorer.model.name.replace(/\.toml$/, '');
-  for (const [name, text] of answer?.files ?? []) {
-    const file = what === 'figures' ? `${base}_${name}.svg` : `${base}.${name}`;
-    offer(file, new Blob([text], { type: what === 'figures' ? 'image/svg+xml' : 'text/plain' }));
+  const files = answer?.files ?? [];
+  if (what === 'figures') {
+    showFigures(files.map(([name, svg]) => [`${base}_${name}.svg`, svg]));
+    return;
   }
+  for (const [name, text] of files) offer(`${base}.${name}`, new Blob([text]));
 }
 
 /** Saves what is drawn in a view: the first drawing that is seen. */

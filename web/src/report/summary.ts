@@ -27,6 +27,7 @@ export function summary(result: Result, pinned: Result | null, contact: number):
     ' · ',
     t('solved_in'),
     ` ${digits(result.milliseconds, 2)} ms`,
+    result.answered.isQuick ? ` · ${t('quick')}` : '',
   );
   return h(
     'div',

@@ -18,6 +18,8 @@ export interface Grid {
   rows: number;
   spacing: [number, number];
   origin: [number, number];
+  /** Centre of the patch, beside the place of its contact. */
+  centre: [number, number];
   cells: [number, number][];
   time: number | null;
 }
@@ -89,6 +91,8 @@ export interface Answered {
   grids: Grid[];
   told: Told;
   figures: [string, string][];
+  /** Whether it is that of the quick methods for a wheel that moves. */
+  isQuick: boolean;
 }
 
 /** What a worker is asked. */
@@ -96,7 +100,10 @@ export interface Requests {
   start: { ask: { module: WebAssembly.Module }; answer: { catalogue: string } };
   inputs: { ask: { files: FileBytes }; answer: Record<string, never> };
   describe: { ask: { input: CaseInput }; answer: Described };
-  solve: { ask: { input: CaseInput; paths: string[]; values: number[] }; answer: Answered };
+  solve: {
+    ask: { input: CaseInput; paths: string[]; values: number[]; isMoving: boolean };
+    answer: Answered;
+  };
   play: { ask: { input: CaseInput; every: number }; answer: Answered };
   task: {
     ask: {

@@ -21,8 +21,11 @@ import type {
 const SOLUTION = 'solution';
 
 let files!: Files;
-/** The case that was solved last keeps its set-up for the next. */
-let kept: { key: string; solved: Case } | null = null;
+/**
+ * The case that was solved last keeps its set-up for the next; the same wheel for while it moves,
+ * null for a case that has none.
+ */
+let kept: { key: string; solved: Case; quick?: Case | null } | null = null;
 /** The last answer of each kind, of which files may be wanted. */
 const last = new Map<string, Answer>();
 
@@ -51,17 +54,26 @@ function answered(of: string, answer: Answer, wantsFigures: boolean): Answered {
     grids: JSON.parse(answer.grids()) as Grid[],
     told: JSON.parse(answer.told()) as Told,
     figures: wantsFigures ? (answer.figures() as NamedText[]) : [],
+    isQuick: false,
   };
 }
 
-function solved({ input, paths, values }: Requests['solve']['ask']): Answered {
+function solved({ input, paths, values, isMoving }: Requests['solve']['ask']): Answered {
   const key = JSON.stringify(input);
   if (kept?.key !== key) {
-    kept?.solved.free();
-    kept = null;
+    forget();
     kept = { key, solved: opened(input) };
   }
-  return answered(SOLUTION, kept.solved.solve(paths, Float64Array.from(values)), false);
+  if (isMoving) kept.quick ??= kept.solved.quick() ?? null;
+  const quick = isMoving ? kept.quick : null;
+  const answer = (quick ?? kept.solved).solve(paths, Float64Array.from(values));
+  return { ...answered(SOLUTION, answer, false), isQuick: Boolean(quick) };
+}
+
+function forget(): void {
+  kept?.solved.free();
+  kept?.quick?.free();
+  kept = null;
 }
 
 function played({ input, every }: Requests['play']['ask']): Answered {
@@ -98,8 +110,7 @@ async function act(message: Message): Promise<Requests[Kind]['answer']> {
       files = new Files();
       return { catalogue: catalogue() };
     case 'inputs':
-      kept?.solved.free();
-      kept = null;
+      forget();
       files = new Files();
       for (const [name, bytes] of message.ask.files) files.set(name, bytes);
       return {};

@@ -25,12 +25,12 @@ interface Computed {
 }
 
 /** The path of the field that a request of a curve varies. */
-export function varied(name: string): string {
+function varied(name: string): string {
   return `kinematics.${name}`;
 }
 
 /** What can be varied along a curve. */
-export function abscissae(catalogue: Catalogue): RequestField[] {
+function abscissae(catalogue: Catalogue): RequestField[] {
   const fields = catalogue.task('curve')?.fields ?? [];
   return fields.filter(({ kind, name }) => kind === 'range' && catalogue.field(varied(name)));
 }

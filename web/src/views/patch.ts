@@ -1,6 +1,6 @@
 /** The view of a contact patch: a map of any quantity, traction arrows, a section along rolling. */
 import { h } from '../dom';
-import { colourScale, type ColourScale } from '../draw/colour_map';
+import { colourScale } from '../draw/colour_map';
 import { Chart, type Curve } from '../draw/chart';
 import {
   borderOfStick,
@@ -69,6 +69,7 @@ export class PatchView {
   private readonly drawn: HTMLElement;
   private result: Result | null = null;
   private pinned: Result | null = null;
+  private framed: { result: Result; name: string; extremes: number[] } | null = null;
 
   /** `onContact` is told which contact is shown. */
   constructor(private readonly onContact: (contact: number) => void) {
@@ -171,36 +172,29 @@ export class PatchView {
     const name = this.quantity.value;
     if (!field?.table[name]) return;
     const beside = pinned ? fieldOf(pinned, 0, null) : null;
-    const shown = this.shown(field, beside, name);
-    let scale = this.commonScale(result, name, shown);
+    const one = [...numbers(field.table[name]), ...numbers(beside?.table[name])];
+    const seen = [...one, ...this.extremes(result, name)];
+    const shown = shownFor(field.table[name].units, seen);
+    const scale = colourScale(seen.map((value) => value / shown.factor));
     const content = this.content(field, name, shown, beside ? t('present') : '');
-    if (beside?.table[name]) {
-      const other = this.content(beside, name, shown, t('pinned'));
-      scale = colourScale(other.values, colourScale(content.values, scale));
-      this.pinnedMap.element.hidden = false;
-      this.pinnedMap.show(other, scale);
-    } else {
-      this.pinnedMap.element.hidden = true;
-    }
     this.map.show(content, scale);
-    this.surface?.show(content, this.map.colours() ?? colourScale(content.values));
+    this.pinnedMap.element.hidden = !beside?.table[name];
+    if (beside?.table[name]) {
+      this.pinnedMap.show(this.content(beside, name, shown, t('pinned')), scale);
+    }
+    this.surface?.show(content, scale);
     this.drawSection(field, beside, name, shown);
   }
 
-  private shown(field: Field, beside: Field | null, name: string): Shown {
-    const all = [field, beside].flatMap((one) => [...numbers(one?.table[name])]);
-    return shownFor(field.table[name]?.units ?? '', all);
-  }
-
-  /** One scale for all frames, so that colours mean the same while time passes. */
-  private commonScale(result: Result, name: string, { factor }: Shown): ColourScale | undefined {
-    if (this.player.frame === null) return undefined;
-    let scale: ColourScale | undefined;
-    for (const table of result.answered.tables['frame'] ?? []) {
-      const values = numbers(withMagnitudes(table)[name]).map((value) => value / factor);
-      scale = colourScale(values, scale);
-    }
-    return scale;
+  /** The extremes of all frames, so that colours mean the same while time passes. */
+  private extremes(result: Result, name: string): number[] {
+    if (this.framed?.result === result && this.framed.name === name) return this.framed.extremes;
+    const extremes = (result.answered.tables['frame'] ?? []).flatMap((table) => {
+      const values = numbers(withMagnitudes(table)[name]);
+      return [Math.min(...values), Math.max(...values)];
+    });
+    this.framed = { result, name, extremes };
+    return extremes;
   }
 
   private content({ table, grid }: Field, name: string, shown: Shown, note: string): MapContent {

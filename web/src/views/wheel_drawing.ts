@@ -37,7 +37,7 @@ const HEADROOM = 14;
 const REACH = 90;
 
 /** Places of the wheel in the track, in m: turned about the middle of the axle and moved. */
-export function placedWheel({ wheel }: Outlines, { lateral, height, roll }: Pose): Line {
+function placedWheel({ wheel }: Outlines, { lateral, height, roll }: Pose): Line {
   return {
     y: wheel.y.map((y) => y + lateral),
     z: wheel.z.map((z, index) => z + height + roll * (wheel.y[index] ?? 0)),
@@ -63,7 +63,7 @@ export function drawProfiles(canvas: HTMLCanvasElement, width: number, scene: Sc
   const largest = Math.max(...contacts.map((contact) => numberOf(contact, 'normal.load')));
   contacts.forEach((contact, index) => drawForces(pen, frame, contact, index, largest));
   drawAxes(pen, frame, [`y (mm), ${t('seen_along')}`, 'z (mm)']);
-  drawNames(pen, frame);
+  drawNames(pen, frame, contacts);
   return frame;
 }
 
@@ -156,14 +156,13 @@ function drawForces(
   if (Math.hypot(...tangent) > 3) drawArrow(pen, from, tangent, false);
   pen.font = `600 ${FONT}`;
   pen.fillStyle = colour('ink');
+  pen.textAlign = 'left';
   pen.textBaseline = 'middle';
-  const told = `${index + 1}: N = ${digits(load / 1e3, 3)} kN, Fy = ${digits(lateral / 1e3, 3)} kN`;
-  const isFar = from[0] + 20 + pen.measureText(told).width > frame.left + frame.width;
-  pen.textAlign = isFar ? 'right' : 'left';
-  pen.fillText(told, from[0] + (isFar ? -12 : 12), from[1] - 34 - 20 * index);
+  pen.fillText(String(index + 1), from[0] + 10, from[1] - 16);
 }
 
-function drawNames(pen: CanvasRenderingContext2D, frame: Frame): void {
+/** Names of the bodies, and the forces of all contacts. */
+function drawNames(pen: CanvasRenderingContext2D, frame: Frame, contacts: Table[]): void {
   pen.font = `600 ${FONT}`;
   pen.textAlign = 'left';
   pen.textBaseline = 'top';
@@ -171,6 +170,15 @@ function drawNames(pen: CanvasRenderingContext2D, frame: Frame): void {
   pen.fillText(nameOf('wheel'), frame.left + 8, frame.top + 8);
   pen.textBaseline = 'bottom';
   pen.fillText(nameOf('rail'), frame.left + 8, frame.top + frame.height - 8);
+  pen.textAlign = 'right';
+  contacts.forEach((contact, index) => {
+    const [load, lateral] = ['normal.load', 'force.y'].map((name) =>
+      digits(numberOf(contact, name) / 1e3, 3),
+    );
+    const bottom = frame.top + frame.height - 8 - 18 * (contacts.length - 1 - index);
+    const told = `${index + 1}: N = ${load} kN, Fy = ${lateral} kN`;
+    pen.fillText(told, frame.left + frame.width - 8, bottom);
+  });
 }
 
 /** Draws the pressure of all patches from above, under the profiles. */
@@ -219,8 +227,8 @@ function drawCells(
   const cosine = Math.cos(known('angle'));
   const [dx, dy] = grid.spacing;
   grid.cells.forEach(([column, row], index) => {
-    const x = known('position.x') + known('normal.origin_x') + grid.origin[0] + column * dx;
-    const across = known('normal.origin_y') + grid.origin[1] + row * dy;
+    const x = known('position.x') + grid.centre[0] + grid.origin[0] + column * dx;
+    const across = grid.centre[1] + grid.origin[1] + row * dy;
     const y = known('position.y') + cosine * across;
     const [left, right] = [
       atX(plan, (y + (cosine * dy) / 2) * 1e3),
