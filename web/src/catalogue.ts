@@ -1,4 +1,6 @@
 /** Sections and fields of a case, tasks and presets, as the module lists them. */
+import { numberTyped } from './quantity';
+import type { FieldValue } from './solver/protocol';
 
 /** A field of a case. */
 export interface Field {
@@ -103,14 +105,26 @@ export function tomlOf(field: Field, si: number): string {
   return Number.isFinite(number) ? JSON.stringify(`${number} ${unit}`.trim()) : '"inf"';
 }
 
+/** A value as it stands in a case file, in SI where it has the unit shown; null if unknown. */
+export function siOf(field: Field, toml: string): FieldValue {
+  try {
+    const value = JSON.parse(toml) as FieldValue;
+    const [unit, factor] = shownUnit(field);
+    if (typeof value !== 'string' || field.kind !== 'quantity') return value;
+    const number = Number(value.replace(unit, ''));
+    return value.endsWith(unit) && Number.isFinite(number) ? number * factor : value;
+  } catch {
+    return null;
+  }
+}
+
 /** What a person typed as it stands in a case file: a bare number takes the unit shown. */
 export function tomlOfTyped(field: Field, typed: string): string {
   const text = typed.trim().replace(/−/g, '-');
-  const number = text.replace(/^(-?\d+),(\d+)/, '$1.$2');
-  const isNumber = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(number);
-  if (isNumeric(field) && isNumber) {
+  const number = numberTyped(text);
+  if (isNumeric(field) && !Number.isNaN(number)) {
     if (field.kind === 'quantity') return JSON.stringify(`${number} ${shownUnit(field)[0]}`.trim());
-    return String(Number(number));
+    return String(number);
   }
   if (field.kind === 'flag') return text;
   if (field.kind === 'numbers' || field.kind === 'quantities') return text;

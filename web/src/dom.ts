@@ -56,10 +56,13 @@ export function dragged(
   element: HTMLElement,
   { pointerId }: PointerEvent,
   moved: (event: PointerEvent) => void,
+  released: () => void = () => {},
 ): void {
   element.setPointerCapture(pointerId);
   element.addEventListener('pointermove', moved);
-  const ended = () => element.removeEventListener('pointermove', moved);
-  element.addEventListener('pointerup', ended, { once: true });
-  element.addEventListener('pointercancel', ended, { once: true });
+  const ended = () => {
+    element.removeEventListener('pointermove', moved);
+    released();
+  };
+  element.addEventListener('lostpointercapture', ended, { once: true });
 }

@@ -33,6 +33,8 @@ export class Explorer {
   private readonly settleLater = debounced(150, () => void this.solve());
   private readonly playLater = debounced(200, () => void this.solve());
   private count = 0;
+  /** Counts cases: answers of another one are stale. */
+  private opened = 0;
 
   constructor(
     readonly model: CaseModel,
@@ -46,6 +48,8 @@ export class Explorer {
   private async changed(change: Change): Promise<void> {
     this.count += 1;
     if (change === 'opened') {
+      this.opened += 1;
+      [this.described, this.result] = [null, null];
       const files = this.model.fileBytes();
       this.contact.setFiles(files);
       this.long.setFiles(files);
@@ -59,7 +63,8 @@ export class Explorer {
     if (await this.describe()) await this.solve();
   }
 
-  private isTransient(): boolean {
+  /** Whether the case rolls over time. */
+  isTransient(): boolean {
     const given = this.described?.fields.given ?? [];
     return given.includes('history.time') || given.includes('history.file');
   }
@@ -95,9 +100,10 @@ export class Explorer {
 
   /** The answer; null if it is stale or there is none, which the audience is told. */
   private async tried<T>(answer: Promise<T | null>): Promise<T | null> {
-    const count = this.count;
+    const { count, opened } = this;
     try {
-      return await answer;
+      const found = await answer;
+      return opened === this.opened ? found : null;
     } catch (error) {
       if (!(error instanceof CaseProblems)) throw error;
       if (count === this.count) this.audience.failed(error.problems);

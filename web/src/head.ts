@@ -22,6 +22,7 @@ export class Head {
     shownTask: () => Shown,
     view: () => HTMLElement,
     link: () => Promise<string>,
+    leftOut: () => string[],
   ) {
     const { model } = explorer;
     this.gallery = h(
@@ -47,7 +48,15 @@ export class Head {
     });
     const share = h(
       'button',
-      { type: 'button', id: 'share', onclick: () => void link().then((url) => copied(share, url)) },
+      {
+        type: 'button',
+        id: 'share',
+        onclick: () => {
+          const left = leftOut().join(', ');
+          const said = left ? `${t('not_in_link')} ${left}` : t('copied');
+          void link().then((url) => copied(share, url, said));
+        },
+      },
       t('share'),
     );
     this.element = h(

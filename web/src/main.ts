@@ -1,10 +1,8 @@
 /** The page: reads the module, builds the views and shows the first case. */
 import wasmUrl from '../pkg/schlupf_wasm_bg.wasm?url';
 import { Catalogue } from './catalogue';
-import { FIRST_CASE } from './case/gallery';
 import { CaseModel } from './case/model';
 import { acceptDrops } from './case/open';
-import { restore } from './case/share';
 import { byId, h } from './dom';
 import { Page } from './page';
 import { Lane } from './solver/lane';
@@ -28,13 +26,11 @@ async function start(): Promise<void> {
   const module = await compiled();
   const [contact, long] = [new Lane(module, false), new Lane(module, true)];
   const catalogue = new Catalogue(await contact.start());
-  const model = new CaseModel();
+  const model = new CaseModel((path) => catalogue.field(path) !== undefined);
   const page = new Page(catalogue, model, contact, long);
   byId('page').replaceChildren(...page.elements);
-  page.begin();
   acceptDrops(model);
-  const isRestored = await restore(model, location.hash).catch(() => false);
-  if (!isRestored) await restore(model, `#case=${FIRST_CASE}`);
+  await page.begin();
   if ('serviceWorker' in navigator && import.meta.env.PROD) {
     await navigator.serviceWorker.register('./service_worker.js');
   }

@@ -1,7 +1,8 @@
 /** The page as a whole: head, controls, views and results around one case. */
 import type { Catalogue } from './catalogue';
 import type { CaseModel } from './case/model';
-import { hashOf, restore, viewOf } from './case/share';
+import { FIRST_CASE } from './case/gallery';
+import { hashOf, leftOut, namesCase, restore, viewOf } from './case/share';
 import { Panel } from './controls/panel';
 import { debounced, h } from './dom';
 import { Explorer, type Result } from './explorer';
@@ -21,26 +22,30 @@ import { WheelView } from './views/wheel';
 
 /** Field of the seed of a generated surface. */
 const SEED = 'contact_law.roughness.seed';
+/** Fields of which a case with a generated surface gives one. */
+const GENERATED = [SEED, 'contact_law.roughness.longest_wavelength'];
 
 /** All that is seen. */
 export class Page {
   readonly elements: HTMLElement[];
   private readonly explorer: Explorer;
   private readonly panel: Panel;
-  private readonly patch = new PatchView(() => this.showSummary());
+  private readonly patch = new PatchView(() => this.chooseContact());
   private readonly curve: CurveView;
   private readonly map: AdhesionMap;
   private readonly wheel: WheelView;
   private readonly roughness: TaskPanel;
   private readonly tabs: Tabs;
   private readonly head: Head;
-  private readonly problems = h('div', {});
+  private readonly damaged = h('div', {});
+  private readonly problems = h('div', { class: 'told' });
   private readonly results = h('div', { class: 'results' });
   private readonly pin = h(
     'button',
     { type: 'button', 'aria-pressed': 'false', onclick: () => this.togglePin() },
     t('pin'),
   );
+  private readonly columns = h('div', { class: 'columns undescribed' });
   private pinned: Result | null = null;
   private readonly storeHash = debounced(400, () => void this.writeHash());
   private written = '';
@@ -88,23 +93,25 @@ export class Page {
       () => this.shownTask(),
       () => this.tabs.panel,
       () => this.link(),
+      () => leftOut(model),
     );
     const side = h(
       'aside',
-      { class: 'side', 'aria-label': t('results') },
+      { class: 'side described', 'aria-label': t('results') },
       h('header', {}, h('h2', {}, t('results')), this.pin),
       this.results,
     );
     const main = h(
       'main',
       { id: 'view', tabindex: -1 },
+      this.damaged,
       this.tabs.list,
-      this.problems,
       this.tabs.body,
+      this.problems,
     );
     const controls = h(
       'aside',
-      { class: 'controls', 'aria-label': t('conditions') },
+      { class: 'controls described', 'aria-label': t('conditions') },
       this.panel.element,
     );
     this.elements = [
@@ -121,12 +128,17 @@ export class Page {
         t('skip'),
       ),
       this.head.element,
-      h('div', { class: 'columns' }, controls, main, side),
+      this.columns,
     ];
+    this.columns.append(controls, main, side);
+    model.listen((change) => {
+      if (change === 'opened') this.clear();
+    });
   }
 
-  /** Shows the view of the link, and follows links. */
-  begin(): void {
+  /** Shows the case and the view of the link, and follows links. */
+  async begin(): Promise<void> {
+    const isNamed = namesCase(location.hash);
     this.tabs.choose(viewOf(location.hash) ?? 'patch');
     onTheme(() => {
       this.patch.refresh();
@@ -136,8 +148,33 @@ export class Page {
     window.addEventListener('hashchange', () => {
       if (location.hash === this.written) return;
       this.tabs.choose(viewOf(location.hash) ?? this.tabs.chosen);
-      void restore(this.model, location.hash);
+      void this.follow();
     });
+    if (!(await this.follow())) {
+      await restore(this.model, `#case=${FIRST_CASE}`);
+      this.tellDamaged(isNamed);
+    }
+  }
+
+  /** Opens the case of the link; without one the present case stays. */
+  private async follow(): Promise<boolean> {
+    const { hash } = location;
+    const isRestored = await restore(this.model, hash);
+    this.tellDamaged(!isRestored && namesCase(hash));
+    return isRestored;
+  }
+
+  private tellDamaged(isDamaged: boolean): void {
+    const told = h('p', { class: 'problems', role: 'alert' }, t('damaged_link'));
+    this.damaged.replaceChildren(...(isDamaged ? [told] : []));
+  }
+
+  /** Nothing of another case is seen. */
+  private clear(): void {
+    this.tellDamaged(false);
+    this.problems.replaceChildren();
+    this.results.replaceChildren();
+    this.tabs.body.classList.add('blank');
   }
 
   private roughnessPanel(long: Lane): TaskPanel {
@@ -149,7 +186,7 @@ export class Page {
       t('roughness'),
       [
         { label: t('find_spots'), task: 'roughness' },
-        { label: t('new_surface'), task: 'roughness', before: renew },
+        { label: t('new_surface'), task: 'roughness', before: renew, fields: GENERATED },
       ],
       this.model,
       long,
@@ -157,10 +194,15 @@ export class Page {
   }
 
   private describe(described: Described): void {
+    this.columns.classList.remove('undescribed');
     this.panel.show(described.fields);
+    this.roughness.describe(described.fields);
     this.head.show();
     this.wheel.describe(described);
     this.map.show(described.fields);
+    const isTransient = this.explorer.isTransient();
+    this.curve.describe(isTransient);
+    this.map.element.hidden = isTransient;
     this.roughness.element.hidden = !described.fields.given.some((path) =>
       path.startsWith('contact_law.roughness'),
     );
@@ -170,18 +212,19 @@ export class Page {
   private show(result: Result): void {
     this.problems.replaceChildren();
     this.results.removeAttribute('aria-busy');
-    this.tabs.body.classList.remove('old');
+    this.tabs.body.classList.remove('old', 'blank');
     this.patch.show(result, this.pinned);
-    this.curve.show(result, this.pinned);
-    this.map.refresh();
     this.wheel.show(result);
-    this.showSummary();
+    this.chooseContact();
     document.documentElement.dataset['solved'] = String(performance.now());
   }
 
-  private showSummary(): void {
+  /** Shows what depends on the contact that is shown. */
+  private chooseContact(): void {
     const { result } = this.explorer;
     if (!result) return;
+    this.curve.show(result, this.pinned, this.patch.contactIndex);
+    this.map.refresh();
     const isOpen = this.results.querySelector<HTMLDetailsElement>('.whole')?.open ?? false;
     this.results.replaceChildren(summary(result, this.pinned, this.patch.contactIndex));
     const whole = this.results.querySelector<HTMLDetailsElement>('.whole');
@@ -191,8 +234,10 @@ export class Page {
   private fail(problems: Problem[]): void {
     this.results.removeAttribute('aria-busy');
     this.tabs.body.classList.add('old');
+    this.columns.classList.toggle('undescribed', !this.explorer.described);
     const hint = h('p', { class: 'status bad' }, t('outdated'));
-    if (!this.results.querySelector('.status.bad')) this.results.prepend(hint);
+    const isOutdated = this.explorer.result && !this.results.querySelector('.status.bad');
+    if (isOutdated) this.results.prepend(hint);
     const assign = (values: [string, string][]) => this.model.assign(values);
     this.problems.replaceChildren(problemList(problems, this.model.text, assign));
     this.panel.showProblems(problems);

@@ -110,6 +110,17 @@ export function withUnit(si: number, units: string): string {
   return `${digits(si / factor)}${unit ? ` ${unit}` : ''}`;
 }
 
+/** What a column means, for a tooltip: description, symbol and SI unit. */
+export function explained(column: { long_name: string; symbol: string; units: string }): string {
+  return labelled([column.long_name, column.symbol].filter(Boolean).join(', '), column.units);
+}
+
+/** The number that a person typed, with a point or a comma; else not a number. */
+export function numberTyped(text: string): number {
+  const plain = text.trim().replace(/−/g, '-').replace(/^([-+]?\d*),(\d)/, '$1.$2');
+  return /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(plain) ? Number(plain) : NaN;
+}
+
 /** A label: name or symbol with the unit in brackets. */
 export function labelled(name: string, unit: string): string {
   return unit ? `${name} (${unit})` : name;

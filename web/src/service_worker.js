@@ -1,6 +1,7 @@
 // Serves the page without a network once it was loaded: all files are taken from a cache, which a
 // new build replaces as a whole.
-const version = VERSION;
+const PREFIX = 'schlupf-';
+const version = PREFIX + VERSION;
 const files = FILES;
 
 self.addEventListener('install', (event) => {
@@ -16,16 +17,25 @@ self.addEventListener('activate', (event) => {
   event.waitUntil(
     caches
       .keys()
-      .then((names) => Promise.all(names.filter((n) => n !== version).map((n) => caches.delete(n))))
+      .then((names) => names.filter((name) => name.startsWith(PREFIX) && name !== version))
+      .then((old) => Promise.all(old.map((name) => caches.delete(name))))
       .then(() => self.clients.claim()),
   );
 });
 
+// From the cache; what is not in it is kept once it was fetched.
+async function answer(request) {
+  const cache = await caches.open(version);
+  const wanted = request.mode === 'navigate' ? './' : request;
+  const cached = await cache.match(wanted, { ignoreSearch: true, ignoreVary: true });
+  if (cached) return cached;
+  const response = await fetch(request);
+  if (response.ok) await cache.put(request, response.clone());
+  return response;
+}
+
 self.addEventListener('fetch', (event) => {
-  if (event.request.method !== 'GET') return;
-  event.respondWith(
-    caches
-      .match(event.request, { ignoreSearch: true, ignoreVary: true })
-      .then((cached) => cached ?? fetch(event.request)),
-  );
+  const { method, url } = event.request;
+  const isOfPage = url.startsWith(self.registration.scope) && !url.endsWith('/case.json');
+  if (method === 'GET' && isOfPage) event.respondWith(answer(event.request));
 });

@@ -17,6 +17,7 @@ const TEXTS = {
   edit: ['Edit case', 'Fall bearbeiten', '编辑算例'],
   share: ['Copy link', 'Link kopieren', '复制链接'],
   copied: ['Copied', 'Kopiert', '已复制'],
+  not_in_link: ['Copied, but too large for it:', 'Kopiert, zu groß dafür:', '已复制，但文件过大未包含：'],
   copy: ['Copy', 'Kopieren', '复制'],
   save: ['Save', 'Speichern', '保存'],
   save_toml: ['Case (TOML)', 'Fall (TOML)', '算例 (TOML)'],
@@ -34,6 +35,17 @@ const TEXTS = {
   theme: ['Light or dark', 'Hell oder dunkel', '浅色或深色'],
   close: ['Close', 'Schließen', '关闭'],
   apply: ['Apply', 'Übernehmen', '应用'],
+  not_a_number: [
+    'is not a number, such as 0.02',
+    'ist keine Zahl wie 0,02',
+    '不是数值（例如 0.02）',
+  ],
+  only_steady: [
+    'Curves are for steady rolling: this case rolls over time.',
+    'Kurven gelten für stationäres Rollen: Dieser Fall verläuft über der Zeit.',
+    '曲线仅适用于稳态滚动：该算例为瞬态过程。',
+  ],
+  at_end: ['At the end of the time', 'Am Ende der Zeit', '终止时刻的结果'],
   cancel: ['Cancel', 'Abbrechen', '取消'],
   views: ['Views', 'Ansichten', '视图'],
   patch: ['Patch', 'Kontaktfläche', '接触斑'],
@@ -149,6 +161,11 @@ const TEXTS = {
   ],
   skip: ['Skip to the view', 'Zur Ansicht springen', '跳到视图'],
   surface_3d: ['surface', 'Fläche', '曲面'],
+  damaged_link: [
+    'The case of this link cannot be read.',
+    'Der Fall dieses Links ist nicht lesbar.',
+    '无法读取该链接中的算例。',
+  ],
   failed_start: [
     'The solver could not be loaded.',
     'Der Löser konnte nicht geladen werden.',

@@ -1,9 +1,14 @@
 // The page in a real browser, against the module in node.
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
+import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { browse, inNode, now, opened, serve, shown, slide, solved } from './support.mjs';
+import ts from 'typescript';
+import { provide_table } from '../pkg/schlupf_wasm.js';
+import { deflateRawSync } from 'node:zlib';
+import { browse, CASES, inNode, now, opened, serve, shown, slide, solved } from './support.mjs';
 
 const AXE = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const CREEPAGE = 'kinematics.creepage_x';
@@ -58,7 +63,7 @@ test('loads, shows the first result and logs no error', () =>
   withPage({}, '', async (page, errors) => {
     const milliseconds = await page.evaluate(() => Number(document.documentElement.dataset.solved));
     console.log(`first result ${milliseconds.toFixed(0)} ms after the start of the load`);
-    assert.equal(await page.locator('.status.bad').count(), 0);
+    assert.equal(await page.locator('.side .status.bad').count(), 0);
     const reference = await inNode('steel_wheel_driving');
     near(await shown(page, 'force.x'), force(reference.solve([], new Float64Array())));
     assert.deepEqual(errors, []);
@@ -192,6 +197,113 @@ test('a field that rules out another can be taken out', () =>
     assert.equal(await page.locator('.problems').count(), 0);
   }));
 
+/** A module of the page that imports nothing but types. */
+async function pageModule(path) {
+  const source = await readFile(new URL(`../src/${path}`, import.meta.url), 'utf8');
+  const options = { module: ts.ModuleKind.ESNext, target: ts.ScriptTarget.ES2022 };
+  const { outputText } = ts.transpileModule(source, { compilerOptions: options });
+  return import(`data:text/javascript,${encodeURIComponent(outputText)}`);
+}
+
+/** The distance of a place from a line, in m. */
+function distance({ y, z }, [py, pz]) {
+  const parts = y.slice(1).map((end, index) => {
+    const [dy, dz] = [end - y[index], z[index + 1] - z[index]];
+    const along = ((py - y[index]) * dy + (pz - z[index]) * dz) / (dy * dy + dz * dz);
+    const at = Math.max(0, Math.min(1, along));
+    return Math.hypot(y[index] + at * dy - py, z[index] + at * dz - pz);
+  });
+  return Math.min(...parts);
+}
+
+test('the wheel is drawn where it touches the rail', async () => {
+  const { placedWheel } = await pageModule('views/pose.ts');
+  const wheel = await inNode('wheel_on_rail');
+  const outlines = JSON.parse(wheel.outlines());
+  // A small load: the undeformed profiles overlap by what is flattened.
+  const moved = ['wheelset.lateral_position', 'normal.load'];
+  const tables = wheel.solve(moved, Float64Array.of(-7e-3, 2e3)).tables();
+  const of = (table, name) => table[name].values[0];
+  const [pose] = tables.wheel;
+  const drawn = placedWheel(outlines, {
+    lateral: -7e-3,
+    outlined: 5e-3,
+    height: of(pose, 'wheelset.height'),
+    roll: of(pose, 'wheelset.roll_angle'),
+  });
+  for (const contact of tables.contact) {
+    const place = [of(contact, 'position.y'), of(contact, 'position.z')];
+    for (const line of [drawn, outlines.rail]) assert.ok(distance(line, place) < 1e-4);
+  }
+});
+
+test('a dragged wheel stays under the pointer, within its range', () =>
+  withPage({}, '#case=wheel_on_rail&view=wheel', async (page) => {
+    const canvas = page.locator('#panel-wheel canvas[role=slider]');
+    const { x, y, width, height } = await canvas.boundingBox();
+    const axis = { x: x + 60, y: y + height - 30, width: width - 80, height: 25 };
+    const before = await page.screenshot({ clip: axis });
+    await page.mouse.move(x + width / 2, y + 80);
+    await page.mouse.down();
+    await andSolved(page, () => page.mouse.move(x + width / 2 + 40, y + 80));
+    assert.deepEqual(await page.screenshot({ clip: axis }), before);
+    await page.mouse.move(x + width - 5, y + 80, { steps: 3 });
+    await page.waitForTimeout(500);
+    assert.equal((await canvas.boundingBox()).y, y);
+    const [low, value] = await Promise.all(
+      ['aria-valuemin', 'aria-valuenow'].map((name) => canvas.getAttribute(name).then(Number)),
+    );
+    assert.ok(low <= value && value < 5, `${value} mm`);
+    await page.mouse.up();
+  }));
+
+test('the standard table is fetched for the method that needs it', () =>
+  withPage({}, '#case=steel_wheel_driving', async (page, errors) => {
+    await page.getByPlaceholder('Find a field').fill('solver.method');
+    const method = page.locator('.panel [data-path="solver.method"] select');
+    await andSolved(page, () => method.selectOption('table'));
+    provide_table(await readFile(new URL('../public/standard.npz', import.meta.url)));
+    const reference = await inNode('steel_wheel_driving', ['solver.method="table"']);
+    near(await shown(page, 'force.x'), force(reference.solve([], new Float64Array())));
+    assert.deepEqual(errors, []);
+  }));
+
+test('the contact shown is compared with the same contact', () =>
+  withPage({}, '#case=crossing_nose', async (page) => {
+    await page.selectOption('#contact', '1');
+    await page.getByRole('button', { name: 'Pin to compare' }).click();
+    const changes = await page.locator('.compared td:nth-child(4)').allInnerTexts();
+    assert.ok(changes.length > 5 && changes.every((text) => text === '0'), changes.join());
+  }));
+
+test('an end of a curve that is no number is refused', () =>
+  withPage({}, '#case=steel_wheel_driving&view=curve', async (page) => {
+    await page.fill('#range-end', 'abc');
+    await page.press('#range-end', 'Enter');
+    await page.getByText('is not a number').waitFor();
+    await page.fill('#range-end', '-0,02');
+    await page.press('#range-end', 'Enter');
+    await page.locator('.curve-place .u-legend').waitFor();
+    assert.equal(await page.getByText('is not a number').count(), 0);
+  }));
+
+test('a transient has no curves, and results of its end', () =>
+  withPage({}, '#case=braking_from_rolling&view=curve', async (page) => {
+    await page.getByText('Curves are for steady rolling').waitFor();
+    await page.getByText('At the end of the time').waitFor();
+    assert.equal(await page.locator('#panel-curve .problems').count(), 0);
+  }));
+
+test('a long task tells its time and can be cancelled', () =>
+  withPage({}, '#case=wheel_on_rail', async (page, errors) => {
+    await page.click('[data-task=subsurface]');
+    const running = page.locator('.inquiry', { has: page.getByRole('timer') });
+    await running.getByRole('timer').filter({ hasText: /\d\.\d s/ }).waitFor();
+    await running.getByRole('button', { name: 'Cancel' }).click();
+    assert.equal(await page.getByRole('timer').count(), 0);
+    assert.deepEqual(errors, []);
+  }));
+
 test('speaks German and Chinese', async () => {
   for (const [locale, text] of [
     ['de', 'Kontaktfläche'],
@@ -253,12 +365,144 @@ test('axe finds nothing serious in any view, light or dark', async () => {
   }
 });
 
+/** A link with a state, as text or as an object. */
+function linkOf(state) {
+  const text = typeof state === 'string' ? state : JSON.stringify(state);
+  return `#state=${deflateRawSync(text).toString('base64url')}`;
+}
+
+/** A state with a text of a case. */
+function stateOf(changes) {
+  const text = '[normal]\nload = "80 kN"\n';
+  return { name: 'own.toml', text, gallery: null, assignments: [], files: [], ...changes };
+}
+
+test('a link puts nothing but words into the command', () => {
+  const name = 'case.toml; touch /tmp/x #';
+  const title = `"it's $(touch /tmp/y) \\"z\\""`;
+  const assignments = [
+    ['title', title, null],
+    ['x; touch /tmp/z', '1', null],
+  ];
+  return withPage({}, linkOf(stateOf({ name, assignments })), async (page, errors) => {
+    await page.getByRole('button', { name: 'The same by command and in Python' }).click();
+    const [command, python] = await page.locator('dialog pre').allInnerTexts();
+    const script = `schlupf() { printf '%s\\n' "$@"; }\n${command}`;
+    const words = execFileSync('sh', ['-c', script], { encoding: 'utf8' }).trimEnd().split('\n');
+    assert.deepEqual(words, ['solve', name, '--set', `title=${title}`]);
+    assert.ok(python.includes(`from_file("${name}")`) && python.includes(`title=${title},`));
+    assert.deepEqual(errors, []);
+  });
+});
+
+test('a damaged link is told, and the first case is shown', async () => {
+  const states = ['{', stateOf({ files: [['a.csv', 3]] })];
+  for (const hash of ['#state=%%%', '#state=AAAA', ...states.map(linkOf)]) {
+    await withPage({}, hash, async (page, errors) => {
+      await page.getByText('The case of this link cannot be read.').waitFor();
+      assert.equal(await page.locator('#gallery').inputValue(), 'steel_wheel_driving');
+      assert.deepEqual(errors, []);
+    });
+  }
+});
+
+test('a first case that is bad shows no controls', async () => {
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  await page.goto(server.address + linkOf(stateOf({ text: '[normal]\nload = "80 kJ"\n' })));
+  await page.getByText('normal.load must be a force').first().waitFor();
+  for (const part of ['.controls', '.side']) assert.ok(!(await page.locator(part).isVisible()));
+  await context.close();
+});
+
+test('a profile dropped on a case without profiles opens a wheel on a rail', () =>
+  withPage({}, '', async (page, errors) => {
+    const points = Array.from({ length: 41 }, (_, index) => index - 20);
+    const text = `y [mm],z [mm]\n${points.map((y) => `${y},${0.05 * y}`).join('\n')}\n`;
+    const file = { name: 'cone.csv', mimeType: 'text/csv', buffer: Buffer.from(text) };
+    await page.setInputFiles('input[type=file]', file);
+    await andSolved(page, () => page.getByRole('button', { name: 'wheel', exact: true }).click());
+    const profile = page.locator('.panel [data-path="wheel.profile"] input');
+    assert.equal(await profile.inputValue(), 'cone.csv');
+    assert.equal(await page.locator('.problems').count(), 0);
+    assert.deepEqual(errors, []);
+  }));
+
+test('values stay while another is wrong', () =>
+  withPage({}, '#case=steel_wheel_driving', async (page) => {
+    const input = (path) => page.locator(`.panel [data-path="${path}"] input[type=text]`);
+    await input('normal.load').fill('80 kJ');
+    await input('normal.load').press('Enter');
+    await page.locator('.problems').waitFor();
+    await slide(page, CREEPAGE, 380);
+    const moved = await input(CREEPAGE).inputValue();
+    await input('kinematics.speed').fill('33');
+    await input('kinematics.speed').press('Enter');
+    await page.waitForTimeout(600);
+    assert.equal(await input(CREEPAGE).inputValue(), moved);
+    assert.equal(await input('kinematics.speed').inputValue(), '33');
+    await page.selectOption('#gallery', 'half_space');
+    await page.waitForFunction(() => !document.querySelector('.problems'));
+    await andSolved(page, () => slide(page, CREEPAGE, 1000));
+    assert.ok(Number(await input(CREEPAGE).inputValue()) < 1);
+  }));
+
+test('a link has a file of its own, whatever its name, unless it is large', () =>
+  withPage(
+    { permissions: ['clipboard-read', 'clipboard-write'] },
+    '#case=two_point_contact',
+    async (page, errors, context) => {
+      const present = await shown(page, 'force.x');
+      const original = await readFile(join(CASES, 'two_point_contact.csv'), 'utf8');
+      const own = original.replace(/^(-?[\d.]+),([\d.]+)$/gm, (_, y, z) => `${y},${2 * z}`);
+      const give = (name, text) =>
+        page.setInputFiles('input[type=file]', {
+          name,
+          mimeType: 'text/csv',
+          buffer: Buffer.from(text),
+        });
+      await andSolved(page, () => give('two_point_contact.csv', own));
+      const changed = await shown(page, 'force.x');
+      assert.notEqual(changed, present);
+      await page.click('#share');
+      await page.getByText('Copied').waitFor();
+      const url = new URL(await page.evaluate(() => navigator.clipboard.readText()));
+      const other = await opened(context, server.address, url.hash);
+      assert.equal(await shown(other.page, 'force.x'), changed);
+      await give('two_point_contact.csv', `${own}${'\n'.repeat(2e5)}`);
+      await page.click('#share');
+      await page.getByText('too large for it: two_point_contact.csv').waitFor();
+      assert.deepEqual(errors, []);
+    },
+  ));
+
+test('a new surface is offered where it is generated', () =>
+  withPage({}, '#case=measured_surface', async (page) => {
+    const button = page.getByRole('button', { name: 'New surface' });
+    assert.ok(await page.getByRole('button', { name: 'Spots and k_c' }).isVisible());
+    assert.ok(!(await button.isVisible()));
+    await andSolved(page, () => page.selectOption('#gallery', 'rough_surfaces'));
+    assert.ok(!(await button.isVisible()));
+  }));
+
+test('a task is gone with its case and marked when the case changes', () =>
+  withPage({}, '#case=stresses_below', async (page) => {
+    const task = page.locator('.task').first();
+    await page.click('[data-task=subsurface]');
+    await task.locator('.drawing').first().waitFor();
+    await andSolved(page, () => slide(page, CREEPAGE, 380));
+    await task.getByText('The case has changed since.').waitFor();
+    await andSolved(page, () => page.selectOption('#gallery', 'half_space'));
+    assert.equal(await task.locator('.drawing').count(), 0);
+    assert.ok(!(await task.getByText('The case has changed since.').isVisible()));
+  }));
+
 test('works offline after it was loaded', () =>
   withPage({}, '', async (page, _errors, context) => {
     await page.evaluate(() => navigator.serviceWorker.ready.then(() => true));
     await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
     await context.setOffline(true);
-    await page.reload();
+    await page.goto(`${server.address}index.html`);
     await solved(page);
     await andSolved(page, () => page.selectOption('#gallery', 'two_point_contact'));
     assert.equal(await page.locator('.problems').count(), 0);

@@ -89,8 +89,8 @@ export function slide(page, field, position) {
 }
 
 /** A case of the gallery, by the module in node. */
-export async function inNode(name) {
+export async function inNode(name, assignments = []) {
   await init({ module_or_path: await readFile(join(web, 'pkg', 'schlupf_wasm_bg.wasm')) });
   const text = await readFile(join(CASES, `${name}.toml`), 'utf8');
-  return new Case(text, `${name}.toml`, [], new Files());
+  return new Case(text, `${name}.toml`, assignments, new Files());
 }

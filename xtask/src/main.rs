@@ -112,8 +112,8 @@ mod tests {
         assert_eq!(
             names,
             [
-                "fmt", "clippy", "test", "doc", "sources", "examples", "web", "package", "oldest",
-                "c", "python", "site"
+                "fmt", "clippy", "test", "doc", "sources", "examples", "web", "package", "c",
+                "python", "site"
             ]
         );
     }

@@ -42,7 +42,7 @@ pub enum Part {
 
 impl Part {
     /// The parts of the checks, in the order in which they run.
-    pub const CI: [Self; 12] = [
+    pub const CI: [Self; 11] = [
         Self::Fmt,
         Self::Clippy,
         Self::Test,
@@ -51,14 +51,13 @@ impl Part {
         Self::Examples,
         Self::Web,
         Self::Package,
-        Self::Oldest,
         Self::C,
         Self::Python,
         Self::Site,
     ];
 
     /// Tasks that run only on request.
-    pub const ASIDE: [Self; 2] = [Self::Long, Self::Bench];
+    pub const ASIDE: [Self; 3] = [Self::Oldest, Self::Long, Self::Bench];
 
     /// Name on the command line.
     pub fn name(self) -> &'static str {
@@ -95,7 +94,7 @@ impl Part {
             Self::C => "installs the C library, runs programs with it (needs gcc, valgrind, …)",
             Self::Python => "builds, installs and tests the Python package (needs Python 3.10)",
             Self::Site => "builds the documentation site, runs its notebooks (needs Python 3.11)",
-            Self::Long => "what takes long: ignored tests, packages that are built",
+            Self::Long => "what takes long: oldest, ignored tests, packages that are built",
             Self::Bench => "prints the tables of docs/performance.md and docs/studies.md",
         }
     }
@@ -142,12 +141,9 @@ impl Part {
                 // Building them from their packages takes minutes and is part of the long tests.
                 vec![Step::cargo("publish --workspace --dry-run --allow-dirty --no-verify")]
             }
-            Self::Oldest => vec![Step {
-                program: "rustup".into(),
-                arguments: format!("run {} cargo check --workspace", oldest(workspace)?),
-                variable: Some(("CARGO_TARGET_DIR", "target/oldest".to_owned())),
-            }],
+            Self::Oldest => vec![check_with_oldest(workspace)?],
             Self::Long => vec![
+                check_with_oldest(workspace)?,
                 // The profile of tests is optimised; another one would take longer to build than
                 // to run.
                 Step::cargo("test --workspace -- --ignored"),
@@ -187,6 +183,14 @@ fn published(workspace: &Path) -> Result<Step, String> {
     Ok(Step {
         variable: Some(("CARGO_TARGET_DIR", DIRECTORY.to_owned())),
         ..Step::cargo("publish --workspace --dry-run --allow-dirty")
+    })
+}
+
+fn check_with_oldest(workspace: &Path) -> Result<Step, String> {
+    Ok(Step {
+        program: "rustup".into(),
+        arguments: format!("run {} cargo check --workspace", oldest(workspace)?),
+        variable: Some(("CARGO_TARGET_DIR", "target/oldest".to_owned())),
     })
 }
 

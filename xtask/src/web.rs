@@ -35,7 +35,8 @@ pub fn run(workspace: &Path, target: &Path) -> Result<(), String> {
     Step::new("npm".into(), "ci --no-audit --no-fund").run(&web)?;
     Step::new("npm".into(), "run build").run(&web)?;
     page("pack web/dist/explore crates/schlupf-cli/page/page.zip").run(workspace)?;
-    Step::cargo("build --package schlupf-cli").run(workspace)?;
+    // With the features of the workspace, so that nothing is built twice.
+    Step::cargo("build --workspace --bin schlupf").run(workspace)?;
     let command = target.join("debug").join(format!("schlupf{}", std::env::consts::EXE_SUFFIX));
     let variable = Some(("SCHLUPF_COMMAND", command.display().to_string()));
     Step { variable, ..Step::new("npm".into(), "test") }.run(&web)

@@ -1,5 +1,6 @@
 //! A case file: what to solve and how, checked, with nothing solved yet.
 
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
@@ -10,8 +11,8 @@ use schlupf::wheel_rail::{WheelOnRail, WheelSolution};
 
 use crate::document::{self, Entry};
 use crate::error::{CaseError, CaseErrors};
-use crate::fields::{self, Field};
-use crate::files::{Files, Folder, LARGEST_FILE, read_up_to};
+use crate::fields::{self, Field, Kind};
+use crate::files::{Files, Folder, LARGEST_FILE, Recorder, read_up_to};
 use crate::kept::Kept;
 use crate::laws::Laws;
 use crate::names::FieldNames;
@@ -186,6 +187,22 @@ impl CaseFile {
         self.parts.apply(&laws).map_err(|error| self.explain(&error))?;
         self.laws = laws;
         Ok(self)
+    }
+
+    /// The text of the case with all overrides in it, and the files that it takes by the names that
+    /// it gives them: all that another place needs.
+    ///
+    /// # Errors
+    /// A file that can no longer be read.
+    pub fn packed(&self) -> Result<(String, BTreeMap<String, Vec<u8>>), CaseErrors> {
+        let text = self.edited(&[], &self.folder())?;
+        let recorder = Arc::new(Recorder::new(Arc::clone(&self.files)));
+        let again = Self::from_str(&text, self.name(), recorder.clone(), Overrides::NONE)?;
+        for path in again.given().filter(|path| matches!(path.field().kind, Kind::Path)) {
+            // What has no effect in the case may be missing.
+            let _ = again.settings.read_file(path);
+        }
+        Ok((text, recorder.found()))
     }
 
     /// Fields that have an effect with the models that were chosen, given or by default.

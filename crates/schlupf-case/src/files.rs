@@ -5,7 +5,7 @@ use std::fmt::Debug;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
@@ -209,6 +209,37 @@ impl InputFile {
 impl PartialEq for InputFile {
     fn eq(&self, other: &Self) -> bool {
         self.path() == other.path() && (self.data().is_none() || self.name == other.name)
+    }
+}
+
+/// Remembers what was read.
+#[derive(Debug)]
+pub(crate) struct Recorder {
+    files: Arc<dyn Files>,
+    read: Mutex<BTreeMap<String, Vec<u8>>>,
+}
+
+impl Recorder {
+    pub fn new(files: Arc<dyn Files>) -> Self {
+        Self { files, read: Mutex::default() }
+    }
+
+    /// What was read, by names.
+    pub fn found(&self) -> BTreeMap<String, Vec<u8>> {
+        self.read.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+}
+
+impl Files for Recorder {
+    fn read(&self, name: &str) -> io::Result<Vec<u8>> {
+        let bytes = self.files.read(name)?;
+        let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
+        read.insert(name.to_owned(), bytes.clone());
+        Ok(bytes)
+    }
+
+    fn locate(&self, name: &str) -> PathBuf {
+        self.files.locate(name)
     }
 }
 

@@ -1,12 +1,14 @@
 //! `schlupf explore`: the explorer in a browser, from this machine alone.
 
 use std::collections::BTreeMap;
-use std::fmt::Write;
 use std::io::{self, Cursor, Read};
 use std::net::Ipv4Addr;
 use std::path::Path;
 
+use base64::prelude::{BASE64_STANDARD, Engine};
 use clap::Args;
+use schlupf_case::CaseFile;
+use serde_json::json;
 use tiny_http::{Header, Method, Request, Response, Server, StatusCode};
 use zip::ZipArchive;
 
@@ -34,14 +36,17 @@ const PAGE: &[u8] = include_bytes!("../page/page.zip");
 #[cfg(not(has_page))]
 const PAGE: &[u8] = &[];
 
+/// Where the page has the case.
+const CASE: &str = "case.json";
+
 /// Files of the page by their paths.
 type Page = BTreeMap<String, Vec<u8>>;
 
 /// Serves the page on this machine, until it is interrupted.
 pub fn explore(arguments: &Explore) -> Result<u8, Failure> {
     let file = read_case(&arguments.case)?;
-    let text = file.edited(&[], Path::new("")).map_err(|error| Failure::Case(error.into()))?;
-    let page = page(PAGE)?;
+    let mut page = page(PAGE)?;
+    page.insert(CASE.to_owned(), packed(&file)?);
     let listening = Server::http((Ipv4Addr::LOCALHOST, arguments.port));
     let server = listening.map_err(|cause| {
         Failure::Arguments(format!("--port {}: no page can be served: {cause}", arguments.port))
@@ -49,10 +54,9 @@ pub fn explore(arguments: &Explore) -> Result<u8, Failure> {
     let Some(address) = server.server_addr().to_ip() else {
         return Err(Failure::Arguments("no page can be served: no address".to_owned()));
     };
-    let address = format!("http://{address}");
-    let with_case = format!("{address}/#toml={}", escaped(&text));
-    stdout::write(&format!("The explorer is at {address}/ until Ctrl-C is pressed.\n"))?;
-    if !arguments.no_browser && open::that_detached(&with_case).is_err() {
+    let address = format!("http://{address}/#open={CASE}");
+    stdout::write(&format!("The explorer is at {address} until Ctrl-C is pressed.\n"))?;
+    if !arguments.no_browser && open::that_detached(&address).is_err() {
         stdout::write("No browser was found; open that address in one.\n")?;
     }
     for request in server.incoming_requests() {
@@ -120,18 +124,12 @@ fn content_type(path: &str) -> &'static str {
     }
 }
 
-/// A text as part of an address (RFC 3986).
-fn escaped(text: &str) -> String {
-    let mut escaped = String::with_capacity(2 * text.len());
-    for byte in text.bytes() {
-        if byte.is_ascii_alphanumeric() || b"-._~".contains(&byte) {
-            escaped.push(char::from(byte));
-        } else {
-            // Writing to a string cannot fail.
-            let _ = write!(escaped, "%{byte:02X}");
-        }
-    }
-    escaped
+/// A case with its files, as the page reads it.
+fn packed(file: &CaseFile) -> Result<Vec<u8>, Failure> {
+    let (text, files) = file.packed()?;
+    let encoded = files.iter().map(|(name, bytes)| (name, BASE64_STANDARD.encode(bytes)));
+    let files: BTreeMap<_, _> = encoded.collect();
+    Ok(json!({ "name": file.name(), "text": text, "files": files }).to_string().into_bytes())
 }
 
 #[cfg(test)]
@@ -139,6 +137,8 @@ mod tests {
     use std::io::{Read, Write};
     use std::net::TcpStream;
     use std::thread;
+
+    use schlupf_case::Overrides;
 
     use super::*;
 
@@ -181,9 +181,20 @@ mod tests {
         assert!(refused.starts_with("HTTP/1.1 403"), "{refused}");
     }
 
+    /// A case of two profiles, of which one is a file, is all that its files are.
     #[test]
-    fn a_case_is_part_of_an_address() {
-        assert_eq!(escaped("a = \"1 µm\"\n"), "a%20%3D%20%221%20%C2%B5m%22%0A");
+    fn a_case_takes_its_files_along() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("own.toml");
+        let rail = "y [mm],z [mm]\n-36,-14\n-20,-1\n0,0\n20,-1\n36,-14\n";
+        std::fs::write(folder.path().join("rail.csv"), rail).unwrap();
+        let text = "rail.profile = \"rail.csv\"\nwheel.profile = \"S1002\"\n\
+                    normal = { model = \"wheel-rail\", load = \"60 kN\" }\n";
+        std::fs::write(&path, text).unwrap();
+        let file = CaseFile::from_path(&path, Overrides::NONE).unwrap();
+        let packed: serde_json::Value = serde_json::from_slice(&packed(&file).unwrap()).unwrap();
+        assert_eq!(packed["text"], text);
+        assert_eq!(packed["files"]["rail.csv"], BASE64_STANDARD.encode(rail));
     }
 
     #[test]

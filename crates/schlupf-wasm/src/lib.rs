@@ -118,8 +118,8 @@ impl Case {
         json!({ "values": values, "given": given, "effective": effective }).to_string()
     }
 
-    /// Both profiles in the track, with the axle at its nominal height: places of rail and wheel,
-    /// in m; and which way is outwards. Null in a case without profiles.
+    /// Both profiles in the track, with the axle at its nominal height: places of rail and wheel
+    /// and the nominal radius, in m; and which way is outwards. Null in a case without profiles.
     pub fn outlines(&self) -> String {
         let Ok(wheel) = self.file.wheel() else { return Json::Null.to_string() };
         let [rail, wheel_line] = profiles::outlines(wheel).map(|places| {
@@ -127,7 +127,9 @@ impl Case {
             json!({ "y": along(0), "z": along(1) })
         });
         let outwards = wheel.side.outwards();
-        json!({ "outwards": outwards, "rail": rail, "wheel": wheel_line }).to_string()
+        let radius = wheel.pair().nominal_radius();
+        json!({ "outwards": outwards, "radius": radius, "rail": rail, "wheel": wheel_line })
+            .to_string()
     }
 
     /// Solves rolling over time, and keeps the fields of every so many steps.
@@ -300,7 +302,8 @@ impl Answer {
 
     /// The figures that the command draws: an array of name and SVG.
     pub fn figures(&self) -> Result<Array, JsValue> {
-        let drawings = self.0.drawings().map_err(|error| JsValue::from(error.to_string()))?;
+        let refused = |message: String| of_case(&CaseError::new("", message, OWN).into());
+        let drawings = self.0.drawings().map_err(|error| refused(error.to_string()))?;
         let each = drawings
             .into_iter()
             .map(|(name, svg)| Array::of2(&JsValue::from(name), &JsValue::from(svg)));

@@ -9,24 +9,28 @@ export interface Shown {
   points: number;
 }
 
-const place = (model: CaseModel): string => (model.gallery ? `cases/${model.name}` : model.name);
+/** Where the case lies: never an option, and without what steers a terminal. */
+function place(model: CaseModel): string {
+  const name = model.name.replace(CONTROL, ' ').replace(/^-/, './-');
+  return model.gallery ? `cases/${name}` : name;
+}
+
+const CONTROL = /[\u0000-\u001f\u007f-\u009f]/g;
 
 /** The command, for a shell. */
 export function commandOf(model: CaseModel, shown: Shown): string {
-  const sets = [...model.assignments].map(([path, { toml }]) => `--set ${path}=${shell(toml)}`);
+  const sets = [...model.assignments].map(([path, { toml }]) => `--set ${word(`${path}=${toml}`)}`);
   const curve =
     shown.task === 'curve'
-      ? [
-          `--${shown.name.replace(/_/g, '-')} ${shell(JSON.stringify(shown.range))}`,
-          `--points ${shown.points}`,
-        ]
+      ? [`--${shown.name.replace(/_/g, '-')} ${word(shown.range)}`, `--points ${shown.points}`]
       : [];
-  return [`schlupf ${shown.task} ${place(model)}`, ...sets, ...curve].join(' \\\n  ');
+  return [`schlupf ${shown.task} ${word(place(model))}`, ...sets, ...curve].join(' \\\n  ');
 }
 
-function shell(toml: string): string {
-  if (toml === '') return '';
-  return /^"[^"$`\\!]*"$/.test(toml) ? toml : /^[\w.+-]+$/.test(toml) ? toml : `'${toml}'`;
+/** A word of a POSIX shell, as it is. */
+function word(text: string): string {
+  const plain = text.replace(CONTROL, ' ');
+  return /^[\w.,:/=+-]+$/.test(plain) ? plain : `'${plain.replace(/'/g, "'\\''")}'`;
 }
 
 interface Keywords {
@@ -56,13 +60,24 @@ export function pythonOf(model: CaseModel, shown: Shown): string {
     shown.task === 'solve'
       ? 'result = case.solve()\nprint(result.force.x, result.force.y)'
       : `curve = case.curve(${shown.name}=${ends}, points=${shown.points})\nprint(curve)`;
-  return `import schlupf\n\ncase = schlupf.Case.from_file("${place(model)}")\n${changed}${asked}\n`;
+  const file = JSON.stringify(place(model));
+  return `import schlupf\n\ncase = schlupf.Case.from_file(${file})\n${changed}${asked}\n`;
 }
 
+/** A value of a case file as a literal of Python; what is no plain value is text. */
 function python(toml: string): string {
   if (toml === '') return 'None';
-  if (toml === 'true') return 'True';
-  return toml === 'false' ? 'False' : toml;
+  try {
+    return literal(JSON.parse(toml) as unknown);
+  } catch {
+    return JSON.stringify(toml);
+  }
+}
+
+function literal(value: unknown): string {
+  if (Array.isArray(value)) return `[${value.map(literal).join(', ')}]`;
+  if (typeof value === 'boolean') return value ? 'True' : 'False';
+  return JSON.stringify(typeof value === 'object' ? String(value) : value);
 }
 
 function dictionary(value: string | Keywords): string {

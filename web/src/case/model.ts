@@ -8,57 +8,46 @@ export interface Assignment {
   si: number | null;
 }
 
+/** A case without assignments: its text, the files that it may name. */
+export interface Source {
+  name: string;
+  text: string;
+  files: Map<string, Uint8Array>;
+  /** Name in the gallery, as long as the text is from there. */
+  gallery: string | null;
+}
+
 /** What kind of change was made. */
 export type Change = 'opened' | 'assigned' | 'moved';
 
 /** A case with listeners to its changes. */
-export class CaseModel {
+export class CaseModel implements Source {
   name = 'case.toml';
   text = '';
-  /** Name in the gallery, as long as the text is from there. */
   gallery: string | null = null;
   files = new Map<string, Uint8Array>();
   readonly assignments = new Map<string, Assignment>();
   private readonly listeners: ((change: Change) => void)[] = [];
+
+  /** Assignments of what is no field are dropped. */
+  constructor(private readonly isField: (path: string) => boolean) {}
 
   /** Calls back after each change. */
   listen(listener: (change: Change) => void): void {
     this.listeners.push(listener);
   }
 
-  /** Another case, without assignments. */
-  open(name: string, text: string, files: Map<string, Uint8Array>, gallery: string | null): void {
-    this.name = name;
-    this.text = text;
-    this.files = files;
-    this.gallery = gallery;
-    this.assignments.clear();
-    this.tell('opened');
-  }
-
-  /** Another case with its assignments: paths, values as in a case file, SI values. */
-  restore(
-    name: string,
-    text: string,
-    files: Map<string, Uint8Array>,
-    gallery: string | null,
-    assignments: [string, string, number | null][],
-  ): void {
+  /** Another case with its assignments, in one change. */
+  open({ name, text, files, gallery }: Source, assignments: [string, Assignment][] = []): void {
     Object.assign(this, { name, text, files, gallery });
     this.assignments.clear();
-    for (const [path, toml, si] of assignments) this.assignments.set(path, { toml, si });
-    this.tell('opened');
-  }
-
-  /** Adds a file that fields may name. */
-  addFile(name: string, bytes: Uint8Array): void {
-    this.files = new Map(this.files).set(name, bytes);
+    this.put(assignments);
     this.tell('opened');
   }
 
   /** Gives several fields values as in a case file. */
   assign(values: [string, string][]): void {
-    for (const [path, toml] of values) this.assignments.set(path, { toml, si: null });
+    this.put(values.map(([path, toml]) => [path, { toml, si: null }]));
     this.tell('assigned');
   }
 
@@ -91,9 +80,21 @@ export class CaseModel {
     return { paths: moving.map(([path]) => path), values: moving.map(([, a]) => value(a)) };
   }
 
+  /** What results depend on: the case but for some fields. */
+  key(without: string[]): string {
+    const others = [...this.assignments].filter(([path]) => !without.includes(path));
+    return JSON.stringify([this.text, others.map(([path, { toml }]) => [path, toml])]);
+  }
+
   /** The files, for a worker. */
   fileBytes(): FileBytes {
     return [...this.files];
+  }
+
+  private put(assignments: [string, Assignment][]): void {
+    for (const [path, assignment] of assignments) {
+      if (this.isField(path)) this.assignments.set(path, assignment);
+    }
   }
 
   private input(isWanted: (assignment: Assignment) => boolean): CaseInput {

@@ -2,7 +2,7 @@
 import { h } from '../dom';
 import { t } from '../texts';
 import { filesNamedIn, galleryCase } from './gallery';
-import type { CaseModel } from './model';
+import type { Assignment, CaseModel } from './model';
 
 /** A case with profiles. */
 const EXAMPLE = 'wheel_on_rail';
@@ -20,17 +20,22 @@ export async function openFiles(model: CaseModel, list: Iterable<File>): Promise
   if (chosen) {
     const text = await chosen.text();
     const named = await filesNamedIn(text);
-    model.open(chosen.name, text, new Map([...named, ...bytes]), null);
+    const files = new Map([...named, ...bytes]);
+    model.open({ name: chosen.name, text, files, gallery: null });
     return;
   }
-  for (const [name, content] of bytes) {
-    const isNamed = model.text.includes(`"${name}"`);
-    const use = isNamed ? '' : await askUse(name);
-    if (use === null) continue;
-    if (use && !hasProfiles(model)) await openProfiles(model);
-    model.addFile(name, content);
-    if (use) model.assign([[use, JSON.stringify(name)]]);
+  const uses: [string, Assignment][] = [];
+  for (const name of bytes.keys()) {
+    const use = model.text.includes(`"${name}"`) ? '' : await askUse(name);
+    if (use === null) bytes.delete(name);
+    if (use) uses.push([use, { toml: JSON.stringify(name), si: null }]);
   }
+  if (bytes.size === 0) return;
+  const example = uses.length > 0 && !hasProfiles(model) ? await galleryCase(EXAMPLE) : null;
+  const { name, text, files, gallery } = example ?? model;
+  const kept = example ? [] : model.assignments;
+  const together = new Map([...files, ...bytes]);
+  model.open({ name, text, files: together, gallery }, [...kept, ...uses]);
 }
 
 function hasProfiles(model: CaseModel): boolean {
@@ -40,7 +45,7 @@ function hasProfiles(model: CaseModel): boolean {
 /** Opens the case of the gallery that has profiles. */
 export async function openProfiles(model: CaseModel): Promise<void> {
   const found = await galleryCase(EXAMPLE);
-  if (found) model.open(`${EXAMPLE}.toml`, found.text, found.files, EXAMPLE);
+  if (found) model.open(found);
 }
 
 /** Asks what a file is; null if a person thinks better of it. */

@@ -1,5 +1,5 @@
 /** All fields that have an effect in the case, by section; generated from the catalogue. */
-import { tomlOfTyped, type Catalogue, type Field, type Section } from '../catalogue';
+import { siOf, tomlOfTyped, type Catalogue, type Field, type Section } from '../catalogue';
 import type { CaseModel } from '../case/model';
 import { h } from '../dom';
 import type { Fields, Problem } from '../solver/protocol';
@@ -149,7 +149,10 @@ export class Panel {
       for (const { field, control } of controls) {
         const { path } = field;
         const problem = this.problems.find((one) => one.field === path);
-        const isChanged = this.model.assignments.has(path);
+        const assigned = this.model.assignments.get(path);
+        const isChanged = assigned !== undefined;
+        // While something is wrong the case was not read: what it was given is shown.
+        const unread = assigned && this.problems.length > 0 ? siOf(field, assigned.toml) : null;
         const isShown =
           (isEffective.has(path) || isChanged || problem !== undefined) &&
           (wanted === '' || control.matches(wanted));
@@ -157,7 +160,7 @@ export class Panel {
         if (!isShown) continue;
         shown += 1;
         control.show({
-          value: values[path],
+          value: assigned?.si ?? unread ?? values[path],
           isGiven: isGiven.has(path),
           isChanged,
           problem: problem ? field.requirement || problem.message : null,

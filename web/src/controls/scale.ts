@@ -30,7 +30,9 @@ export function scaleOf(field: Field, about: number): Scale | null {
     const unit = high / FINENESS;
     const forth = (value: number) => Math.asinh(value / unit);
     const back = (value: number) => tidy(unit * Math.sinh(value), isCount);
-    return between(forth(low), forth(high), forth, back);
+    // The ends are left out: a creepage of 1 is a wheel that is locked.
+    const end = forth(high) * (1 - 1 / STEPS);
+    return between(-end, end, forth, back);
   }
   return between(
     low,

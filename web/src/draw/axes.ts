@@ -15,13 +15,21 @@ export interface Frame {
 /** The font of drawings. */
 export const FONT = '12px system-ui, sans-serif';
 
-/** Round numbers in a range, about so many. */
+/** Steps of round numbers, as parts of a power of ten. */
+const STEPS = [1, 0.5, 0.25, 0.2];
+
+/** Round numbers in a range, at most about so many, and three at least. */
 export function ticks(range: [number, number], about: number): number[] {
   const [low, high] = [Math.min(...range), Math.max(...range)];
-  const rough = (high - low) / Math.max(1, about);
-  if (!(rough > 0) || !Number.isFinite(rough)) return [];
-  const power = 10 ** Math.floor(Math.log10(rough));
-  const step = ([1, 2, 5, 10].find((factor) => factor * power >= rough * 0.999) ?? 10) * power;
+  const size = high - low;
+  if (!(size > 0) || !Number.isFinite(size)) return [];
+  const largest = 10 ** Math.ceil(Math.log10(size));
+  const steps = [1, 0.1, 0.01].flatMap((part) => STEPS.map((step) => step * part * largest));
+  const all = steps.map((step) => multiples(step, low, high));
+  return all.find(({ length }) => length >= Math.max(3, about / 2)) ?? [];
+}
+
+function multiples(step: number, low: number, high: number): number[] {
   const first = Math.ceil(low / step - 1e-9);
   const count = Math.floor(high / step + 1e-9) - first + 1;
   return Array.from({ length: count }, (_, index) =>

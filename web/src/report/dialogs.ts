@@ -35,7 +35,8 @@ export function editCase(model: CaseModel, toml: string): void {
   text.value = toml;
   const apply = () => {
     dialog.close();
-    model.open(model.name, text.value, model.files, null);
+    const { name, files } = model;
+    model.open({ name, text: text.value, files, gallery: null });
   };
   const dialog = shown(
     t('edit'),
@@ -78,10 +79,14 @@ export function showFigures(figures: NamedText[]): void {
 }
 
 /** Copies a text, and says so on the button. */
-export async function copied(button: HTMLElement, text: string): Promise<void> {
+export async function copied(
+  button: HTMLElement,
+  text: string,
+  said = t('copied'),
+): Promise<void> {
   await navigator.clipboard.writeText(text);
   const before = button.textContent;
-  button.textContent = `✓ ${t('copied')}`;
+  button.textContent = `✓ ${said}`;
   setTimeout(() => {
     button.textContent = before;
   }, 1500);

@@ -1,7 +1,7 @@
 /** Scalars of a solution, beside those of a pinned one, with warnings. */
 import { h } from '../dom';
 import type { Result } from '../explorer';
-import { digits, shownIn } from '../quantity';
+import { digits, explained, shownIn } from '../quantity';
 import type { Column, Table, Told } from '../solver/protocol';
 import { symbolOf } from '../symbols';
 import { nameOf, t } from '../texts';
@@ -18,7 +18,7 @@ const COMMON = /^(normal|kinematics|temperature)\./;
 export function summary(result: Result, pinned: Result | null, contact: number): HTMLElement {
   const { told, tables } = result.answered;
   const solution = tables['solution']?.[contact] ?? {};
-  const other = pinned?.answered.tables['solution']?.[0];
+  const other = pinned?.answered.tables['solution']?.[contact];
   const isConverged = told.status === 'converged';
   const status = h(
     'p',
@@ -33,6 +33,7 @@ export function summary(result: Result, pinned: Result | null, contact: number):
     'div',
     {},
     status,
+    result.isTransient ? h('p', { class: 'hint' }, t('at_end')) : '',
     large(solution),
     wheelTable(tables['wheel']?.[0]),
     scalars(solution, other),
@@ -81,7 +82,7 @@ function large(solution: Table): HTMLElement {
       const { unit, factor } = shownIn(column.units, value);
       return h(
         'div',
-        {},
+        { title: explained(column) },
         h('dt', {}, nameOf(name, column.long_name)),
         h(
           'dd',
@@ -122,11 +123,10 @@ function scalars(solution: Table, other: Table | undefined): HTMLElement {
         const before = cleaned(other[name]);
         cells.push(before, value - before);
       }
-      const title = `${name}: ${column.long_name}`;
       return h(
         'tr',
-        {},
-        h('th', { scope: 'row', title }, ...label(name, column, other !== undefined)),
+        { title: explained(column) },
+        h('th', { scope: 'row' }, ...label(name, column, other !== undefined)),
         ...cells.map((cell) => h('td', {}, digits(cell / factor))),
         h('td', { class: 'unit' }, unit),
       );
@@ -148,8 +148,8 @@ function wheelTable(wheel: Table | undefined): HTMLElement | string {
       const { unit, factor } = shownIn(column.units, value);
       return h(
         'tr',
-        {},
-        h('th', { scope: 'row', title: name }, ...label(name, column)),
+        { title: explained(column) },
+        h('th', { scope: 'row' }, ...label(name, column)),
         h('td', {}, digits(value / factor)),
         h('td', { class: 'unit' }, unit),
       );

@@ -33,14 +33,14 @@ export class Lane {
   /** Starts the worker, which else starts when it is first asked; the text of the catalogue. */
   async start(): Promise<string> {
     this.begin();
-    const answer = await this.ask('start', 'start', { module: this.module });
+    const answer = await this.ask('start', 'start', this.origin());
     return answer?.catalogue ?? '';
   }
 
   /** Gives the files that cases may name. */
   setFiles(files: FileBytes): void {
     this.files = files;
-    if (this.worker) void this.ask('inputs', 'inputs', { files });
+    if (this.worker) this.ask('inputs', 'inputs', { files }).catch(() => undefined);
   }
 
   /** The answer, or null if a newer request of the topic took its place. */
@@ -52,6 +52,8 @@ export class Lane {
     return new Promise((resolve, reject) => {
       if (!this.worker && kind !== 'start') this.restart();
       this.waiting.get(topic)?.resolve(null);
+      // What is asked last comes last: it may need what was asked between.
+      this.waiting.delete(topic);
       const taken = resolve as Job['resolve'];
       this.waiting.set(topic, { topic, kind, ask, resolve: taken, reject });
       if (this.endsStale && this.running?.topic === topic) this.restart();
@@ -59,10 +61,23 @@ export class Lane {
     });
   }
 
+  /** Ends a request, which gets no answer. */
+  cancel(topic: string): void {
+    this.waiting.get(topic)?.resolve(null);
+    this.waiting.delete(topic);
+    if (this.running?.topic === topic) this.restart();
+  }
+
+  /** The module, and where the standard table of creep forces is. */
+  private origin(): Requests['start']['ask'] {
+    return { module: this.module, table: new URL('standard.npz', document.baseURI).href };
+  }
+
   private begin(): void {
     this.worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
     this.worker.onmessage = ({ data }: MessageEvent<Reply>) => this.take(data);
-    this.worker.onerror = ({ message }) => this.running?.reject(new Error(message));
+    this.worker.onerror = ({ message }) =>
+      this.fail([{ field: '', message, place: 'schlupf', help: null }]);
   }
 
   /** Another worker, set up as the first. */
@@ -73,8 +88,9 @@ export class Lane {
     this.begin();
     const others = [...this.waiting.values()];
     this.waiting.clear();
-    void this.ask('start', 'start', { module: this.module });
-    void this.ask('inputs', 'inputs', { files: this.files });
+    // Who waits is told if the worker does not start.
+    this.ask('start', 'start', this.origin()).catch(() => undefined);
+    this.ask('inputs', 'inputs', { files: this.files }).catch(() => undefined);
     for (const job of others) this.waiting.set(job.topic, job);
   }
 
@@ -90,13 +106,28 @@ export class Lane {
   private take(reply: Reply): void {
     const job = this.running;
     if (!job || reply.id !== this.count) return;
-    this.running = null;
-    if (reply.problems) {
-      job.reject(new CaseProblems(reply.problems));
-      if (reply.problems.some((problem) => problem.place === 'schlupf')) this.restart();
-    } else {
-      job.resolve(reply.answer ?? null);
+    if (reply.problems?.some((problem) => problem.place === 'schlupf')) {
+      this.fail(reply.problems);
+      return;
     }
+    this.running = null;
+    if (reply.problems) job.reject(new CaseProblems(reply.problems));
+    else job.resolve(reply.answer ?? null);
     this.next();
+  }
+
+  /** The worker cannot go on: another takes its place, unless it did not even start. */
+  private fail(problems: Problem[]): void {
+    const failed = this.running;
+    this.running = null;
+    failed?.reject(new CaseProblems(problems));
+    if (failed && failed.kind !== 'start') {
+      this.restart();
+      return;
+    }
+    this.worker?.terminate();
+    this.worker = null;
+    for (const job of this.waiting.values()) job.reject(new CaseProblems(problems));
+    this.waiting.clear();
   }
 }

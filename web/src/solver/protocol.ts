@@ -64,6 +64,8 @@ export interface Line {
 /** Both profiles in the track. */
 export interface Outlines {
   outwards: number;
+  /** Nominal rolling radius. */
+  radius: number;
   rail: Line;
   wheel: Line;
 }
@@ -97,7 +99,7 @@ export interface Answered {
 
 /** What a worker is asked. */
 export interface Requests {
-  start: { ask: { module: WebAssembly.Module }; answer: { catalogue: string } };
+  start: { ask: { module: WebAssembly.Module; table: string }; answer: { catalogue: string } };
   inputs: { ask: { files: FileBytes }; answer: Record<string, never> };
   describe: { ask: { input: CaseInput }; answer: Described };
   solve: {

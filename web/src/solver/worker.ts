@@ -1,5 +1,5 @@
 /** The solver in a worker: answers one message after the other. */
-import init, { Answer, Case, Files, catalogue } from '../../pkg/schlupf_wasm.js';
+import init, { Answer, Case, Files, catalogue, provide_table } from '../../pkg/schlupf_wasm.js';
 import type {
   Answered,
   CaseInput,
@@ -21,6 +21,8 @@ import type {
 const SOLUTION = 'solution';
 
 let files!: Files;
+/** Where the standard table is, until the module has it. */
+let table: string | null = null;
 /**
  * The case that was solved last keeps its set-up for the next; the same wheel for while it moves,
  * null for a case that has none.
@@ -29,12 +31,23 @@ let kept: { key: string; solved: Case; quick?: Case | null } | null = null;
 /** The last answer of each kind, of which files may be wanted. */
 const last = new Map<string, Answer>();
 
-function opened(input: CaseInput): Case {
-  return new Case(input.text, input.name, input.assignments, files);
+/** The case; one that lacks the standard table gets it. */
+async function opened(input: CaseInput): Promise<Case> {
+  const open = () => new Case(input.text, input.name, input.assignments, files);
+  try {
+    return open();
+  } catch (error) {
+    const lacksTable = problemsOf(error).some(({ field }) => field === 'solver.method');
+    const response = table && lacksTable ? await fetch(table).catch(() => null) : null;
+    if (!response?.ok) throw error;
+    provide_table(new Uint8Array(await response.arrayBuffer()));
+    table = null;
+    return open();
+  }
 }
 
-function described(input: CaseInput): Described {
-  const opening = opened(input);
+async function described(input: CaseInput): Promise<Described> {
+  const opening = await opened(input);
   try {
     return {
       toml: opening.toml(),
@@ -58,11 +71,16 @@ function answered(of: string, answer: Answer, wantsFigures: boolean): Answered {
   };
 }
 
-function solved({ input, paths, values, isMoving }: Requests['solve']['ask']): Answered {
+async function solved({
+  input,
+  paths,
+  values,
+  isMoving,
+}: Requests['solve']['ask']): Promise<Answered> {
   const key = JSON.stringify(input);
   if (kept?.key !== key) {
     forget();
-    kept = { key, solved: opened(input) };
+    kept = { key, solved: await opened(input) };
   }
   if (isMoving) kept.quick ??= kept.solved.quick() ?? null;
   const quick = isMoving ? kept.quick : null;
@@ -76,8 +94,8 @@ function forget(): void {
   kept = null;
 }
 
-function played({ input, every }: Requests['play']['ask']): Answered {
-  const opening = opened(input);
+async function played({ input, every }: Requests['play']['ask']): Promise<Answered> {
+  const opening = await opened(input);
   try {
     return answered(SOLUTION, opening.play(every), false);
   } finally {
@@ -85,8 +103,13 @@ function played({ input, every }: Requests['play']['ask']): Answered {
   }
 }
 
-function done({ input, task, request, wantsFigures }: Requests['task']['ask']): Answered {
-  const opening = opened(input);
+async function done({
+  input,
+  task,
+  request,
+  wantsFigures,
+}: Requests['task']['ask']): Promise<Answered> {
+  const opening = await opened(input);
   try {
     const of = 'over' in request ? `${task} over` : task;
     return answered(of, opening.ask(task, JSON.stringify(request)), wantsFigures);
@@ -108,6 +131,7 @@ async function act(message: Message): Promise<Requests[Kind]['answer']> {
     case 'start':
       await init({ module_or_path: message.ask.module });
       files = new Files();
+      table = message.ask.table;
       return { catalogue: catalogue() };
     case 'inputs':
       forget();
@@ -139,8 +163,12 @@ function buffers(answer: Requests[Kind]['answer']): ArrayBuffer[] {
 }
 
 function problemsOf(error: unknown): Problem[] {
-  if (typeof error === 'string') return JSON.parse(error) as Problem[];
-  return [{ field: '', message: String(error), place: 'schlupf', help: null }];
+  const told = String(error);
+  try {
+    return JSON.parse(told) as Problem[];
+  } catch {
+    return [{ field: '', message: told, place: 'schlupf', help: null }];
+  }
 }
 
 self.onmessage = async ({ data }: MessageEvent<Message>) => {

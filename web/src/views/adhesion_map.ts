@@ -4,13 +4,13 @@ import type { CaseModel } from '../case/model';
 import { h, labelledControl } from '../dom';
 import { edgesAround, numbers } from '../draw/fields';
 import { HeatMap } from '../draw/heat_map';
-import { digits, labelled, shownFor, withUnit } from '../quantity';
-import { problemList } from '../report/problems';
-import { CaseProblems, type Lane } from '../solver/lane';
+import { digits, labelled, numberTyped, shownFor, withUnit } from '../quantity';
+import type { Lane } from '../solver/lane';
 import type { Fields, Table } from '../solver/protocol';
 import { nameOf, t } from '../texts';
 import { prettyUnit } from '../controls/field_control';
-import type { CurveView } from './curve';
+import { varied, type CurveView } from './curve';
+import { Inquiry } from './inquiry';
 
 /** Curves of a map. */
 const CURVES = 9;
@@ -37,20 +37,23 @@ export class AdhesionMap {
   private readonly unit = h('span', { class: 'unit' });
   private readonly ordinate = h('select', { id: 'map-ordinate', onchange: () => this.draw() });
   private readonly choice = labelledControl(t('ordinate'), this.ordinate);
-  private readonly problems = h('div', {});
+  private readonly inquiry: Inquiry;
   private fields: Fields | null = null;
   private tables: Table[] = [];
   private levels: number[] = [];
   /** What the map is over, and what its curves vary. */
   private drawnOver: Field | null = null;
   private drawnAlong = '';
+  private drawnKey = '';
+  private readonly stale = h('p', { class: 'hint', hidden: true }, t('outdated'));
 
   constructor(
     private readonly catalogue: Catalogue,
     private readonly model: CaseModel,
-    private readonly lane: Lane,
+    lane: Lane,
     private readonly curve: CurveView,
   ) {
+    this.inquiry = new Inquiry('map', model, lane);
     const bar = h(
       'div',
       { class: 'toolbar' },
@@ -72,9 +75,11 @@ export class AdhesionMap {
       { class: 'task' },
       h('h2', {}, t('adhesion_map')),
       bar,
+      this.stale,
       this.map.element,
-      this.problems,
+      this.inquiry.element,
     );
+    model.listen((change) => (change === 'opened' ? this.clear() : this.markStale()));
   }
 
   /** Offers the numbers of a case. */
@@ -106,6 +111,26 @@ export class AdhesionMap {
     this.draw();
   }
 
+  private clear(): void {
+    this.tables = [];
+    this.ordinate.replaceChildren();
+    for (const one of [this.map.element, this.choice, this.stale]) one.hidden = true;
+  }
+
+  /** What a map depends on: all but what it is over and what its curves vary. */
+  private key(over: Field, along: string): string {
+    return this.model.key([over.path, varied(along)]);
+  }
+
+  private markStale(): void {
+    const { tables, drawnOver } = this;
+    const isPresent =
+      tables.length === 0 ||
+      (drawnOver !== null && this.key(drawnOver, this.drawnAlong) === this.drawnKey);
+    this.stale.hidden = isPresent;
+    this.element.classList.toggle('old', !isPresent);
+  }
+
   private proposeRange(): void {
     const field = this.catalogue.field(this.over.value);
     const value = this.fields?.values[this.over.value];
@@ -121,26 +146,22 @@ export class AdhesionMap {
     const field = this.catalogue.field(this.over.value);
     if (!field) return;
     const [unit] = shownUnit(field);
-    const bounds = [this.from, this.to].map(({ value }) => Number(value.replace(',', '.')));
-    const [low = 0, high = 1] = bounds;
+    const [low, high] = [numberTyped(this.from.value), numberTyped(this.to.value)];
+    this.from.setAttribute('aria-invalid', String(Number.isNaN(low)));
+    this.to.setAttribute('aria-invalid', String(Number.isNaN(high)));
+    if (Number.isNaN(low + high)) return;
     const { name, range, points } = this.curve.request();
     const over = `${field.path}=${low}..${high} ${field.kind === 'quantity' ? unit : ''}`.trim();
     const request = { [name]: range, points, over: `${over}:${CURVES}` };
-    this.problems.replaceChildren(h('p', { class: 'hint' }, t('solving')));
-    try {
-      const ask = { input: this.model.whole(), task: 'curve', request, wantsFigures: false };
-      const answered = await this.lane.ask('map', 'task', ask);
-      if (!answered) return;
-      this.tables = answered.tables['points'] ?? [];
-      this.levels = this.tables.map((_, index) => low + ((high - low) * index) / (CURVES - 1));
-      [this.drawnOver, this.drawnAlong] = [field, name];
-      this.problems.replaceChildren();
-      this.fillOrdinates();
-      this.draw();
-    } catch (error) {
-      if (!(error instanceof CaseProblems)) throw error;
-      this.problems.replaceChildren(problemList(error.problems, this.model.text));
-    }
+    const key = this.key(field, name);
+    const answered = await this.inquiry.ask('curve', request);
+    if (!answered) return;
+    this.tables = answered.tables['points'] ?? [];
+    this.levels = this.tables.map((_, index) => low + ((high - low) * index) / (CURVES - 1));
+    [this.drawnOver, this.drawnAlong, this.drawnKey] = [field, name, key];
+    this.markStale();
+    this.fillOrdinates();
+    this.draw();
   }
 
   /** The present value of a number of the case, in SI. */

@@ -5,12 +5,12 @@ import { debounced, h, labelledControl } from '../dom';
 import { Chart, type Curve } from '../draw/chart';
 import { numberOf, numbers } from '../draw/fields';
 import type { Result } from '../explorer';
-import { digits, labelled, shownFor } from '../quantity';
-import { problemList } from '../report/problems';
-import { CaseProblems, type Lane } from '../solver/lane';
+import { digits, labelled, numberTyped, shownFor } from '../quantity';
+import type { Lane } from '../solver/lane';
 import type { Table } from '../solver/protocol';
 import { nameOf, t } from '../texts';
 import { Handle } from './handle';
+import { Inquiry } from './inquiry';
 import { interpolated } from './patch';
 
 /** How far a curve goes where the case says nothing, by the unit of its abscissa. */
@@ -25,7 +25,7 @@ interface Computed {
 }
 
 /** The path of the field that a request of a curve varies. */
-function varied(name: string): string {
+export function varied(name: string): string {
   return `kinematics.${name}`;
 }
 
@@ -35,14 +35,10 @@ function abscissae(catalogue: Catalogue): RequestField[] {
   return fields.filter(({ kind, name }) => kind === 'range' && catalogue.field(varied(name)));
 }
 
-/** The present value of a column of curves. */
-function presentOf(result: Result, name: string): number {
-  const { tables } = result.answered;
-  const candidates = [
-    numberOf(tables['solution']?.[0], name),
-    numberOf(tables['solution']?.[0], varied(name)),
-    numbers(tables['history']?.[0]?.[name]).at(-1) ?? NaN,
-  ];
+/** The present value of a column of curves, at a contact. */
+function presentOf(result: Result, name: string, contact: number): number {
+  const solution = result.answered.tables['solution']?.[contact];
+  const candidates = [numberOf(solution, name), numberOf(solution, varied(name))];
   return candidates.find((value) => !Number.isNaN(value)) ?? NaN;
 }
 
@@ -67,21 +63,27 @@ export class CurveView {
     onchange: () => void this.compute(),
   });
   private readonly ordinate = h('select', { id: 'ordinate', onchange: () => this.draw() });
-  private readonly problems = h('div', {});
+  private readonly refusal = h('p', { class: 'refusal', role: 'alert' });
+  private readonly transient = h('p', { class: 'hint', hidden: true }, t('only_steady'));
+  private readonly steady: HTMLElement;
+  private readonly inquiry: Inquiry;
   private readonly handle = new Handle(t('present_point'), (value) => this.move(value));
   private readonly computeLater = debounced(250, () => void this.compute());
   private computed: Computed | null = null;
   private pinnedCurve: Computed | null = null;
   private result: Result | null = null;
   private pinned: Result | null = null;
+  private contact = 0;
   private isShown = false;
+  private isRefused = false;
   private hasOwnEnd = false;
 
   constructor(
     private readonly catalogue: Catalogue,
     private readonly model: CaseModel,
-    private readonly lane: Lane,
+    lane: Lane,
   ) {
+    this.inquiry = new Inquiry('curve', model, lane);
     this.abscissa = h(
       'select',
       {
@@ -104,27 +106,22 @@ export class CurveView {
       labelledControl(t('ordinate'), this.ordinate),
     );
     const place = h('div', { class: 'curve-place' }, this.chart.element, this.handle.element);
-    this.element = h(
-      'div',
-      {},
-      bar,
-      place,
-      h('p', { class: 'hint' }, t('present_point')),
-      this.problems,
-    );
+    const hint = h('p', { class: 'hint' }, t('present_point'));
+    this.steady = h('div', {}, bar, this.refusal, place, hint, this.inquiry.element);
+    this.element = h('div', {}, this.transient, this.steady);
     new ResizeObserver(() => this.placeHandle()).observe(place);
   }
 
   /** The request of the curve, as a person would give it. */
   request(): { name: string; range: string; points: number } {
     const { name, units } = this.field();
-    const end = Number(this.end.value.replace(',', '.')) || 0;
+    const end = numberTyped(this.end.value);
     return { name, range: `0..${end} ${units}`.trim(), points: Number(this.count.value) };
   }
 
   /** The present value of what is varied, in SI. */
   present(): number {
-    return this.result ? presentOf(this.result, this.field().name) : NaN;
+    return this.result ? presentOf(this.result, this.field().name, this.contact) : NaN;
   }
 
   /** Moves the present point, in SI. */
@@ -140,15 +137,27 @@ export class CurveView {
     if (isShown) this.update();
   }
 
-  /** Shows the point of a result, and its curve as soon as that is known. */
-  show(result: Result, pinned: Result | null): void {
+  /** A case that rolls over time has no curves. */
+  describe(isTransient: boolean): void {
+    this.transient.hidden = !isTransient;
+    this.steady.hidden = isTransient;
+  }
+
+  /** Shows the point of a contact of a result, and its curve as soon as that is known. */
+  show(result: Result, pinned: Result | null, contact: number): void {
     if (pinned !== this.pinned) this.pinnedCurve = pinned ? this.computed : null;
-    [this.result, this.pinned] = [result, pinned];
+    [this.result, this.pinned, this.contact] = [result, pinned, contact];
     if (this.isShown) this.update();
   }
 
   private update(): void {
     if (!this.hasOwnEnd) this.end.value = String(this.usualEnd());
+    const isRefused = Number.isNaN(numberTyped(this.end.value));
+    const refused = `“${this.end.value}” ${t('not_a_number')}`;
+    this.refusal.textContent = isRefused ? refused : '';
+    this.isRefused = isRefused;
+    this.end.setAttribute('aria-invalid', String(isRefused));
+    if (isRefused) return;
     if (this.key() !== this.computed?.key) this.computeLater();
     this.draw();
   }
@@ -167,10 +176,10 @@ export class CurveView {
 
   private usualEnd(): number {
     const { name, units } = this.field();
-    const now = this.result ? presentOf(this.result, name) : NaN;
+    const now = this.present();
     const reach = REACH[units] ?? 0.02;
     if (!now) return name === 'traction_coefficient' ? 0.2 : reach;
-    const kept = Number(this.end.value);
+    const kept = numberTyped(this.end.value);
     if (kept * now > 0 && Math.abs(now) < Math.abs(kept) && Math.abs(now) > 0.05 * Math.abs(kept))
       return kept;
     return Number((BEYOND * now).toPrecision(1));
@@ -190,29 +199,15 @@ export class CurveView {
   }
 
   private async compute(): Promise<void> {
-    if (!this.isShown) return;
+    if (!this.isShown || this.steady.hidden || this.isRefused) return;
     const key = this.key();
     const { name, range, points } = this.request();
-    const ask = {
-      input: this.model.whole(),
-      task: 'curve',
-      request: { [name]: range, points },
-      wantsFigures: false,
-    };
-    this.element.setAttribute('aria-busy', 'true');
-    try {
-      const answered = await this.lane.ask('curve', 'task', ask);
-      const table = answered?.tables['points']?.[0];
-      if (!table) return;
-      this.computed = { key, table };
-      this.problems.replaceChildren();
-      this.fillOrdinates(table);
-      this.draw();
-    } catch (error) {
-      if (!(error instanceof CaseProblems)) throw error;
-      this.problems.replaceChildren(problemList(error.problems, this.model.text));
-    }
-    this.element.removeAttribute('aria-busy');
+    const answered = await this.inquiry.ask('curve', { [name]: range, points });
+    const table = answered?.tables['points']?.[0];
+    if (!table) return;
+    this.computed = { key, table };
+    this.fillOrdinates(table);
+    this.draw();
   }
 
   private fillOrdinates(table: Table): void {
@@ -261,8 +256,8 @@ export class CurveView {
         one
           ? [
               {
-                x: presentOf(one, name) / xScale.factor,
-                y: presentOf(one, ordinate) / yScale.factor,
+                x: presentOf(one, name, this.contact) / xScale.factor,
+                y: presentOf(one, ordinate, this.contact) / yScale.factor,
                 isPinned: index === 0,
               },
             ]
@@ -286,10 +281,11 @@ export class CurveView {
     const { name, units } = this.field();
     const ordinate = this.computed?.table[this.ordinate.value];
     if (!plot || !this.result || !ordinate || !this.computed) return;
-    const [si, value] = [presentOf(this.result, name), presentOf(this.result, this.ordinate.value)];
+    const si = this.present();
+    const value = presentOf(this.result, this.ordinate.value, this.contact);
     const { factor } = shownFor(units, numbers(this.computed.table[name]));
     const y = value / shownFor(ordinate.units, numbers(ordinate)).factor;
-    const end = Number(this.end.value) || 0;
+    const end = numberTyped(this.end.value) || 0;
     const range: [number, number] = [Math.min(0, end), Math.max(0, end)];
     const text = `${nameOf(name)} ${digits(si)} ${units}`;
     this.handle.place({ plot, si, x: si / factor, y, factor, range, text });

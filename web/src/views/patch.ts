@@ -171,7 +171,7 @@ export class PatchView {
     this.drawn.hidden = field === null;
     const name = this.quantity.value;
     if (!field?.table[name]) return;
-    const beside = pinned ? fieldOf(pinned, 0, null) : null;
+    const beside = pinned ? fieldOf(pinned, this.contactIndex, null) : null;
     const one = [...numbers(field.table[name]), ...numbers(beside?.table[name])];
     const seen = [...one, ...this.extremes(result, name)];
     const shown = shownFor(field.table[name].units, seen);

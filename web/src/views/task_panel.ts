@@ -2,10 +2,10 @@
 import type { CaseModel } from '../case/model';
 import { h } from '../dom';
 import { warnings, whole } from '../report/summary';
-import { problemList } from '../report/problems';
-import { CaseProblems, type Lane } from '../solver/lane';
-import type { Answered } from '../solver/protocol';
+import type { Lane } from '../solver/lane';
+import type { Answered, Fields } from '../solver/protocol';
 import { t } from '../texts';
+import { Inquiry } from './inquiry';
 
 /** A button and the task that it starts. */
 export interface Offer {
@@ -13,58 +13,74 @@ export interface Offer {
   task: string;
   /** Changes the case before. */
   before?: () => void;
+  /** It is offered in cases that give one of these fields. */
+  fields?: string[];
 }
 
 /** A panel of tasks. */
 export class TaskPanel {
   readonly element: HTMLElement;
+  private readonly buttons: { offer: Offer; button: HTMLButtonElement }[];
   private readonly answer = h('div', { class: 'answer', 'aria-live': 'polite' });
   private readonly stale = h('p', { class: 'hint', hidden: true }, t('outdated'));
+  private readonly inquiry: Inquiry;
+  private key = '';
   private urls: string[] = [];
 
   constructor(
     title: string,
     offers: Offer[],
     private readonly model: CaseModel,
-    private readonly lane: Lane,
+    lane: Lane,
   ) {
-    const button = (offer: Offer) =>
-      h(
+    this.inquiry = new Inquiry('task', model, lane);
+    this.buttons = offers.map((offer) => ({
+      offer,
+      button: h(
         'button',
         { type: 'button', 'data-task': offer.task, onclick: () => void this.run(offer) },
         offer.label,
-      );
+      ),
+    }));
     this.element = h(
       'section',
       { class: 'task' },
       h('h2', {}, title),
       h('p', { class: 'hint' }, t('below_hint')),
-      h('div', { class: 'toolbar' }, ...offers.map(button)),
+      h('div', { class: 'toolbar' }, ...this.buttons.map(({ button }) => button)),
+      this.inquiry.element,
       this.stale,
       this.answer,
     );
-    model.listen(() => {
-      this.stale.hidden = this.answer.childElementCount === 0;
+    model.listen((change) => {
+      if (change === 'opened') this.answer.replaceChildren();
+      this.markStale();
     });
+  }
+
+  /** Offers what a case can be asked. */
+  describe({ given }: Fields): void {
+    for (const { offer, button } of this.buttons) {
+      button.hidden = !(offer.fields?.some((path) => given.includes(path)) ?? true);
+    }
+  }
+
+  private markStale(): void {
+    const isStale = this.answer.childElementCount > 0 && this.model.key([]) !== this.key;
+    this.stale.hidden = !isStale;
+    this.element.classList.toggle('old', isStale);
   }
 
   private async run(offer: Offer): Promise<void> {
     offer.before?.();
-    this.answer.replaceChildren(h('p', { class: 'hint' }, t('solving')));
-    this.stale.hidden = true;
-    const ask = {
-      input: this.model.whole(),
-      task: offer.task,
-      request: {},
-      wantsFigures: true,
-    };
-    try {
-      const answered = await this.lane.ask('task', 'task', ask);
-      if (answered) this.show(answered);
-    } catch (error) {
-      if (!(error instanceof CaseProblems)) throw error;
-      this.answer.replaceChildren(problemList(error.problems, this.model.text));
-    }
+    this.answer.replaceChildren();
+    this.markStale();
+    const key = this.model.key([]);
+    const answered = await this.inquiry.ask(offer.task, {}, true);
+    if (!answered) return;
+    this.key = key;
+    this.show(answered);
+    this.markStale();
   }
 
   private show({ told, figures }: Answered): void {

@@ -8,7 +8,7 @@ import { dragged, h, perFrame } from '../dom';
 import type { Frame } from '../draw/axes';
 import { numberOf } from '../draw/fields';
 import type { Result } from '../explorer';
-import { digits, shownIn } from '../quantity';
+import { digits, explained, shownIn } from '../quantity';
 import type { Lane } from '../solver/lane';
 import type { Described, Table } from '../solver/protocol';
 import { symbolOf } from '../symbols';
@@ -19,6 +19,8 @@ import { WheelsetCurves } from './wheelset_curves';
 /** Fields that the view moves. */
 const LATERAL = 'wheelset.lateral_position';
 const MOVED = [LATERAL, 'wheelset.yaw_angle'];
+/** How far the wheel is dragged at most, in m. */
+const REACH = 0.02;
 /** Steps of the arrow keys, in m. */
 const STEP = 1e-4;
 /** Columns of contacts that are told. */
@@ -55,6 +57,7 @@ export class WheelView {
   private described: Described | null = null;
   private result: Result | null = null;
   private frame: Frame | null = null;
+  private held: Frame | null = null;
 
   constructor(
     catalogue: Catalogue,
@@ -93,6 +96,9 @@ export class WheelView {
     );
     this.element = h('div', {}, this.none, this.drawn);
     new ResizeObserver(this.redraw).observe(this.element);
+    const [low, high] = this.range();
+    this.canvas.setAttribute('aria-valuemin', String(low * 1e3));
+    this.canvas.setAttribute('aria-valuemax', String(high * 1e3));
     this.canvas.addEventListener('pointerdown', (event) => this.drag(event));
     this.canvas.addEventListener('keydown', (event) => this.step(event));
   }
@@ -144,8 +150,10 @@ export class WheelView {
       outlines: described.outlines,
       answered: result.answered,
       isClose: this.close.checked,
+      held: this.held,
       pose: {
-        lateral: this.lateral() - (typeof described_at === 'number' ? described_at : 0),
+        lateral: this.lateral(),
+        outlined: typeof described_at === 'number' ? described_at : 0,
         height: numberOf(wheel, 'wheelset.height'),
         roll: numberOf(wheel, 'wheelset.roll_angle'),
       },
@@ -157,9 +165,17 @@ export class WheelView {
     this.canvas.setAttribute('aria-valuetext', `${nameOf('lateral_position')} ${shown} mm`);
   }
 
+  /** Lateral positions to which the wheel is dragged, in m. */
+  private range(): [number, number] {
+    const [low, high] = this.controls[0]?.field.usual ?? [null, null];
+    return [Math.max(-REACH, low ?? -REACH), Math.min(REACH, high ?? REACH)];
+  }
+
   private move(lateral: number): void {
     const [first] = this.controls;
-    if (first) this.model.move(first.field, Number(lateral.toFixed(5)));
+    const [low, high] = this.range();
+    const within = Math.max(low, Math.min(high, lateral));
+    if (first) this.model.move(first.field, Number(within.toFixed(5)));
     this.redraw();
   }
 
@@ -168,8 +184,15 @@ export class WheelView {
     if (!frame) return;
     const start = this.lateral();
     const scale = (frame.x[1] - frame.x[0]) / frame.width / 1e3;
-    dragged(this.canvas, event, ({ clientX }) =>
-      this.move(start + (clientX - event.clientX) * scale),
+    this.held = frame;
+    dragged(
+      this.canvas,
+      event,
+      ({ clientX }) => this.move(start + (clientX - event.clientX) * scale),
+      () => {
+        this.held = null;
+        this.redraw();
+      },
     );
   }
 
@@ -208,7 +231,7 @@ function contactTable(contacts: Table[]): HTMLElement {
     return [
       h(
         'tr',
-        {},
+        { title: explained(column) },
         h('th', { scope: 'row' }, nameOf(name, column.long_name), ' ', symbolOf(column.symbol)),
         ...values.map((value) => h('td', {}, digits(value / factor))),
         h('td', { class: 'unit' }, unit),

@@ -7,17 +7,10 @@ import { digits } from '../quantity';
 import type { Answered, Grid, Line, Outlines, Table } from '../solver/protocol';
 import { nameOf, t } from '../texts';
 import { colour } from '../theme';
+import { placedWheel, type Pose } from './pose';
 
 /** A place of the picture, or a vector in it, in pixels. */
 type Place = [number, number];
-
-/** Where the wheel is, relative to its outline. */
-export interface Pose {
-  /** To the left, in m. */
-  lateral: number;
-  height: number;
-  roll: number;
-}
 
 /** What is drawn. */
 export interface Scene {
@@ -26,6 +19,8 @@ export interface Scene {
   answered: Answered;
   /** Whether only the surroundings of the contacts are shown. */
   isClose: boolean;
+  /** The frame to keep, while the wheel is dragged. */
+  held: Frame | null;
 }
 
 const MARGIN = { left: 54, right: 16, top: 22, bottom: 42 };
@@ -36,20 +31,12 @@ const HEADROOM = 14;
 /** Length of the arrow of the largest force, in pixels. */
 const REACH = 90;
 
-/** Places of the wheel in the track, in m: turned about the middle of the axle and moved. */
-function placedWheel({ wheel }: Outlines, { lateral, height, roll }: Pose): Line {
-  return {
-    y: wheel.y.map((y) => y + lateral),
-    z: wheel.z.map((z, index) => z + height + roll * (wheel.y[index] ?? 0)),
-  };
-}
-
 /** Draws the profiles; the frame tells where places are. */
 export function drawProfiles(canvas: HTMLCanvasElement, width: number, scene: Scene): Frame | null {
-  const { outlines, pose, answered, isClose } = scene;
+  const { outlines, pose, answered, isClose, held } = scene;
   const wheel = placedWheel(outlines, pose);
   const contacts = answered.tables['contact'] ?? [];
-  const frame = framed([outlines.rail, wheel], isClose ? contacts : [], width);
+  const frame = held ?? framed([outlines.rail, wheel], isClose ? contacts : [], width);
   const pen = penOf(canvas, width, frame.top + frame.height + MARGIN.bottom);
   if (!pen) return null;
   pen.save();

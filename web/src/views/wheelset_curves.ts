@@ -3,13 +3,15 @@ import type { CaseModel } from '../case/model';
 import { h } from '../dom';
 import { Chart, type ChartContent } from '../draw/chart';
 import { numbers } from '../draw/fields';
-import { problemList } from '../report/problems';
-import { CaseProblems, type Lane } from '../solver/lane';
+import type { Lane } from '../solver/lane';
 import type { Table } from '../solver/protocol';
 import { nameOf, t } from '../texts';
+import { Inquiry } from './inquiry';
 
 /** Positions at which the wheelset is solved. */
 const POINTS = 17;
+/** What the curves are over. */
+const LATERAL = 'wheelset.lateral_position';
 /** Rolling-radius differences of a table of contacts. */
 const DIFFERENCES = ['rolling_radius_difference', 'rigid_rolling_radius_difference'];
 
@@ -18,26 +20,41 @@ export class WheelsetCurves {
   readonly element: HTMLElement;
   private readonly difference = new Chart(240);
   private readonly conicity = new Chart(240);
-  private readonly problems = h('div', { 'aria-live': 'polite' });
+  private readonly inquiry: Inquiry;
   private content: ChartContent | null = null;
+  private key = '';
+  private readonly stale = h('p', { class: 'hint', hidden: true }, t('outdated'));
+  private readonly charts: HTMLElement;
 
   constructor(
     private readonly model: CaseModel,
-    private readonly lane: Lane,
+    lane: Lane,
   ) {
+    this.inquiry = new Inquiry('wheelset', model, lane);
     const button = h(
       'button',
       { type: 'button', 'data-task': 'wheelset', onclick: () => void this.compute() },
       t('compute'),
+    );
+    this.charts = h(
+      'div',
+      { class: 'pair', hidden: true },
+      this.difference.element,
+      this.conicity.element,
     );
     this.element = h(
       'section',
       { class: 'task' },
       h('h2', {}, t('wheelset')),
       h('div', { class: 'toolbar' }, button),
-      this.problems,
-      h('div', { class: 'pair' }, this.difference.element, this.conicity.element),
+      this.stale,
+      this.inquiry.element,
+      this.charts,
     );
+    model.listen((change) => {
+      if (change === 'opened') this.clear();
+      this.markStale();
+    });
   }
 
   /** Marks the present lateral position, in m. */
@@ -47,27 +64,29 @@ export class WheelsetCurves {
     this.difference.show(this.content);
   }
 
+  private clear(): void {
+    this.content = null;
+    this.charts.hidden = true;
+  }
+
+  /** Curves depend on all but the lateral position. */
+  private markStale(): void {
+    const isStale = this.content !== null && this.model.key([LATERAL]) !== this.key;
+    this.stale.hidden = !isStale;
+    this.element.classList.toggle('old', isStale);
+  }
+
   private async compute(): Promise<void> {
-    this.problems.replaceChildren(h('p', { class: 'hint' }, t('solving')));
-    const ask = {
-      input: this.model.whole(),
-      task: 'wheelset',
-      request: { points: POINTS },
-      wantsFigures: false,
-    };
-    try {
-      const answered = await this.lane.ask('wheelset', 'task', ask);
-      if (!answered) return;
-      this.problems.replaceChildren();
-      this.show(answered.tables['contacts']?.[0], answered.tables['conicity']?.[0]);
-    } catch (error) {
-      if (!(error instanceof CaseProblems)) throw error;
-      this.problems.replaceChildren(problemList(error.problems, this.model.text));
-    }
+    const key = this.model.key([LATERAL]);
+    const answered = await this.inquiry.ask('wheelset', { points: POINTS });
+    if (!answered) return;
+    this.key = key;
+    this.show(answered.tables['contacts']?.[0], answered.tables['conicity']?.[0]);
   }
 
   private show(contacts: Table | undefined, conicity: Table | undefined): void {
     if (!contacts || !conicity) return;
+    this.charts.hidden = false;
     const places = numbers(contacts['lateral_position']);
     const rows = [...places.keys()].filter((row) => row === 0 || places[row] !== places[row - 1]);
     this.content = {
@@ -96,5 +115,6 @@ export class WheelsetCurves {
           dashed: index > 0,
         })),
     });
+    this.markStale();
   }
 }

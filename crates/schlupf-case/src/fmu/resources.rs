@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::fs;
 use std::io;
-use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::path::Path;
+use std::sync::Arc;
 
 use schlupf::Watch;
 use schlupf::element::Element;
@@ -13,7 +13,7 @@ use sha2::{Digest, Sha256};
 
 use crate::case_file::{CaseFile, Overrides};
 use crate::error::CaseErrors;
-use crate::files::{Files, LARGEST_FILE, read_up_to};
+use crate::files::{Files, LARGEST_FILE, Recorder, read_up_to};
 
 const CASE: &str = "case.toml";
 /// Where files are by the names that the case gives them.
@@ -33,12 +33,10 @@ impl Resources {
     /// A case that has no element.
     pub fn of(file: &CaseFile, watch: Watch) -> Result<(Self, Element), CaseErrors> {
         let case = file.edited(&[], &file.folder())?;
-        let recorder =
-            Arc::new(Recorder { files: Arc::clone(&file.files), read: Mutex::default() });
+        let recorder = Arc::new(Recorder::new(Arc::clone(&file.files)));
         let files = Arc::clone(&recorder) as Arc<dyn Files>;
         let element = element(&case, file.name(), files, watch)?;
-        let files = recorder.read.lock().unwrap_or_else(PoisonError::into_inner).clone();
-        Ok((Self { case, files }, element))
+        Ok((Self { case, files: recorder.found() }, element))
     }
 
     /// Those that an FMU has in a folder.
@@ -108,24 +106,4 @@ fn element(
 ) -> Result<Element, CaseErrors> {
     let file = CaseFile::from_str(case, name, files, Overrides::NONE)?;
     Ok(file.pose(watch)?.element()?)
-}
-
-/// Remembers what was read.
-#[derive(Debug)]
-struct Recorder {
-    files: Arc<dyn Files>,
-    read: Mutex<BTreeMap<String, Vec<u8>>>,
-}
-
-impl Files for Recorder {
-    fn read(&self, name: &str) -> io::Result<Vec<u8>> {
-        let bytes = self.files.read(name)?;
-        let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
-        read.insert(name.to_owned(), bytes.clone());
-        Ok(bytes)
-    }
-
-    fn locate(&self, name: &str) -> PathBuf {
-        self.files.locate(name)
-    }
 }

@@ -241,6 +241,11 @@ impl Pair {
         self.wheel_offset
     }
 
+    /// Height of the axle over z = 0 of the track in the nominal position, in m.
+    pub fn nominal_radius(&self) -> f64 {
+        self.nominal_radius
+    }
+
     /// Whether wheel or rail deviate with a velocity.
     pub(crate) fn is_moving(&self) -> bool {
         self.wheel_deviation.is_moving() || self.rail_deviation.is_moving()
