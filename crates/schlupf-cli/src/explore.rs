@@ -102,7 +102,9 @@ fn answer(page: &Page, request: Request) -> io::Result<()> {
         (Method::Get | Method::Head, Some(bytes)) => {
             let kind = Header::from_bytes("Content-Type", content_type(path));
             let mut response = Response::from_data(bytes.as_slice());
-            kind.into_iter().for_each(|header| response.add_header(header));
+            if let Ok(header) = kind {
+                response.add_header(header);
+            }
             return request.respond(response);
         }
         (Method::Get | Method::Head, None) => 404,

@@ -8,6 +8,7 @@
 //! ```
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+#![allow(clippy::needless_pass_by_value, reason = "arrays of JavaScript arrive by value")]
 
 use std::any::Any;
 use std::collections::BTreeMap;
@@ -377,5 +378,5 @@ fn of_case(errors: &CaseErrors) -> JsValue {
             "help": error.help,
         })
     });
-    Json::from_iter(each).to_string().into()
+    each.collect::<Json>().to_string().into()
 }
