@@ -11,9 +11,7 @@ use schlupf::reporting::{Column, Message, Record, Stage, Tallied, Tally};
 use schlupf::wheel_rail::{Contact, WheelSolution};
 use schlupf::{Error, Method, Progress, Quantity, Status, Warning, Watch};
 use schlupf_case::fields::Field;
-use schlupf_case::{
-    CaseError, CaseErrors, Cause, FieldNames, FieldPath, Notice, Place, field, fields,
-};
+use schlupf_case::{CaseError, CaseErrors, FieldNames, FieldPath, Notice, Place, fields};
 use schlupf_tasks::solve::report;
 use schlupf_tasks::states::{Acting, CONTACTS, Entry, FAILED, NO_CONTACT, NoState, StateSolver};
 
@@ -492,7 +490,7 @@ impl BatchSolver {
                     let is_fast = case.method != Method::Full;
                     Ok((solver, is_fast))
                 }
-                Err(failure) => Err(reason(failure, file)),
+                Err(failure) => Err(failure.errors(file)),
             }
         })?;
         let (solver, is_fast) = posed.map_err(|errors| errors::of_case(py, &errors))?;
@@ -509,7 +507,7 @@ impl BatchSolver {
             solver.vary(conditions.fields.clone());
             match solver.solve(&conditions.entries(0), "solve", watch) {
                 Ok((case, solution)) => Ok(report(case, solution)),
-                Err(failure) => Err(reason(failure, solver.file())),
+                Err(failure) => Err(failure.errors(solver.file())),
             }
         };
         let solved = if self.is_fast {
@@ -518,19 +516,5 @@ impl BatchSolver {
             interruptible(py, &self.raised, work)?
         };
         solved.map(Solution::new).map_err(|errors| errors::of_case(py, &errors))
-    }
-}
-
-/// Why there is no state, as an error of its case.
-fn reason(failure: NoState, file: &schlupf_case::CaseFile) -> CaseErrors {
-    match failure {
-        NoState::Failed(errors) => errors,
-        NoState::Stopped => file.explain(&Error::Stopped {}).into(),
-        NoState::NoContact => {
-            let load = field!("normal.load");
-            let message = format!("{load}: the wheel does not touch the rail");
-            let error = CaseError::new(load, message, Place::Default);
-            CaseError { cause: Cause::NoContact, ..error }.into()
-        }
     }
 }

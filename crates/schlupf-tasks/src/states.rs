@@ -14,7 +14,7 @@ use schlupf::solver::simplified::FastContact;
 use schlupf::wheel_rail::WheelSolution;
 use schlupf::{Error, Method, Problem, Quantity, Solution, Solver, Status, Warning, Watch};
 use schlupf_case::fields::{Field, Kind};
-use schlupf_case::{Case, CaseErrors, CaseFile, Cause, FieldPath, Notice, Place, field};
+use schlupf_case::{Case, CaseError, CaseErrors, CaseFile, Cause, FieldPath, Notice, Place, field};
 
 /// The value of a field: numbers in SI units, temperatures in degC.
 #[derive(Debug, Clone, PartialEq)]
@@ -91,6 +91,21 @@ pub enum NoState {
     Failed(CaseErrors),
     /// Whoever watched had it stopped.
     Stopped,
+}
+
+impl NoState {
+    /// As errors of its case.
+    pub fn errors(self, file: &CaseFile) -> CaseErrors {
+        match self {
+            Self::Failed(errors) => errors,
+            Self::Stopped => file.explain(&Error::Stopped {}).into(),
+            Self::NoContact => {
+                let message = format!("{LOAD}: the wheel does not touch the rail");
+                let error = CaseError::new(LOAD, message, Place::Default);
+                CaseError { cause: Cause::NoContact, ..error }.into()
+            }
+        }
+    }
 }
 
 impl From<CaseErrors> for NoState {

@@ -16,8 +16,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use js_sys::{Array, Float64Array, Object, Reflect};
+use schlupf::Watch;
 use schlupf::solution::Fields;
-use schlupf::{Solution, Watch};
 use schlupf_case::fields::{self, Kind};
 use schlupf_case::{CaseError, CaseErrors, FieldPath, InputFile, Overrides, Setting, field};
 use schlupf_tasks::output::solution::SolutionReport;
@@ -25,7 +25,7 @@ use schlupf_tasks::output::summary::Line;
 use schlupf_tasks::output::table::{ColumnValues, Values};
 use schlupf_tasks::output::{Report, profiles};
 use schlupf_tasks::request::Field;
-use schlupf_tasks::states::{self, NoState, StateSolver};
+use schlupf_tasks::states::{self, StateSolver};
 use schlupf_tasks::{Asked, Entry, Face, Given, TaskError, Value, Wanted, solve};
 use serde_json::{Value as Json, json};
 use wasm_bindgen::prelude::*;
@@ -170,8 +170,7 @@ impl Case {
         let entries: Vec<_> = values.iter().map(|value| states::Entry::Number(*value)).collect();
         match self.solver.solve(&entries, OPTION, &schlupf::unwatched) {
             Ok((case, solution)) => Ok(Answer(Box::new(solve::report(case, solution)))),
-            Err(NoState::Failed(errors)) => Err(of_case(&errors)),
-            Err(NoState::NoContact | NoState::Stopped) => Err(of_case(&no_contact().into())),
+            Err(failure) => Err(of_case(&failure.errors(&self.file))),
         }
     }
 
@@ -276,12 +275,8 @@ impl Answer {
         let Some(report) = (&*self.0 as &dyn Any).downcast_ref::<SolutionReport>() else {
             return "[]".to_owned();
         };
-        let contacts = report.wheel.iter().flat_map(|wheel| &wheel.contacts);
-        let mut solutions: Vec<&Solution> = contacts.map(|contact| &contact.solution).collect();
-        if solutions.is_empty() {
-            solutions.push(&report.solution);
-        }
-        let own = solutions
+        let own = report
+            .solutions()
             .into_iter()
             .map(|solution| (&solution.fields, solution.normal.origin.unwrap_or_default(), None));
         let frames = report.solution.field_history.iter();
@@ -320,23 +315,12 @@ impl Answer {
             for column in columns {
                 set(&table, column.name, &of_column(column));
             }
-            let members = Reflect::get(&tables, &name.into()).ok();
-            let members = members.filter(Array::is_array).map_or_else(Array::new, Array::from_js);
+            let members = Reflect::get(&tables, &name.into()).ok().filter(Array::is_array);
+            let members: Array = members.map_or_else(Array::new, JsCast::unchecked_into);
             members.push(&table);
             set(&tables, name, &members);
         }
         tables
-    }
-}
-
-/// An array of JavaScript.
-trait FromJs {
-    fn from_js(value: JsValue) -> Self;
-}
-
-impl FromJs for Array {
-    fn from_js(value: JsValue) -> Self {
-        value.unchecked_into()
     }
 }
 
@@ -363,10 +347,6 @@ fn of_column(ColumnValues { quantity, values, .. }: ColumnValues) -> Object {
 /// Setting a property of a plain object cannot fail.
 fn set(object: &Object, name: &str, value: &JsValue) {
     let _ = Reflect::set(object, &name.into(), value);
-}
-
-fn no_contact() -> CaseError {
-    CaseError::new("normal.load", "normal.load: the wheel does not touch the rail", OWN)
 }
 
 fn of_case(errors: &CaseErrors) -> JsValue {

@@ -39,6 +39,16 @@ impl SolutionReport {
     pub const HISTORY: &str = "history";
     /// Format of the final state.
     pub const STATE: &str = "state";
+
+    /// Those of all contacts of a wheel, or the only one.
+    pub fn solutions(&self) -> Vec<&Solution> {
+        match self.wheel.as_deref() {
+            Some(wheel) if !wheel.contacts.is_empty() => {
+                wheel.contacts.iter().map(|contact| &contact.solution).collect()
+            }
+            _ => vec![&self.solution],
+        }
+    }
 }
 
 impl Report for SolutionReport {
@@ -68,13 +78,8 @@ impl Report for SolutionReport {
     /// Fields and scalars, of each contact of a wheel; the wheel and its contacts; time steps, and
     /// the fields at some of them.
     fn tables(&self) -> Vec<(&'static str, Vec<ColumnValues>)> {
-        let contacts = self.wheel.iter().flat_map(|wheel| &wheel.contacts);
-        let mut solutions: Vec<&Solution> = contacts.map(|contact| &contact.solution).collect();
-        if solutions.is_empty() {
-            solutions.push(&self.solution);
-        }
         let mut tables = Vec::new();
-        for solution in solutions {
+        for solution in self.solutions() {
             tables.push(("fields", table::columns(&solution.fields)));
             tables.push(("solution", table::columns(solution)));
         }
