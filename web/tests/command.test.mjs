@@ -25,7 +25,8 @@ test('the module gives the forces of the command', { skip }, async () => {
       stdio: ['pipe', 'pipe', 'ignore'],
     });
     const expected = JSON.parse(printed).force;
-    const found = JSON.parse(new Case(text, 'case', assignments, new Files()).ask('solve', '{}').json());
+    const solved = new Case(text, 'case', assignments, new Files()).ask('solve', '{}');
+    const found = JSON.parse(solved.json());
     const size = Math.hypot(expected.x, expected.y);
     for (const axis of ['x', 'y']) {
       const difference = Math.abs(found.force[axis] - expected[axis]);
