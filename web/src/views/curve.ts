@@ -107,7 +107,9 @@ export class CurveView {
     );
     const place = h('div', { class: 'curve-place' }, this.chart.element, this.handle.element);
     const hint = h('p', { class: 'hint' }, t('present_point'));
-    this.steady = h('div', {}, bar, this.refusal, place, hint, this.inquiry.element);
+    // Whether the case has curves is known once it is described.
+    const parts = [bar, this.refusal, place, hint, this.inquiry.element];
+    this.steady = h('div', { hidden: true }, ...parts);
     this.element = h('div', {}, this.transient, this.steady);
     new ResizeObserver(() => this.placeHandle()).observe(place);
   }
