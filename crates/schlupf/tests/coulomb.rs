@@ -172,6 +172,7 @@ fn vollebregt_2022_creep_forces_on_40_cells() {
 /// Forces on few cells against those on 160, for long and for wide patches. The largest errors are
 /// those under spin at a/b = 5, where cells are five times as long as wide.
 #[test]
+#[ignore = "takes a minute"]
 fn slender_patches_converge_as_fast() {
     let (mut on_20, mut on_40) = (Vec::new(), Vec::new());
     for ratio in [0.2, 2.0, 5.0] {
