@@ -268,6 +268,17 @@ def sweep(
         If there is a table of another study, or one that is no table.
     OSError
         If a file cannot be read or written; what is done is kept.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> import schlupf
+    >>> case = schlupf.Case(solver={"method": "polach"})
+    >>> study = schlupf.study(case, vary={"kinematics.creepage_x": [0.0, 0.002, 0.004]})
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     table = schlupf.sweep(study, pathlib.Path(folder) / "forces.parquet").table
+    >>> (table["force_x"].diff("index") < 0.0).values.tolist()
+    [True, True]
     """
     study, output = study if isinstance(study, Study) else Study(study), with_folder(output)
     if client is not None and not hasattr(client, "submit"):
@@ -309,6 +320,20 @@ def merge(
         If they are not all shards of one study, each once and whole.
     OSError
         If a file cannot be read or written.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> import schlupf
+    >>> case = schlupf.Case(solver={"method": "polach"})
+    >>> study = schlupf.study(case, vary={"kinematics.creepage_x": [0.0, 0.002, 0.004]})
+    >>> with tempfile.TemporaryDirectory() as name:
+    ...     folder = pathlib.Path(name)
+    ...     shards = [folder / "1.csv", folder / "2.csv"]
+    ...     swept = [schlupf.sweep(study, shards[k], shard=(k + 1, 2)) for k in (0, 1)]
+    ...     whole = schlupf.merge(shards, folder / "all.csv")
+    >>> [sweep.rows for sweep in swept], whole.rows
+    ([2, 1], 3)
     """
     output = with_folder(output)
     counts = _core.merge([Path(table) for table in tables], output)

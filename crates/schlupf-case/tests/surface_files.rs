@@ -7,8 +7,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use approx::assert_relative_eq;
-use schlupf::surface::{HeightMap, Holes};
-use schlupf_case::surface::{self, Cells, MeasuredSurface, SurfaceData, SurfaceOptions};
+use schlupf::surface::form::Form;
+use schlupf::surface::{HeightMap, Holes, Statistics};
+use schlupf_case::surface::{
+    self, Cells, MeasuredSurface, SurfaceData, SurfaceOptions, SurfaceOrigin, SurfaceSource,
+};
 use schlupf_case::{CaseError, FieldNames, Folder, InputFile};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
@@ -39,7 +42,7 @@ fn filled() -> SurfaceOptions {
 fn map(name: &str, options: &SurfaceOptions) -> HeightMap {
     match read(&sample(name), options).unwrap().data {
         SurfaceData::Map(map) => map,
-        SurfaceData::Profile(_) => panic!("{name} is a profile"),
+        data => panic!("{name} is no map: {data:?}"),
     }
 }
 
@@ -108,6 +111,46 @@ fn a_profile_is_read_from_x3p_and_csv() {
     assert_relative_eq!(profile.heights()[40], between, max_relative = 1e-9);
     let message = read(&SurfaceOptions::default()).unwrap_err().to_string();
     assert!(message.contains("1 of 100 are missing, the first in row 0, column 40"), "{message}");
+}
+
+/// Levels of one-third octave bands as EN 15610 has them, in any order, become a surface with their
+/// height, with the filter those of the short waves; a wrong row is named.
+#[test]
+fn a_spectrum_of_octave_bands_is_a_surface() {
+    let bands = "wavelength [mm],level [dB]\n10,0.5\n8,-0.5\n4,-3.1\n5,-2.2\n6.3,-1.4\n3.15,-4\n";
+    let source = |text: &str, cutoff: Option<f64>, form: Option<Form>| {
+        let name = "rail.csv".to_owned();
+        let files = Arc::new(BTreeMap::from([(name.clone(), text.as_bytes().to_vec())]));
+        let files = vec![InputFile::new(name, files)];
+        let options = SurfaceOptions::default();
+        let origin = SurfaceOrigin::Files { files, options, form, cutoff };
+        SurfaceSource { origin, cells: None, seed: 1 }.load(FieldNames::CASE)
+    };
+    let height = |levels: &[f64]| {
+        1e-6 * levels.iter().map(|level| 10.0_f64.powf(level / 10.0)).sum::<f64>().sqrt()
+    };
+    let rough = source(bands, None, Some(Form::Plane)).unwrap();
+    let found = Statistics::of(&rough.surface).unwrap().root_mean_square_height;
+    let all = height(&[0.5, -0.5, -3.1, -2.2, -1.4, -4.0]);
+    assert_relative_eq!(found, all, max_relative = 0.02);
+    assert!(rough.remarks[0].contains("spectrum of waves from 2.8"), "{:?}", rough.remarks);
+    let rough = source(bands, Some(4e-3), None).unwrap();
+    let filtered = Statistics::of(&rough.surface).unwrap().root_mean_square_height;
+    assert!((0.2..0.6).contains(&(filtered / found)), "{filtered}");
+
+    let refused = |text: &str, expected: &str| {
+        let message = source(text, None, None).unwrap_err().to_string();
+        assert!(message.contains(expected), "{message}");
+    };
+    refused(
+        &bands.replace("6.3,", "6.6,"),
+        "rail.csv:6: contact_law.roughness.file must have finite",
+    );
+    refused(&bands.replace("6.3,-1.4\n", ""), "rail.csv:5");
+    refused(&bands.replace("[dB]", "[um]"), "must name its unit, dB");
+    refused(&bands.replace(",level [dB]", ",height [um]"), "column `height [um]`");
+    let message = source(bands, None, Some(Form::Sphere)).unwrap_err().to_string();
+    assert!(message.contains("is a spectrum, which has no cylinder or sphere"), "{message}");
 }
 
 /// Goal: what a file leaves out of its lattice is a hole: a column, single points, all but every

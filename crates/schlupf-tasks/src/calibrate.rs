@@ -12,7 +12,7 @@ use schlupf::elasticity::{
     CalibratedLayer, Elasticity, HalfSpace, RelativeStiffness, tabulated_stiffness,
 };
 use schlupf::normal::{NormalContact, Pressure};
-use schlupf::reporting::Message;
+use schlupf::reporting::{CalibrationError, Message};
 use schlupf::{Error, Quantity, Status, Warning, Watch};
 use schlupf_case::{
     CaseErrors, CaseFile, DISPLACEMENT_COLUMNS, Displacements, InputFile, read_displacements,
@@ -60,8 +60,11 @@ impl Task for Calibrate {
         let report = patch.report(&request, &displacements, wanted.figures, watch);
         let report = report.map_err(|error| {
             let names: Vec<&str> = displacements.iter().map(|file| file.name.as_str()).collect();
-            let sources = matches!(error, Error::UnlikeALayer { .. })
-                .then(|| format!("the displacements are those of {}", names.join(", ")));
+            let sources = matches!(
+                error,
+                Error::Calibration { error: CalibrationError::UnlikeALayer { .. } }
+            )
+            .then(|| format!("the displacements are those of {}", names.join(", ")));
             of.case.explain(&error).help(sources)
         })?;
         Ok(report.into())
@@ -223,10 +226,8 @@ const FOREIGN: f64 = 30.0;
 
 /// An error that no layer has such displacements.
 fn unlike(fit: &DisplacementFit, component: usize) -> Error {
-    Error::UnlikeALayer {
-        quantity: [Quantity::DisplacementX, Quantity::DisplacementY][component],
-        deviation: fit.largest_deviation(),
-    }
+    let quantity = [Quantity::DisplacementX, Quantity::DisplacementY][component];
+    CalibrationError::UnlikeALayer { quantity, deviation: fit.largest_deviation() }.into()
 }
 
 /// What to know about fits to displacements; `exact` is the layer that is like the half-space.

@@ -55,7 +55,7 @@ pub use task::{Entry, Given, Task, Wanted};
 
 use schlupf::Warning;
 use schlupf::reporting::Message;
-use schlupf_case::FieldNames;
+use schlupf_case::{FieldNames, import};
 
 /// All tasks, in the order of help.
 pub const TASKS: &[Entry] = &[
@@ -78,6 +78,12 @@ pub const TASKS: &[Entry] = &[
 /// The task with a name.
 pub fn find(name: &str) -> Option<&'static Entry> {
     TASKS.iter().find(|task| task.name == name)
+}
+
+/// The codes of all warnings with what they mean, in Markdown.
+pub fn warning_codes() -> Vec<(&'static str, &'static str)> {
+    [Warning::codes(), schlupf_case::Notice::codes(), import::Notice::codes(), Notice::codes()]
+        .concat()
 }
 
 /// Warnings of the core in the words of a case file.

@@ -8,7 +8,7 @@ mod x3p;
 use std::path::Path;
 
 use schlupf::Error;
-use schlupf::surface::{HeightMap, Holes, Lattice, Profile, require_few};
+use schlupf::surface::{HeightMap, Holes, Lattice, LineSpectrum, Profile, require_few};
 
 use crate::FieldPath;
 use crate::error::CaseError;
@@ -18,7 +18,7 @@ use crate::names::{self, FieldNames};
 use crate::place::Place;
 use crate::units::{Measure, parse_unit};
 
-pub use points::COLUMNS as HEIGHT_COLUMNS;
+pub use points::{BANDS as BAND_COLUMNS, COLUMNS as HEIGHT_COLUMNS};
 pub use source::{RoughSurface, SurfaceOrigin, SurfaceSource};
 
 /// Fields that errors of surfaces name.
@@ -58,6 +58,8 @@ pub enum SurfaceData {
     Map(HeightMap),
     /// Heights along a line.
     Profile(Profile),
+    /// One-third octave bands of a line.
+    Spectrum(LineSpectrum),
 }
 
 /// What was read.

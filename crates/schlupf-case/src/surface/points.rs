@@ -1,9 +1,14 @@
-//! Points x, y, height as text: CSV with units in its header, and .xyz without.
+//! Points x, y, height or one-third octave bands as text: CSV with units in its header, and .xyz
+//! without.
 
+use schlupf::Error;
 use schlupf::normal::Axis;
-use schlupf::surface::Lattice;
+use schlupf::reporting::SurfaceError;
+use schlupf::surface::{Lattice, LineSpectrum};
 
-use super::{ADVICE_ON_HEIGHTS, MeasuredSurface, Reading, finish, is_too_high, too_high, unit};
+use super::{
+    ADVICE_ON_HEIGHTS, MeasuredSurface, Reading, SurfaceData, finish, is_too_high, too_high, unit,
+};
 use crate::error::CaseError;
 use crate::tables::axis::axis;
 use crate::tables::columns::{Column, Columns};
@@ -19,12 +24,32 @@ const fn length(name: &'static str, required: bool, holes: bool) -> Column {
 pub const COLUMNS: [Column; 3] =
     [length("x", false, false), length("y", false, false), length("height", true, true)];
 
+/// One-third octave bands of a line: levels are 20 lg(r/1 µm) of the root mean square height r.
+pub const BANDS: [Column; 2] = [
+    length("wavelength", true, false),
+    Column { name: "level", measure: Some(&Measure::LEVEL), required: true, holes: false },
+];
+
 /// A lattice with more points than this for each row is no map with holes, but no map at all.
 const MAX_SPARSE: usize = 4;
 
-/// From a CSV file with the columns x, y and height, its rows in any order.
+/// From a CSV file with the columns x, y and height or those of bands, its rows in any order.
 pub fn from_csv(name: String, bytes: Vec<u8>, how: Reading) -> Result<MeasuredSurface, CaseError> {
+    if Columns::has_column(&bytes, BANDS[0].name) {
+        return from_bands(&Columns::read(name, bytes, how.field_name(), &BANDS)?, how);
+    }
     from_columns(&Columns::read(name, bytes, how.field_name(), &COLUMNS)?, how)
+}
+
+fn from_bands(columns: &Columns, how: Reading) -> Result<MeasuredSurface, CaseError> {
+    let spectrum = LineSpectrum::of_octave_bands(&columns.values[0], &columns.values[1]);
+    let data = spectrum.map(SurfaceData::Spectrum).map_err(|error| match error {
+        Error::Surface(SurfaceError::OctaveBands { index, .. }) => {
+            columns.error(columns.lines[index], error.text(&how.names))
+        }
+        error => how.of_file(columns.source.name.as_ref(), &error),
+    })?;
+    Ok(MeasuredSurface { data, filled: 0.0 })
 }
 
 /// From lines `x y z` in the unit of the options.

@@ -6,7 +6,7 @@ use schlupf::Error;
 use schlupf::surface::form::Form;
 use schlupf::surface::spectrum::{RadialSpectrum, Window, spectral_gradient};
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
-use schlupf::surface::{HeightMap, Lattice, Profile};
+use schlupf::surface::{HeightMap, Lattice, LineSpectrum};
 
 use super::{FILE, MeasuredSurface, Reading, SurfaceData, SurfaceOptions};
 use crate::FieldPath;
@@ -84,7 +84,9 @@ const DOUBTFUL_FILLING: f64 = 0.05;
 const WAVES_ACROSS: f64 = 5.0;
 const MOST_IN_LONG_WAVES: f64 = 0.5;
 
-/// Most cells along a side of a surface made from a profile, unless the user asks for more.
+const NO_FORM: &str = "is a spectrum, which has no cylinder or sphere to remove";
+
+/// Most cells along a side of a surface made from a line, unless the user asks for more.
 const MOST_CELLS: usize = 1024;
 
 impl SurfaceSource {
@@ -181,22 +183,26 @@ impl SurfaceSource {
         }
         let measured = data.iter().find_map(|(_, data)| match data {
             SurfaceData::Map(map) => Some(*map.lattice()),
-            SurfaceData::Profile(_) => None,
+            SurfaceData::Profile(_) | SurfaceData::Spectrum(_) => None,
         });
         let mut sum: Option<HeightMap> = None;
         for (k, (file, data)) in data.iter().enumerate() {
             let map = match data {
                 SurfaceData::Map(map) => map.clone(),
                 SurfaceData::Profile(profile) => {
-                    let seed = self.seed.wrapping_add(k as u64);
-                    said.remarks.push(format!(
-                        "{}: from a profile of {} points with Rq = {} µm",
-                        file.display(),
-                        profile.heights().len(),
-                        readable(profile.root_mean_square_height() * 1e6)
-                    ));
-                    let map = self.extended(profile, measured, seed, said);
-                    map.map_err(|error| how.explained(&error))?
+                    let points = profile.heights().len();
+                    let own = Lattice::square(points, points as f64 * profile.spacing());
+                    let line = Line { spectrum: &profile.line_spectrum(), own };
+                    said.line(file, &format!("a profile of {points} points"), &line);
+                    self.extended(line, measured, k, said).map_err(|error| how.explained(&error))?
+                }
+                SurfaceData::Spectrum(spectrum) => {
+                    let line = Line { spectrum, own: spectrum.suitable_lattice() };
+                    let [longest, shortest] =
+                        spectrum.wavelengths().map(|length| readable(1e3 * length));
+                    let what = format!("a spectrum of waves from {shortest} to {longest} mm");
+                    said.line(file, &what, &line);
+                    self.extended(line, measured, k, said).map_err(|error| how.explained(&error))?
                 }
             };
             sum = Some(match sum {
@@ -235,6 +241,9 @@ impl SurfaceSource {
                 }
                 SurfaceData::Map(removal.surface)
             }
+            (SurfaceData::Spectrum(_), Some(Form::Cylinder | Form::Sphere)) => {
+                return Err(how.refusal(&file.display().to_string(), NO_FORM));
+            }
             (data, _) => data,
         };
         let data = match (data, taken_off.cutoff) {
@@ -244,11 +253,14 @@ impl SurfaceSource {
             (SurfaceData::Map(map), Some(cutoff)) => {
                 map.without_waviness(cutoff).map(SurfaceData::Map)
             }
+            (SurfaceData::Spectrum(spectrum), Some(cutoff)) => {
+                spectrum.without_waviness(cutoff).map(SurfaceData::Spectrum)
+            }
             (data, None) => Ok(data),
         };
         let map = match data.map_err(|error| how.explained(&error))? {
             SurfaceData::Map(map) => map,
-            SurfaceData::Profile(profile) => return Ok(SurfaceData::Profile(profile)),
+            line => return Ok(line),
         };
         let Some(cells) = self.cells else { return Ok(SurfaceData::Map(map)) };
         let lattice = map.lattice();
@@ -257,24 +269,30 @@ impl SurfaceSource {
         Ok(SurfaceData::Map(map))
     }
 
-    /// A surface with the spectrum of a profile, on the lattice of the other surface if that is a
+    /// The surface of the body `k` that has a line, on the lattice of the other surface if that is a
     /// map.
     fn extended(
         &self,
-        profile: &Profile,
+        line: Line,
         lattice: Option<Lattice>,
-        seed: u64,
+        k: usize,
         said: &mut Said,
     ) -> Result<HeightMap, Error> {
-        let points = profile.heights().len();
-        let length = points as f64 * profile.spacing();
-        let cells = self.cells.unwrap_or(points.min(MOST_CELLS));
-        let lattice = lattice.unwrap_or(Lattice::square(cells, length));
-        if lattice.spacing_x > 1.01 * profile.spacing() {
-            said.notices.push(Notice::WavesLeftOut { wavelength: 2.0 * lattice.spacing_x });
+        let cells = self.cells.unwrap_or(line.own.columns.min(MOST_CELLS));
+        let lattice = lattice.unwrap_or(Lattice::square(cells, line.own.length_x()));
+        let (wavelength, [_, shortest]) = (2.0 * lattice.spacing_x, line.spectrum.wavelengths());
+        if wavelength > 1.01 * shortest {
+            said.notices.push(Notice::WavesLeftOut { wavelength });
         }
-        profile.isotropic_surface(lattice, seed)
+        line.spectrum.isotropic_surface(lattice, self.seed.wrapping_add(k as u64))
     }
+}
+
+/// A line across a surface, and the lattice that suits it.
+#[derive(Clone, Copy)]
+struct Line<'a> {
+    spectrum: &'a LineSpectrum,
+    own: Lattice,
 }
 
 /// What is said of a surface while it is made.
@@ -285,6 +303,12 @@ struct Said {
 }
 
 impl Said {
+    /// Of a line from which a surface is made.
+    fn line(&mut self, file: &Path, what: &str, line: &Line) {
+        let height = readable(1e6 * line.spectrum.root_mean_square_height());
+        self.remarks.push(format!("{}: from {what} with Rq = {height} µm", file.display()));
+    }
+
     /// Of a form of a radius (in m) that was taken off.
     fn form(&mut self, file: &Path, radius: f64) {
         let name = file.display();

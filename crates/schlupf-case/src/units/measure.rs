@@ -24,6 +24,8 @@ pub enum Scale {
     Turning(Dimension),
     /// Absolute temperatures, each unit with its own zero; converted to degC.
     AbsoluteTemperature,
+    /// Levels, in decibels alone.
+    Level,
 }
 
 impl Scale {
@@ -32,7 +34,7 @@ impl Scale {
         match self {
             Self::Ratio(own) => own == dimension,
             Self::Turning(own) => [own, own * Dimension::ANGLE].contains(&dimension),
-            Self::AbsoluteTemperature => false,
+            Self::AbsoluteTemperature | Self::Level => false,
         }
     }
 }
@@ -158,4 +160,7 @@ impl Measure {
         examples: "degC, K or degF",
         scale: Scale::AbsoluteTemperature,
     };
+    /// Level of a height, in dB re 1 µm.
+    pub const LEVEL: Self =
+        Self { name: "a level", unit: "dB", examples: "dB", scale: Scale::Level };
 }

@@ -41,7 +41,8 @@ pub fn parse_unit(unit: &str, measure: &Measure) -> Result<Conversion, QuantityE
     }
     match (measure.scale, absolute_temperature(unit)) {
         (Scale::AbsoluteTemperature, Some(conversion)) => Ok(conversion),
-        (Scale::AbsoluteTemperature, None) => {
+        (Scale::Level, _) if unit == "dB" => Ok(Conversion { factor: 1.0, offset: 0.0 }),
+        (Scale::AbsoluteTemperature | Scale::Level, _) => {
             let parsed = expression::parse(unit)?;
             Err(wrong_dimension(unit, parsed.dimension))
         }

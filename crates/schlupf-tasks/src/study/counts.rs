@@ -1,9 +1,7 @@
 //! Warnings of many rows, counted by their codes.
 
-use crate::Notice as TaskNotice;
-use schlupf::Warning;
+use crate::warning_codes;
 use schlupf::reporting::{Message, Tallied, Tally};
-use schlupf_case::Notice as CaseNotice;
 
 /// The column with the codes of the warnings of each row.
 pub(crate) const WARNINGS: &str = "warnings";
@@ -65,21 +63,14 @@ impl Counts {
             };
             return found.map(told).collect();
         }
-        let meaning = known().find(|(known, _)| known == code);
+        let meaning = warning_codes().into_iter().find(|(known, _)| known == code);
         let told = |(code, meaning): (&'static str, &str)| {
-            let meaning = meaning.trim().trim_end_matches('.');
+            let meaning = meaning.trim_end_matches('.');
             let text = format!("{counted}, first in row {first}: {}", lower(meaning));
             Message::new(code, WARNINGS, text)
         };
         meaning.map(told).into_iter().collect()
     }
-}
-
-/// All codes of warnings with what they mean.
-fn known() -> impl Iterator<Item = (&'static str, &'static str)> {
-    let codes = Warning::CODES.iter().chain(CaseNotice::CODES).chain(TaskNotice::CODES);
-    let meanings = Warning::MEANINGS.iter().chain(CaseNotice::MEANINGS).chain(TaskNotice::MEANINGS);
-    codes.copied().zip(meanings.copied())
 }
 
 /// With a small letter in front.

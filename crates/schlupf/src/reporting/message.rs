@@ -113,16 +113,21 @@ pub fn quoted_path(path: &str) -> String {
 
 /// Declares an enum of messages: for each kind its code, its values, the quantity that it is about
 /// and its sentence in given [`Words`]. The code of a kind that holds another message is that of
-/// the other: `"code" [field]`. Messages may be about another [`Subject`] than quantities. A kind
+/// the other: `"code" [field: its type]`, without the type where it is of the same enum. Messages may be about another [`Subject`] than quantities. A kind
 /// of which one may be worse than another says by which number: `severity …`, the larger the worse.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! messages {
+    (@codes $codes:ident $code:literal $meaning:expr;) => { $codes.push(($code, $meaning.trim())) };
+    (@codes $codes:ident $code:literal $meaning:expr; $inner:ident) => {};
+    (@codes $codes:ident $code:literal $meaning:expr; $inner:ident: $of:ty) => {
+        $codes.extend(<$of>::codes())
+    };
     (
         $(#[$about:meta])*
         $name:ident of $about_what:ty: $(
             $(#[doc = $doc:literal])*
-            $code:literal $([$inner:ident])? $kind:ident { $($(#[$field_doc:meta])* $field:ident: $type:ty),* $(,)? }
+            $code:literal $([$inner:ident $(: $of:ty)?])? $kind:ident { $($(#[$field_doc:meta])* $field:ident: $type:ty),* $(,)? }
             $quantity:expr, |$subject:ident, $words:ident| $text:expr $(, severity $severity:expr)?;
         )*
     ) => {
@@ -140,11 +145,15 @@ macro_rules! messages {
             reason = "what a message says need not use every field"
         )]
         impl $name {
-            /// The codes of all kinds, in the order of their declaration.
-            pub const CODES: &[&str] = &[$($code),*];
-
-            /// What each of them means, in Markdown.
-            pub const MEANINGS: &[&str] = &[$(concat!($($doc),*)),*];
+            /// The codes of all kinds with what each of them means, in Markdown, in the order of
+            /// their declaration; those within in the place of a kind that holds them.
+            pub fn codes() -> Vec<(&'static str, &'static str)> {
+                let mut codes = Vec::new();
+                $($crate::reporting::messages!(
+                    @codes codes $code concat!($($doc),*); $($inner $(: $of)?)?
+                );)*
+                codes
+            }
 
             /// Which kind it is, as a word that stays the same in every version.
             pub fn code(&self) -> &'static str {

@@ -7,6 +7,7 @@ pub mod form;
 pub mod ring_spectrum;
 pub mod spectrum;
 pub mod synthesis;
+mod line_spectrum;
 mod profile;
 mod filter;
 mod holes;
@@ -14,6 +15,7 @@ mod resampling;
 mod statistics;
 
 pub use holes::{Holes, require_few};
+pub use line_spectrum::LineSpectrum;
 pub use profile::Profile;
 pub use statistics::Statistics;
 

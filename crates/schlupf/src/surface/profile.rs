@@ -1,14 +1,13 @@
-//! A measured profile, one line across a surface, and the isotropic surface that has this profile.
+//! A measured profile, one line across a surface.
 
 use std::f64::consts::TAU;
 
 use realfft::RealFftPlanner;
+use rustfft::num_complex::Complex;
 
 use super::form::line_without_circle;
-use super::ring_spectrum::RingSpectrum;
+use super::line_spectrum::LineSpectrum;
 use super::spectrum::hann;
-use super::synthesis::isotropic;
-use super::{HeightMap, Lattice};
 use crate::numerics::vector::root_mean_square;
 use crate::reporting::{
     Error, Place, Quantity, Requirement, SurfaceError, require_at, require_positive,
@@ -66,32 +65,8 @@ impl Profile {
         Ok((Self::new(self.spacing, &heights)?, radius))
     }
 
-    /// The spectrum of an isotropic surface that has this profile, with its root mean square height
-    /// Rq.
-    pub fn isotropic_spectrum(&self) -> RingSpectrum {
-        let (step, variances) = self.line_spectrum();
-        let spectrum = RingSpectrum::of_line(&variances, step);
-        // The window gave waves in the middle of the line a larger weight.
-        let found = spectrum.root_mean_square_height();
-        spectrum.scaled(self.root_mean_square_height() / found)
-    }
-
-    /// An isotropic surface with the spectrum and the root mean square height of this profile.
-    /// Waves longer than the profile or the lattice and shorter than two of its points or cells are
-    /// missing, and so is their share of the height.
-    pub fn isotropic_surface(&self, lattice: Lattice, seed: u64) -> Result<HeightMap, Error> {
-        let spectrum = self.isotropic_spectrum();
-        let surface = isotropic(lattice, |q| spectrum.density(q), seed)?;
-        let longest = lattice.length_x().max(lattice.length_y());
-        let shortest = 2.0 * lattice.spacing_x.max(lattice.spacing_y);
-        let carried = spectrum.height_between([0.5 * TAU / longest, TAU / shortest]);
-        let found = root_mean_square(surface.heights());
-        surface.require_rough()?;
-        Ok(surface.scaled(carried / found))
-    }
-
-    /// Variance (in m²) by number of waves, and the step of qₓ (in rad/m), with a Hann window.
-    fn line_spectrum(&self) -> (f64, Vec<f64>) {
+    /// Its spectrum, with a Hann window and the root mean square height Rq.
+    pub fn line_spectrum(&self) -> LineSpectrum {
         let count = self.heights.len();
         let transform = RealFftPlanner::new().plan_fft_forward(count);
         let mut field: Vec<f64> =
@@ -99,14 +74,16 @@ impl Profile {
         let mut values = transform.make_output_vec();
         // It fails only for slices of the wrong length.
         let _ = transform.process(&mut field, &mut values);
-        let variance = 2.0 / (count as f64 * count as f64);
-        let mut variances: Vec<f64> =
-            values.iter().map(|value| variance * value.norm_sqr()).collect();
+        let mut variances: Vec<f64> = values.iter().map(Complex::norm_sqr).collect();
         if let (true, Some(shortest)) = (count.is_multiple_of(2), variances.last_mut()) {
             // The shortest wave is its own mirror.
             *shortest *= 0.5;
         }
-        (TAU / (count as f64 * self.spacing), variances)
+        // The window gave waves in the middle of the line a larger weight.
+        let found: f64 = variances.iter().skip(1).sum();
+        let factor = self.root_mean_square_height().powi(2) / found;
+        let variances = variances.into_iter().map(|variance| factor * variance).collect();
+        LineSpectrum::new(TAU / (count as f64 * self.spacing), variances)
     }
 }
 
@@ -125,6 +102,8 @@ fn levelled(heights: &[f64]) -> Vec<f64> {
 mod tests {
     use approx::assert_relative_eq;
 
+    use super::super::Lattice;
+    use super::super::ring_spectrum::RingSpectrum;
     use super::super::spectrum::{RadialSpectrum, Window, spectral_gradient};
     use super::super::statistics::Statistics;
     use super::super::synthesis::{Roughness, SelfAffine};
@@ -146,7 +125,7 @@ mod tests {
         let surface = spectrum.surface(lattice, 11).unwrap();
         let lines = surface.heights().chunks_exact(1024).step_by(64);
         let spectra: Vec<RingSpectrum> = lines
-            .map(|line| Profile::new(lattice.spacing_x, line).unwrap().isotropic_spectrum())
+            .map(|line| Profile::new(lattice.spacing_x, line).unwrap().line_spectrum().isotropic())
             .collect();
         let mean = |value: fn(&RingSpectrum) -> f64| {
             let squares: f64 = spectra.iter().map(|spectrum| value(spectrum).powi(2)).sum();
@@ -167,9 +146,9 @@ mod tests {
             (0..4000).map(|i| wave(i, 130.3, 0.0) + 0.5 * wave(i, 41.7, 1.0)).collect();
         let profile = Profile::new(1e-6, &heights).unwrap();
         let lattice = Lattice::square(500, 1e-3);
-        let surface = profile.isotropic_surface(lattice, 5).unwrap();
+        let surface = profile.line_spectrum().isotropic_surface(lattice, 5).unwrap();
         let statistics = Statistics::of(&surface).unwrap();
-        let height = profile.isotropic_spectrum().root_mean_square_height();
+        let height = profile.line_spectrum().isotropic().root_mean_square_height();
         // A fraction of 10⁻⁶ is in waves too short for the lattice.
         assert_relative_eq!(statistics.root_mean_square_height, height, max_relative = 1e-5);
         assert_relative_eq!(height, profile.root_mean_square_height(), max_relative = 1e-9);
@@ -195,7 +174,7 @@ mod tests {
             let mut off = Vec::new();
             for line in surface.heights().chunks_exact(1024).step_by(64) {
                 let profile = Profile::new(1e-6, line).unwrap();
-                let spectrum = profile.isotropic_spectrum();
+                let spectrum = profile.line_spectrum().isotropic();
                 for (q, expected) in truth.wave_numbers.iter().zip(&truth.densities) {
                     if *q > 1.5 * TAU / 1e-4 && *q < 0.85 * TAU / 8e-6 {
                         off.push((spectrum.density(*q) / expected).log2());

@@ -56,12 +56,7 @@ impl SelfAffine {
     /// eight of the longest along a side of at most 1024 cells. If only two of them fit, the cells
     /// grow to half the shortest wave; beyond that there are more cells.
     pub fn suitable_lattice(&self) -> Lattice {
-        let ratio = (self.longest_wavelength / self.shortest_wavelength).max(1.0);
-        let [least, most] = LONGEST_WAVES;
-        let waves = (MOST_CELLS / (CELLS_IN_SHORTEST * ratio)).floor().clamp(least, most);
-        let wanted = (waves * ratio * CELLS_IN_SHORTEST).min(MOST_CELLS).max(2.0 * waves * ratio);
-        let cells = smooth_from((wanted * (1.0 - ROUNDING)).ceil().min(LARGEST as f64) as usize);
-        Lattice::square(cells, waves * self.longest_wavelength)
+        suitable_lattice([self.longest_wavelength, self.shortest_wavelength])
     }
 
     /// A surface with zero mean height and exactly the given roughness.
@@ -125,6 +120,16 @@ impl SelfAffine {
         }
         Ok(())
     }
+}
+
+/// A lattice that represents the waves between two wavelengths (in m).
+pub(super) fn suitable_lattice([longest, shortest]: [f64; 2]) -> Lattice {
+    let ratio = (longest / shortest).max(1.0);
+    let [least, most] = LONGEST_WAVES;
+    let waves = (MOST_CELLS / (CELLS_IN_SHORTEST * ratio)).floor().clamp(least, most);
+    let wanted = (waves * ratio * CELLS_IN_SHORTEST).min(MOST_CELLS).max(2.0 * waves * ratio);
+    let cells = smooth_from((wanted * (1.0 - ROUNDING)).ceil().min(LARGEST as f64) as usize);
+    Lattice::square(cells, waves * longest)
 }
 
 /// Wavelengths of exactly an integer number of waves must not be lost to rounding error.

@@ -6,7 +6,7 @@ use crate::fields::choice::{Choose, ContactLawModel, FormTakenOff};
 use crate::fields::field::Default::{Computed, Nothing, Same, Text};
 use crate::fields::field::{Field, Kind, Section};
 use crate::fields::path::FieldPath;
-use crate::surface::HEIGHT_COLUMNS;
+use crate::surface::{BAND_COLUMNS, HEIGHT_COLUMNS};
 use crate::units::Measure;
 use schlupf::reporting::Requirement::{self, AboveUpTo, Between, Finite};
 
@@ -61,12 +61,12 @@ section! {
     "hurst" [HurstExponent] Kind::Number, Between(0.0, 1.0), Computed("0.8"),
         "H, its Hurst exponent", example("0.8"), with(METHOD, FULL), idle_with(MODEL, COULOMB);
     "file" [Heights] Kind::Path, Finite, Nothing,
-        "a measured surface or profile for the micro model: .csv, .npy, .x3p or .xyz",
+        "a measured surface, profile or spectrum for the micro model: .csv, .npy, .x3p or .xyz",
         example("surface.x3p"), with(METHOD, FULL), idle_with(MODEL, COULOMB),
-        of_columns(&[&HEIGHT_COLUMNS]);
+        of_columns(&[&HEIGHT_COLUMNS, &BAND_COLUMNS]);
     "second_file" [] Kind::Path, Finite, Nothing,
         "the surface of the other body, on the same lattice", example("rail.x3p"),
-        with(METHOD, FULL), idle_with(MODEL, COULOMB), of_columns(&[&HEIGHT_COLUMNS]);
+        with(METHOD, FULL), idle_with(MODEL, COULOMB), of_columns(&[&HEIGHT_COLUMNS, &BAND_COLUMNS]);
     "unit" [] Kind::Text, Finite, Nothing,
         "unit of heights in .npy files, of all lengths in .xyz files", example("um"),
         with(METHOD, FULL), idle_with(MODEL, COULOMB);

@@ -9,7 +9,7 @@ use crate::elasticity::{Compliance, Elasticity};
 use crate::normal::{Grid, VectorField};
 use crate::numerics::least_squares::{Limits, Residuals, minimise};
 use crate::numerics::vector::{dot, norm};
-use crate::reporting::{Error, Quantity, require_positive, require_several};
+use crate::reporting::{CalibrationError, Error, Quantity, require_positive, require_several};
 use crate::solution::Solution;
 
 /// Traction and displacement of one component on the cells of a grid.
@@ -130,7 +130,7 @@ pub fn fit(samples: &[Sample]) -> Result<DisplacementFit, Error> {
         .fold(0.0, f64::max);
     let mut fit = Fit { samples, length };
     let start = fit.start()?;
-    let found = minimise(&mut fit, &start, &LIMITS)?.ok_or(Error::NoLayer {})?;
+    let found = minimise(&mut fit, &start, &LIMITS)?.ok_or(CalibrationError::NoLayer {})?;
     let stiffness = fit.stiffness(&found.parameters);
     let mut deviation = Vec::with_capacity(samples.len());
     let mut rest = found.residuals.as_slice();
@@ -175,8 +175,9 @@ impl Fit<'_> {
             // For the layer with a bedding of one.
             let [mut along, mut squares] = [0.0; 2];
             for sample in self.samples {
-                let [unit, given] =
-                    self.displacements(sample, &[0.0, reach, reach]).ok_or(Error::NoLayer {})?;
+                let [unit, given] = self
+                    .displacements(sample, &[0.0, reach, reach])
+                    .ok_or(CalibrationError::NoLayer {})?;
                 along += dot(&unit, &given);
                 squares += dot(&unit, &unit);
             }
@@ -187,7 +188,7 @@ impl Fit<'_> {
                 best = Some((gain, vec![(squares / along).ln(), reach, reach]));
             }
         }
-        best.map(|(_, start)| start).ok_or(Error::AgainstLoad {})
+        best.map(|(_, start)| start).ok_or(CalibrationError::AgainstLoad {}.into())
     }
 
     /// Displacements of the layer and the known ones, each minus its mean and divided by the norm

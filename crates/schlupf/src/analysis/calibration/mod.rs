@@ -19,7 +19,7 @@ use std::sync::Arc;
 use crate::elasticity::elastic_layer::ElasticLayer;
 use crate::elasticity::{Elasticity, RelativeStiffness, Winkler, tabulated_stiffness};
 use crate::numerics::least_squares::{Limits, Residuals, minimise};
-use crate::reporting::{Error, Watch};
+use crate::reporting::{CalibrationError, Error, Watch};
 
 pub use kalker_bed::KalkerBed;
 
@@ -115,7 +115,7 @@ pub fn calibrate(
         &[motions.slope_bedding()[0].ln(), motions.slope_bedding()[1].ln()],
         &limits,
     )?;
-    let failed = || Error::CalibrationNotConverged { axis_ratio };
+    let failed = || Error::from(CalibrationError::NotConverged { axis_ratio });
     let (found, bed) = (found.ok_or_else(failed)?, bed.ok_or_else(failed)?);
     let others = Motions::new(axis_ratio, poisson_ratio, options.cells, &OTHERS, watch)?;
     let deviation = |elasticity: Option<Arc<dyn Elasticity>>| match elasticity {
@@ -157,7 +157,7 @@ pub fn deviation_of_table(
     let [x, y] = tabulated_stiffness(axis_ratio, poisson_ratio)?
         .map(|relative| relative.absolute(motions.shear_modulus(), SIZE));
     let layer: Arc<dyn Elasticity> = Arc::new(ElasticLayer::new(x, y, None)?);
-    motions.deviation(&layer)?.ok_or(Error::CalibrationNotConverged { axis_ratio })
+    motions.deviation(&layer)?.ok_or(CalibrationError::NotConverged { axis_ratio }.into())
 }
 
 /// Converts the logarithms of the bedding and of the two decay lengths of each component.

@@ -8,7 +8,7 @@ use crate::elasticity::Elasticity;
 use crate::numerics::parallel;
 use crate::numerics::vector::norm;
 use crate::problem::{Options, Problem};
-use crate::reporting::{Error, Progress, Stage, Watch, within};
+use crate::reporting::{CalibrationError, Error, Progress, Stage, Watch, within};
 use crate::solution::{Solution, Status};
 use crate::solver::{Solver, SteadySolver};
 
@@ -106,7 +106,7 @@ impl<'a> Motions<'a> {
         let mut this = Self { contact, ways, exact, options, watch, solved };
         let elasticity = Arc::clone(&this.contact.problem.interface.elasticity);
         this.exact =
-            this.answers(&elasticity)?.ok_or(Error::CalibrationNotConverged { axis_ratio })?;
+            this.answers(&elasticity)?.ok_or(CalibrationError::NotConverged { axis_ratio })?;
         Ok(this)
     }
 

@@ -1,5 +1,6 @@
 //! What can go wrong before and during a solution.
 
+mod calibration;
 mod place;
 mod demand;
 mod fit;
@@ -15,6 +16,7 @@ use crate::reporting::{Quantity, Requirement, messages, readable, with_unit};
 pub(crate) use demand::{require, require_at, require_finite, require_positive, require_several};
 use over_time::{OverTime, over_time};
 
+pub use calibration::CalibrationError;
 pub use fit::{FitCause, FitError, FitStop};
 pub use force::ForceError;
 pub use place::Place;
@@ -201,7 +203,7 @@ messages! {
     };
 
     /// Prescribed forces that cannot be.
-    "force" [error] Force {
+    "force" [error: ForceError] Force {
         /// Why.
         error: ForceError,
     } error.quantity(), |name, words| error.text(words);
@@ -400,7 +402,7 @@ messages! {
     );
 
     /// A rough surface that cannot be.
-    "surface" [error] Surface {
+    "surface" [error: SurfaceError] Surface {
         /// Why.
         error: SurfaceError,
     } error.quantity(), |name, words| error.text(words);
@@ -586,44 +588,20 @@ messages! {
         )
     };
 
-    /// Motions of a calibration were not solved.
-    "calibration-not-converged" CalibrationNotConverged {
-        /// a/b, dimensionless.
-        axis_ratio: f64,
-    } Quantity::Calibration, |name, words| format!(
-        "{name}: the motions of a/b = {} could not be solved",
-        readable(*axis_ratio)
-    );
-
-    /// No layer could be set up for given displacements.
-    "no-layer" NoLayer {} Quantity::SampleDisplacement, |name, words| format!("{name}: no layer could be set up on its grid");
-
-    /// Displacements oppose their load.
-    "against-load" AgainstLoad {} Quantity::SampleDisplacement, |name, words| format!(
-        "{name}: the displacements oppose their load: tractions must be those on the wheel, \
-         displacements those of the wheel minus those of the rail"
-    );
-
-    /// No layer has the given displacements.
-    "unlike-a-layer" UnlikeALayer {
-        /// Those along rolling, or across.
-        quantity: Quantity,
-        /// Deviation of the nearest layer, dimensionless.
-        deviation: f64,
-    } *quantity, |name, words| format!(
-        "{name}: no elastic layer has such displacements: the nearest is {:.0} % of them away; check \
-         that tractions and displacements belong together, and their units",
-        100.0 * deviation
-    );
+    /// A layer that cannot be calibrated.
+    "calibration" [error: CalibrationError] Calibration {
+        /// Why.
+        error: CalibrationError,
+    } error.quantity(), |name, words| error.text(words);
 
     /// Data and parameters that do not go together.
-    "fit" [error] Fit {
+    "fit" [error: FitError] Fit {
         /// Why.
         error: FitError,
     } error.quantity(), |name, words| error.text(words);
 
     /// A wheel and a rail that cannot be solved for.
-    "wheel-rail" [error] WheelRail {
+    "wheel-rail" [error: WheelRailError] WheelRail {
         /// Why.
         error: WheelRailError,
     } error.quantity(), |name, words| error.text(words);

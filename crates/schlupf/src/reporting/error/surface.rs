@@ -60,6 +60,29 @@ messages! {
         None => format!("{name} must not be flat, but its points lie on a straight line"),
     };
 
+    /// Wavelengths are not those of adjacent one-third octave bands.
+    "octave-bands" OctaveBands {
+        /// Which one is not.
+        index: usize,
+        /// It, in m.
+        wavelength: f64,
+        /// The one that must follow, in m; `None` where it is the middle of no band.
+        expected: Option<f64>,
+    } Quantity::Heights, |name, words| {
+        let is = readable(*wavelength);
+        match expected {
+            None => format!(
+                "{name} must have finite levels at the middles of one-third octave bands, 10^(k/10) m, \
+                 but has one at {is} m"
+            ),
+            Some(expected) => format!(
+                "{name} must have all one-third octave bands up to {is} m once, but that of {} m is \
+                 missing or one is given twice",
+                readable(*expected)
+            ),
+        }
+    };
+
     /// Two surfaces are on different lattices.
     "lattices-differ" LatticesDiffer {
         /// Columns and rows of both.
