@@ -15,6 +15,7 @@ use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::interface::{ContactLaw, Incremental};
 use schlupf::normal::Ellipse;
 use schlupf::problem::{Element, History};
+use schlupf::reporting::StateError;
 use schlupf::solver::march;
 use schlupf::{Error, Options, Problem, Solution, Status, Transient, unwatched};
 
@@ -226,6 +227,6 @@ fn impossible_tracks_are_refused() {
         refused(|element| element.track[1].distance = -1e-3),
         refused(|element| element.track.swap(0, 1)),
     ] {
-        assert!(matches!(error, Error::ImpossibleState {}), "{error}");
+        assert!(matches!(error, Error::State { error: StateError::Impossible {} }), "{error}");
     }
 }

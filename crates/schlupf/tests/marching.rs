@@ -11,6 +11,7 @@ use schlupf::interface::friction::TemperatureLinear;
 use schlupf::interface::heat::{Duhamel, Heat, Partition};
 use schlupf::normal::{PressureTable, Tabulated};
 use schlupf::problem::History;
+use schlupf::reporting::StateError;
 use schlupf::solver::march;
 use schlupf::solver::reference::winkler_strip;
 use schlupf::{Options, Quantity, Status, Transient, unwatched};
@@ -236,5 +237,5 @@ fn a_solution_without_a_state_is_refused() {
     assert_eq!(without.force, with.force);
     assert!(without.state.elements.is_empty());
     let error = march(&from_state(&problem, without.state), &cells(12), &unwatched).unwrap_err();
-    assert!(matches!(error, schlupf::Error::NoState {}), "{error}");
+    assert!(matches!(error, schlupf::Error::State { error: StateError::NotKept {} }), "{error}");
 }

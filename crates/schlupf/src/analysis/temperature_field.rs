@@ -17,7 +17,7 @@ use crate::bodies::{Body, ReferencePoint};
 use crate::interface::heat::HeatStep;
 use crate::normal::patch::{Patch, Strip};
 use crate::problem::{Method, Problem};
-use crate::reporting::{Error, MethodPurpose, Warning};
+use crate::reporting::{Error, MethodPurpose, StateError, Warning};
 use crate::solution::Solution;
 
 /// Wheel or rail.
@@ -106,7 +106,7 @@ impl TemperatureField {
             return Err(Error::OtherMethod { purpose: MethodPurpose::Field, method });
         }
         if solution.state.elements.is_empty() {
-            return Err(Error::NoState {});
+            return Err(StateError::NotKept {}.into());
         }
         let grid = solution.state.grid;
         let normal = problem.normal.normal_contact(Some(solution.normal.load))?;

@@ -7,6 +7,7 @@ mod fit;
 mod force;
 mod over_time;
 mod purpose;
+mod state;
 mod surface;
 mod wheel_rail;
 mod convergence;
@@ -21,6 +22,7 @@ pub use fit::{FitCause, FitError, FitStop};
 pub use force::ForceError;
 pub use place::Place;
 pub use purpose::MethodPurpose;
+pub use state::StateError;
 pub use surface::SurfaceError;
 pub use wheel_rail::WheelRailError;
 
@@ -407,11 +409,6 @@ messages! {
         error: SurfaceError,
     } error.quantity(), |name, words| error.text(words);
 
-    /// A solution did not keep the state of the material.
-    "no-state" NoState {} Quantity::Method, |_name, _words| "a march that goes on from a \
-         solution, and temperatures below the surface, need a solution that keeps the state of the \
-         material".to_owned();
-
     /// The pressure has no paraboloid to bound the traction of FASTSIM.
     "no-paraboloid" NoParaboloid {} Quantity::TractionBound, |name, words| format!(
         "{name}: the pressure of a table or a profile, or that on a layer that flows, is no \
@@ -522,26 +519,11 @@ messages! {
         words.word(Quantity::CellsX)
     );
 
-    /// The initial state is inconsistent.
-    "impossible-state" ImpossibleState {} Quantity::InitialState, |name, words| format!(
-        "{name}: the state has an element outside the grid, two in one cell, one with more traction \
-         than friction allows, or one with an impossible slip speed, friction or heat"
-    );
-
-    /// The initial state belongs to another grid.
-    "state-of-another-grid" StateOfAnotherGrid {
-        /// Columns and rows of its grid, and of that of the problem.
-        cells: [[usize; 2]; 2],
-        /// Size of the cells of both, in m.
-        spacings: [[f64; 2]; 2],
-    } Quantity::InitialState, |name, words| {
-        let grid = |k: usize| {
-            let ([columns, rows], [x, y]) = (cells[k], spacings[k].map(readable));
-            format!("{columns} × {rows} cells of {x} × {y} m")
-        };
-        let [left, here] = [grid(0), grid(1)];
-        format!("{name}: the state was left on a grid of {left}, but this problem has {here}")
-    };
+    /// A march cannot go on from a state.
+    "state" [error: StateError] State {
+        /// Why.
+        error: StateError,
+    } error.quantity(), |name, words| error.text(words);
 
     /// The caller stopped the computation.
     "stopped" Stopped {} Quantity::MaxIterations, |name, words| "stopped before the end".to_owned();

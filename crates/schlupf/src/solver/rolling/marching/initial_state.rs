@@ -5,7 +5,7 @@ use crate::interface::heat::HeatStep;
 use crate::normal::patch::Patch;
 use crate::normal::{BORDER, Grid, NormalContact};
 use crate::problem::{Element, Options, State, TrackPoint, Transient};
-use crate::reporting::Error;
+use crate::reporting::{Error, StateError};
 
 use super::arrival::positions;
 
@@ -43,12 +43,12 @@ pub(super) fn fitting(state: &State, grid: &Grid) -> Result<State, Error> {
     };
     check_grid(&state.grid, grid)?;
     if state.elements.is_empty() {
-        return Err(Error::NoState {});
+        return Err(StateError::NotKept {}.into());
     }
     if state.elements.iter().all(is_sound) {
         Ok(state.clone())
     } else {
-        Err(Error::ImpossibleState {})
+        Err(StateError::Impossible {}.into())
     }
 }
 
@@ -64,10 +64,11 @@ fn check_grid(of_state: &Grid, grid: &Grid) -> Result<(), Error> {
         return Ok(());
     }
     let both = [of_state, grid];
-    Err(Error::StateOfAnotherGrid {
+    Err(StateError::OfAnotherGrid {
         cells: both.map(|grid| [grid.columns.saturating_sub(2 * BORDER), grid.rows]),
         spacings: both.map(|grid| [grid.spacing_x, grid.spacing_y]),
-    })
+    }
+    .into())
 }
 
 /// The elements in the order of the patch; a cell that had none gets one without history.
