@@ -132,6 +132,12 @@ def _purge(app: Any, env: Any, docname: str) -> None:
     env.__dict__.setdefault("schlupf_cited", {}).pop(docname, None)
 
 
+def _merge(app: Any, env: Any, docnames: set[str], other: Any) -> None:
+    """Takes over what pages cite that another process has read."""
+    cited = env.__dict__.setdefault("schlupf_cited", {})
+    cited.update({name: pages for name, pages in other.schlupf_cited.items() if name in docnames})
+
+
 def _check(app: Any, env: Any) -> None:
     cited = set().union(*env.schlupf_cited.values())
     for key in sorted(set(_of(app).keys.values()) - cited):
@@ -168,7 +174,7 @@ def _linked(text: str, bibliography: Bibliography, places: dict[str, str]) -> It
 def setup(app: Any) -> dict[str, bool]:
     app.connect("doctree-read", _collect)
     app.connect("env-purge-doc", _purge)
+    app.connect("env-merge-info", _merge)
     app.connect("env-check-consistency", _check)
     app.connect("doctree-resolved", _link)
-    # What pages cite is not merged.
-    return {"parallel_read_safe": False, "parallel_write_safe": True}
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

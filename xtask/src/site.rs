@@ -30,7 +30,7 @@ pub fn run(workspace: &Path, target: &Path, libraries: &[&str]) -> Result<(), St
     let variable = Some(("SCHLUPF_LIBRARY", library.display().to_string()));
     let target = target.display();
     let build = format!(
-        "sphinx --builder html --quiet --fail-on-warning --keep-going \
+        "sphinx --builder html --quiet --fail-on-warning --keep-going --jobs auto \
          --doctree-dir {target}/site-doctrees docs {target}/site"
     );
     Step { variable, ..environment.python(&build) }.run(workspace)
