@@ -12,9 +12,9 @@ use common::transients::{
 use common::{cells, half_space, layer, problem, rolling, solve_over};
 use schlupf::bodies::{Kinematics, Material};
 use schlupf::elasticity::{CalibratedLayer, Winkler};
-use schlupf::interface::Incremental;
 use schlupf::interface::friction::TemperatureLinear;
 use schlupf::interface::heat::{Duhamel, Heat, Partition};
+use schlupf::interface::{ContactLaw, Incremental};
 use schlupf::normal::AtLoad;
 use schlupf::problem::{History, Transient};
 use schlupf::{Problem, Solution, Warning, solver, unwatched};
@@ -218,14 +218,17 @@ fn half_space_under_a_load_that_rises_at_rolling_speed_on_fine_grids() {
 }
 
 /// In every step creep power = friction power + change of stored energy over its duration, within
-/// 1e-4 of the creep power of full sliding: with spin, heat, creepages and speed that change; on
-/// the half-space and on the layer. The load is constant, or changes: what departs from the patch
-/// counts.
+/// 1e-4 of the creep power of full sliding: with spin, heat, creepages and speed that change; with
+/// bristles on the half-space and on the layer, and with Coulomb's law. The load is constant, or
+/// changes: what departs from the patch counts.
 #[test]
 fn powers_of_every_step_balance() {
-    for elasticity in [half_space(), layer()] {
+    let coulomb = transients::reference(ContactLaw::Coulomb);
+    for (elasticity, reference) in
+        [(half_space(), reference()), (layer(), reference()), (half_space(), coulomb)]
+    {
         for load in [None, Some(vec![LOAD, 1.6 * LOAD, 0.5 * LOAD, LOAD])] {
-            let mut rolls = reference();
+            let mut rolls = reference.clone();
             rolls.interface.elasticity = elasticity.clone();
             rolls.interface.friction.law =
                 Arc::new(TemperatureLinear::new(0.3, 700.0, 0.0).unwrap());
