@@ -2,6 +2,7 @@
 
 #![allow(unsafe_code, reason = "the interface of allocators is unsafe")]
 
+#[path = "suite/common/mod.rs"]
 mod common;
 
 use std::alloc::{GlobalAlloc, Layout, System};

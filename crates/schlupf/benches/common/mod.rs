@@ -3,7 +3,7 @@
 
 #![allow(dead_code, reason = "each benchmark uses its part of it")]
 
-#[path = "../../tests/common/mod.rs"]
+#[path = "../../tests/suite/common/mod.rs"]
 mod problems;
 pub mod transforms;
 
