@@ -94,7 +94,7 @@ impl Part {
             Self::C => "installs the C library, runs programs with it (needs gcc, valgrind, …)",
             Self::Python => "builds, installs and tests the Python package (needs Python 3.10)",
             Self::Site => "builds the documentation site, runs its notebooks (needs Python 3.11)",
-            Self::Long => "what takes long: oldest, ignored tests, packages that are built",
+            Self::Long => "what takes long: single features, oldest, ignored tests, built packages",
             Self::Bench => "prints the tables of docs/performance.md and docs/studies.md",
         }
     }
@@ -103,25 +103,13 @@ impl Part {
     fn steps(self, workspace: &Path) -> Result<Vec<Step>, String> {
         Ok(match self {
             Self::Fmt => vec![Step::cargo("fmt --all --check")],
-            Self::Clippy => {
-                // The workspace builds with all features of the library, users with any of them.
-                let features = ["", " --features serde", " --features rayon"];
-                let alone = features.map(|feature| {
-                    Step::cargo(&format!("clippy --package schlupf{feature} -- -D warnings"))
-                });
-                let all = Step::cargo("clippy --workspace --all-targets -- -D warnings");
+            Self::Clippy => vec![
+                Step::cargo("clippy --workspace --all-targets -- -D warnings"),
                 // Targets that are built only when asked for are not among all.
-                let benches = [
-                    "schlupf --bench table",
-                    "schlupf-c --bench call",
-                    "schlupf-tasks --features parquet --bench sweep",
-                ]
-                .map(|bench| Step::cargo(&format!("clippy --package {bench} -- -D warnings")));
-                // So does the command.
-                let bare = "clippy --package schlupf-cli --no-default-features --all-targets";
-                let bare = Step::cargo(&format!("{bare} -- -D warnings"));
-                std::iter::once(all).chain(benches).chain(alone).chain([bare]).collect()
-            }
+                Step::cargo(
+                    "clippy --workspace --bench table --bench call --bench sweep -- -D warnings",
+                ),
+            ],
             Self::Test => vec![Step::cargo("test --workspace")],
             Self::Doc => {
                 let doc = Step::cargo("doc --workspace --no-deps");
@@ -142,13 +130,26 @@ impl Part {
                 vec![Step::cargo("publish --workspace --dry-run --allow-dirty --no-verify")]
             }
             Self::Oldest => vec![check_with_oldest(workspace)?],
-            Self::Long => vec![
-                check_with_oldest(workspace)?,
-                // The profile of tests is optimised; another one would take longer to build than
-                // to run.
-                Step::cargo("test --workspace -- --ignored"),
-                published(workspace)?,
-            ],
+            Self::Long => {
+                // The workspace builds with all features of the library and the command, users
+                // with any of them.
+                let alone = [
+                    "schlupf",
+                    "schlupf --features serde",
+                    "schlupf --features rayon",
+                    "schlupf-cli --no-default-features --all-targets",
+                ];
+                let alone = alone
+                    .map(|which| Step::cargo(&format!("clippy --package {which} -- -D warnings")));
+                let rest = [
+                    check_with_oldest(workspace)?,
+                    // The profile of tests is optimised; another one would take longer to build
+                    // than to run.
+                    Step::cargo("test --workspace -- --ignored"),
+                    published(workspace)?,
+                ];
+                alone.into_iter().chain(rest).collect()
+            }
             Self::Bench => vec![
                 Step::cargo("bench --package schlupf --bench table"),
                 Step::cargo("bench --package schlupf-c --bench call"),
