@@ -15,8 +15,11 @@ pub fn run(workspace: &Path, target: &Path) -> Result<(), String> {
     let steps = ["ruff check --quiet python", "ruff format --quiet --diff python"];
     steps.iter().try_for_each(|module| environment.python(module).run(workspace))?;
     Step::cargo("build --package schlupf-c").run(workspace)?;
+    environment.python("pytest --quiet --numprocesses auto").run(workspace)?;
+    // Times are compared with the machine for themselves.
     let variable = many_forces(target).map(|program| ("SCHLUPF_MANY_FORCES", program));
-    Step { variable, ..environment.python("pytest --quiet") }.run(workspace)?;
+    let speed = "pytest --quiet python/tests/test_forces.py -k as_fast_as_in_rust";
+    Step { variable, ..environment.python(speed) }.run(workspace)?;
     let steps = [
         "pytest --quiet --doctest-modules --pyargs schlupf",
         "mypy",

@@ -39,7 +39,9 @@ mod temperature;
 mod subsurface;
 mod wear;
 mod bulk;
+#[cfg(feature = "fitting")]
 mod calibrate;
+#[cfg(feature = "fitting")]
 mod fit;
 mod wheelset;
 mod catalogue;
@@ -68,7 +70,9 @@ pub const TASKS: &[Entry] = &[
     Entry::of::<subsurface::Subsurface>(),
     Entry::of::<wear::Wear>(),
     Entry::of::<bulk::Bulk>(),
+    #[cfg(feature = "fitting")]
     Entry::of::<calibrate::Calibrate>(),
+    #[cfg(feature = "fitting")]
     Entry::of::<fit::Fit>(),
     Entry::of::<wheelset::Wheelset>(),
     #[cfg(feature = "study")]

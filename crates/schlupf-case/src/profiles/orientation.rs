@@ -122,7 +122,7 @@ impl Running {
 
     fn median(&self) -> f64 {
         let mut heights: Vec<f64> = self.points.iter().map(|point| point[1]).collect();
-        heights.sort_by(f64::total_cmp);
+        heights.sort_unstable_by(f64::total_cmp);
         heights.get(heights.len() / 2).copied().unwrap_or(0.0)
     }
 

@@ -109,7 +109,7 @@ fn steps(points: &[Row]) -> impl Iterator<Item = f64> {
 /// The usual step from one point to the next, in m.
 pub fn median_step(points: &[Row]) -> f64 {
     let mut steps: Vec<f64> = steps(points).collect();
-    steps.sort_by(f64::total_cmp);
+    steps.sort_unstable_by(f64::total_cmp);
     steps.get(steps.len() / 2).copied().unwrap_or(0.0)
 }
 

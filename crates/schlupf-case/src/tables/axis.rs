@@ -17,9 +17,9 @@ const DIGIT: f64 = 0.75;
 /// needs to be taken.
 pub fn axis(name: &str, positions: &[f64], columns: &Columns) -> Result<Axis, CaseError> {
     let mut sorted = positions.to_vec();
-    sorted.sort_by(f64::total_cmp);
+    sorted.sort_unstable_by(f64::total_cmp);
     let mut gaps: Vec<f64> = sorted.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    gaps.sort_by(f64::total_cmp);
+    gaps.sort_unstable_by(f64::total_cmp);
     if sorted.is_empty() {
         let file = columns.field();
         let message = format!("{file} must have at least two values of {name}, but has no rows");

@@ -50,7 +50,7 @@ pub fn from_csv(
 /// The rows in the order of a position, each of which must be given once.
 fn ascending(columns: &Columns, name: char, ys: &[f64]) -> Result<Vec<usize>, CaseError> {
     let mut order: Vec<usize> = (0..ys.len()).collect();
-    order.sort_by(|a, b| ys[*a].total_cmp(&ys[*b]));
+    order.sort_unstable_by(|a, b| ys[*a].total_cmp(&ys[*b]));
     let twice = order.windows(2).find(|pair| ys[pair[0]] == ys[pair[1]]);
     let Some(&[first, second]) = twice else { return Ok(order) };
     let message = format!(

@@ -38,7 +38,7 @@ pub fn from_csv(name: String, bytes: Vec<u8>) -> Result<WearMap, CaseError> {
     let [speeds, ratios, coefficients] = &columns.values[..] else { return Err(empty(&columns)) };
     let edges = |values: &[f64]| {
         let mut edges = values.to_vec();
-        edges.sort_by(f64::total_cmp);
+        edges.sort_unstable_by(f64::total_cmp);
         edges.dedup();
         edges
     };

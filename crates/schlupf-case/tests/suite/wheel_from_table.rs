@@ -101,7 +101,7 @@ fn inputs(wheel: &WheelOnRail, height: f64, mut inputs: Vec<f64>) -> Vec<f64> {
 /// vertical force over itself, at the same height. Tangential forces of the table are those of
 /// the ellipse with the second moments of the pressure, by the standard table.
 #[test]
-#[ignore = "minutes; part of `cargo xtask long`"]
+#[ignore = "long: cargo xtask long"]
 fn wheels_from_tables_beside_exact_ones_and_virtual_penetration() {
     let (pair, interface) = (pair(), interface());
     let own = (interface.contact_modulus(), Joining::default());

@@ -180,7 +180,7 @@ fn steep_flanges_whose_force_jumps_are_found() {
 
 /// The same at two thousand positions.
 #[test]
-#[ignore = "takes minutes"]
+#[ignore = "long: cargo xtask long"]
 fn two_thousand_random_positions_have_contacts() {
     scan(&built_in(), 3, 1000);
     scan(&measured(), 4, 1000);

@@ -8,12 +8,14 @@
 //! (2014), and say so on their axes.
 
 pub mod bulk_temperature;
+#[cfg(feature = "fitting")]
 pub mod calibration;
 pub mod comparison;
 pub mod contact_law;
 pub mod creep_curve;
 pub mod damage;
 pub mod figures;
+#[cfg(feature = "fitting")]
 pub mod identification;
 pub(crate) mod json;
 mod number;

@@ -78,7 +78,7 @@ fn called(names: &'static Names, path: FieldPath) -> Option<&'static str> {
 
 /// Pressures (in Pa) in ascending order, as in a case file.
 fn array(mut pressures: Vec<f64>) -> String {
-    pressures.sort_by(f64::total_cmp);
+    pressures.sort_unstable_by(f64::total_cmp);
     let each: Vec<String> = pressures.iter().map(|value| format!("\"{value:e} Pa\"")).collect();
     format!("[{}]", each.join(","))
 }

@@ -161,7 +161,7 @@ impl TemperatureField {
     pub fn passages(&self, y: f64) -> Vec<[f64; 2]> {
         let on_line = self.tracks.iter().filter(|track| track.holds(y));
         let mut passages: Vec<_> = on_line.map(|track| [track.entry_x, track.exit_x]).collect();
-        passages.sort_by(|p, q| q[0].total_cmp(&p[0]));
+        passages.sort_unstable_by(|p, q| q[0].total_cmp(&p[0]));
         passages
     }
 

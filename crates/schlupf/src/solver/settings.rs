@@ -428,7 +428,7 @@ mod tests {
     /// solved; work changes by less than a half, and forces by less than what 20 cells are off by,
     /// or by some tolerances.
     #[test]
-    #[ignore = "minutes: cargo xtask long"]
+    #[ignore = "long: cargo xtask long"]
     fn half_and_twice() {
         let reference = solutions();
         let whole = products(&reference);

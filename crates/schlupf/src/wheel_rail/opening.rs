@@ -33,7 +33,7 @@ impl Opening {
         }
         let origin = solution.normal.origin.unwrap_or_default();
         let [x, mut y] = in_frame(side, origin, [&pressed.x, &pressed.s]);
-        y.sort_by(f64::total_cmp);
+        y.sort_unstable_by(f64::total_cmp);
         let distance = opening_under(&solution.fields, &coupling, [&x, &y])?;
         Ok(Some(Self { distance, origin, side }))
     }

@@ -143,7 +143,7 @@ impl ProfileCurve {
     /// The median step between two points, in m.
     pub(super) fn usual_step(&self) -> f64 {
         let mut steps: Vec<f64> = self.length.windows(2).map(|pair| pair[1] - pair[0]).collect();
-        steps.sort_by(f64::total_cmp);
+        steps.sort_unstable_by(f64::total_cmp);
         steps[steps.len() / 2]
     }
 

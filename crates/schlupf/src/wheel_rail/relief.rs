@@ -171,7 +171,7 @@ impl Relief {
         };
         let mut regions: Vec<Region> =
             heads.filter_map(|head| self.region(&own(head), height)).collect();
-        regions.sort_by(|one, two| one.ends[0][0].total_cmp(&two.ends[0][0]));
+        regions.sort_unstable_by(|one, two| one.ends[0][0].total_cmp(&two.ends[0][0]));
         regions
     }
 

@@ -211,7 +211,7 @@ impl Sliding<'_> {
             point.map_or(0.0, |point| -point.inclination())
         };
         let mut y: Vec<f64> = pressed.s.iter().map(|s| sign * s - middle).collect();
-        y.sort_by(f64::total_cmp);
+        y.sort_unstable_by(f64::total_cmp);
         let law = Arc::new(Across::new(friction.law, variation.mapped(y, inclination)));
         Ok(Friction { law, ..friction })
     }

@@ -200,7 +200,7 @@ impl Rows {
         };
         let mut found: Vec<[f64; 2]> =
             (0..=last).filter(is_least).map(|k| self.through(k)).collect();
-        found.sort_by(|one, two| two[1].total_cmp(&one[1]));
+        found.sort_unstable_by(|one, two| two[1].total_cmp(&one[1]));
         found
     }
 

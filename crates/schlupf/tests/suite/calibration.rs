@@ -42,6 +42,7 @@ fn tabulated_stiffnesses_are_near_the_half_space() {
 /// A calibration finds what the table says, and its tractions are about twice as close to the
 /// half-space's as those of a bed of springs without coupling that is fitted to the same forces.
 #[test]
+#[ignore = "long: cargo xtask long"]
 fn coupling_halves_the_distance_of_the_tractions() {
     let options = CalibrationOptions { cells: 14, ..CalibrationOptions::default() };
     let found = calibrate(1.0, 0.28, &options, &unwatched).unwrap();
@@ -63,7 +64,7 @@ fn coupling_halves_the_distance_of_the_tractions() {
 /// by 5.2 % there; on 36 cells, where the errors are less than half as large, it still deviates by
 /// 4.4 %: the goal of 4 % is missed by the fit, not by its grid.
 #[test]
-#[ignore = "minutes: cargo xtask long"]
+#[ignore = "long: cargo xtask long"]
 fn calibrations_over_all_axes_ratios() {
     let options = CalibrationOptions::default();
     let finer = CalibrationOptions { cells: 40, ..options };
@@ -106,7 +107,7 @@ fn percent(deviation: Deviation) -> String {
 /// N/m³ on 20, 30 and 40 cells, with forces 0.89, 0.94 and 0.95 % of μN from those of the
 /// half-space.
 #[test]
-#[ignore = "minutes: cargo xtask long"]
+#[ignore = "long: cargo xtask long"]
 fn the_table_is_as_near_as_a_new_calibration() {
     let options = CalibrationOptions::default();
     let ratio = |n: usize| 10.0_f64.powf(0.2 * n as f64 - 1.0);

@@ -170,7 +170,7 @@ fn vollebregt_2022_creep_forces_on_40_cells() {
 /// Forces on few cells against those on 160, for long and for wide patches. The largest errors are
 /// those under spin at a/b = 5, where cells are five times as long as wide.
 #[test]
-#[ignore = "takes a minute"]
+#[ignore = "long: cargo xtask long"]
 fn slender_patches_converge_as_fast() {
     let (mut on_20, mut on_40) = (Vec::new(), Vec::new());
     for ratio in [0.2, 2.0, 5.0] {
@@ -193,6 +193,7 @@ fn slender_patches_converge_as_fast() {
 
 /// Products of a cold solution hardly depend on the grid.
 #[test]
+#[ignore = "long: cargo xtask long"]
 fn cold_work_does_not_grow_with_the_grid() {
     for (across, step) in [(20, 1), (40, 1), (80, 5), (160, 11)] {
         let mut products = Vec::new();
@@ -212,6 +213,7 @@ fn cold_work_does_not_grow_with_the_grid() {
 /// Bristles from k_c = 10⁷/m to 10¹⁰/m take no more than twice as many products as the limit may,
 /// on any grid.
 #[test]
+#[ignore = "long: cargo xtask long"]
 fn stiff_bristles_take_no_more_work() {
     for (across, step) in [(20, 1), (40, 5), (80, 13)] {
         for stiffness in [1e7, 3e7, 1e8, 1e9, 1e10] {

@@ -168,6 +168,7 @@ fn of_a_step(marched: &Solution) -> f64 {
 /// order of at least 1.4, which the material in contact at the start, with a single earlier place,
 /// limits; the differences of grids twice as fine, at each mm.
 #[test]
+#[ignore = "long: cargo xtask long"]
 fn transients_converge() {
     let [coarse, middle, fine] = [20, 40, 80].map(|across| run(constant(12e-3), across));
     let largest = |one: &Solution, other: &Solution| {

@@ -42,6 +42,7 @@ fn check_forces(cells_across: usize, largest_steps: usize, [plain, with_spin]: [
 
 /// Forces and moment within 0.5 % of μN, with spin 1 %, at 40 cells across.
 #[test]
+#[ignore = "long: cargo xtask long"]
 fn neuhaus_sextro_2014_layer_forces_at_40_cells() {
     check_forces(40, 240, [0.005, 0.01]);
 }

@@ -110,7 +110,7 @@ fn vollebregt_2022_creep_forces_at_80_cells() {
 /// The same, all cases. On one, k_c = 1e8/m itself moves the converged force by 0.36 % of μN from
 /// that of Coulomb's law, of which the reference leaves 0.13 % open.
 #[test]
-#[ignore = "takes a minute"]
+#[ignore = "long: cargo xtask long"]
 fn vollebregt_2022_all_creep_forces_at_80_cells() {
     compare(80, 1, [0.003, 0.005], 1.0);
 }

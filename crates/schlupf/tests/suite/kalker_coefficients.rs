@@ -49,7 +49,7 @@ fn kalker_1990_creep_coefficients() {
 
 /// The same, all 76 lines.
 #[test]
-#[ignore = "takes a minute"]
+#[ignore = "long: cargo xtask long"]
 fn kalker_1990_all_creep_coefficients() {
     compare(creep_coefficients, 0, 1);
 }
@@ -76,6 +76,7 @@ fn gap(axis_ratio: f64, poisson_ratio: f64, count: usize) -> f64 {
 /// Between its nodes the table is within 0.1 % of the computation; ν = 0 and ½ lie outside of all
 /// nodes.
 #[test]
+#[ignore = "long: cargo xtask long"]
 fn the_table_is_exact_between_its_nodes() {
     for (axis_ratio, poisson_ratio) in
         [(0.1, 0.5), (0.17, 0.03), (0.5, 0.28), (1.7, 0.0), (7.9, 0.41)]
@@ -89,6 +90,7 @@ fn the_table_is_exact_between_its_nodes() {
 /// Beyond its ends it follows Kalker's limits, continuously: C11, C22 and C23 within 7 % at a/b =
 /// 1/30 and 30.
 #[test]
+#[ignore = "long: cargo xtask long"]
 fn the_table_goes_on_as_kalkers_limits() {
     for (axis_ratio, poisson_ratio) in
         [(1.0 / 30.0, 0.28), (30.0, 0.28), (1.0 / 30.0, 0.5), (30.0, 0.0)]
@@ -115,7 +117,7 @@ const POISSON_RATIOS: usize = 5;
 /// Makes `src/kalker_coefficients/table.rs` from direct computations at the zeros of Chebyshev's
 /// polynomials; with SCHLUPF_PIN=1 it writes the numbers, and it compares with what was there.
 #[test]
-#[ignore = "takes a minute"]
+#[ignore = "long: cargo xtask long"]
 fn the_table_is_that_of_the_computation() {
     let node = |k: usize, n: usize| (PI * (k as f64 + 0.5) / n as f64).cos();
     let mut logarithms = vec![[[0.0; POISSON_RATIOS]; RATIOS]; 4];

@@ -123,7 +123,7 @@ fn few_products() {
 }
 
 #[test]
-#[ignore = "minutes: cargo xtask long"]
+#[ignore = "long: cargo xtask long"]
 fn few_products_on_fine_grids() {
     let (products, lost) = products(315, 160.0, plain);
     assert_below(quantiles(products), [20.0, 33.0, 65.0]);
@@ -131,7 +131,7 @@ fn few_products_on_fine_grids() {
 }
 
 #[test]
-#[ignore = "minutes: cargo xtask long"]
+#[ignore = "long: cargo xtask long"]
 fn few_products_of_all_laws() {
     let (products, lost) = products(300, 60.0, mixed);
     let many = products.iter().filter(|products| **products > 100.0).count();

@@ -130,7 +130,7 @@ fn persson_2007_exponential_load_and_the_stiffness_from_it() {
 
 /// Goal: k_c does not hang on the grid: the same surface on cells of half the size.
 #[test]
-#[ignore = "takes long; `cargo xtask long`"]
+#[ignore = "long: cargo xtask long"]
 fn stiffness_on_a_finer_grid() {
     let [coarse, fine] = [256, 512].map(|cells| solve(&model(cells, 1)).stiffness.common.stiffness);
     println!("{coarse:.4e} {fine:.4e}");

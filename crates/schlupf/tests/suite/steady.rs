@@ -74,6 +74,7 @@ const MOTIONS: [(f64, f64, f64); 7] = [
 
 /// Products with A of a cold solution do not depend on the grid.
 #[test]
+#[ignore = "long: cargo xtask long"]
 fn cold_work_does_not_grow_with_the_grid() {
     for (elasticity, allowed) in [(common::layer(), 40.0), (half_space(), 30.0)] {
         for cells_across in [20, 40, 80, 160] {
@@ -122,6 +123,7 @@ fn along_a_curve(base: &Problem, options: &Options, direction: [f64; 3]) -> [f64
 
 /// Points of a creep curve start from the points before.
 #[test]
+#[ignore = "long: cargo xtask long"]
 fn warm_work_along_a_creep_curve() {
     let directions = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 200.0], [0.8, 0.4, 50.0]];
     for (elasticity, allowed) in [(common::layer(), [25.0, 34.0]), (half_space(), [18.0, 27.0])] {

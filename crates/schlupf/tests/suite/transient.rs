@@ -130,7 +130,7 @@ fn transients_converge() {
 
 /// The same on 40 cells against 160: within 0.0015 of μN.
 #[test]
-#[ignore = "takes minutes"]
+#[ignore = "long: cargo xtask long"]
 fn transients_on_forty_cells_are_those_on_four_times_as_many() {
     let [coarse, fine] = [40, 160].map(|across| run(constant(12e-3), across));
     for mm in 1..=12 {
@@ -209,7 +209,7 @@ fn half_space_under_a_load_that_rises_at_rolling_speed() {
 
 /// The same on finer grids.
 #[test]
-#[ignore = "takes minutes"]
+#[ignore = "long: cargo xtask long"]
 fn half_space_under_a_load_that_rises_at_rolling_speed_on_fine_grids() {
     let [first, second] = differences_under_a_steep_ramp([40, 80, 160]);
     assert!(first < 7e-4 && second < 0.5 * first, "{first} {second}");

@@ -379,7 +379,7 @@ fn approximate_contacts_have_all_parts() {
 /// pressure and area, against those of half-spaces: median, and 95 % of all. `docs/wheel_rail.md`
 /// has them.
 #[test]
-#[ignore = "long"]
+#[ignore = "long: cargo xtask long"]
 fn approximate_contacts_over_a_thousand_positions() {
     let pair = benchmark(1.435);
     let area = |contact: &Contact| contact.solution.area.contact;

@@ -489,7 +489,7 @@ fn with_maxima(curve: &CreepCurve, value: impl Fn(&Resultant) -> f64) -> Vec<[f6
     let maxima = curve.maxima.iter().filter(|maximum| !maximum.is_saturated);
     let maxima = maxima.map(|maximum| [maximum.abscissa, value(&maximum.force)]);
     let mut points: Vec<[f64; 2]> = points.chain(maxima).collect();
-    points.sort_by(|one, other| one[0].total_cmp(&other[0]));
+    points.sort_unstable_by(|one, other| one[0].total_cmp(&other[0]));
     points.dedup_by_key(|point| point[0]);
     points
 }

@@ -123,7 +123,7 @@ impl CurveFamily {
     /// The axis of a field.
     fn axis(&self, field: usize) -> Option<Axis> {
         let mut values = self.numbers(field)?;
-        values.sort_by(f64::total_cmp);
+        values.sort_unstable_by(f64::total_cmp);
         values.dedup();
         let (_, unit) = self.members.first()?.values.get(field)?.number?;
         Some(Axis { name: self.over.get(field)?.clone(), unit, values })
@@ -190,7 +190,7 @@ impl Record for Peak {
 /// The places of numbers in increasing order.
 fn ascending(numbers: &[f64]) -> Vec<usize> {
     let mut places: Vec<usize> = (0..numbers.len()).collect();
-    places.sort_by(|one, other| numbers[*one].total_cmp(&numbers[*other]));
+    places.sort_unstable_by(|one, other| numbers[*one].total_cmp(&numbers[*other]));
     places
 }
 

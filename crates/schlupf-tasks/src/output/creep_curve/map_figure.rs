@@ -111,7 +111,7 @@ fn powers(lattice: &mut Lattice) -> Option<[f64; 2]> {
     const MOST: f64 = 4.0;
     let mut values: Vec<f64> = lattice.rows.concat();
     values.retain(|value| value.is_finite());
-    values.sort_by(f64::total_cmp);
+    values.sort_unstable_by(f64::total_cmp);
     let [least, median, largest] =
         [*values.first()?, *values.get(values.len() / 2)?, *values.last()?];
     if least < 0.0 || largest < SPREAD * median {

@@ -88,7 +88,7 @@ fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
         let by_value = |one: &&[f64; 2], other: &&[f64; 2]| one[1].total_cmp(&other[1]);
         let [low, high] = [interval.iter().min_by(by_value), interval.iter().max_by(by_value)];
         let mut pair: Vec<[f64; 2]> = low.into_iter().chain(high).copied().collect();
-        pair.sort_by(|one, other| one[0].total_cmp(&other[0]));
+        pair.sort_unstable_by(|one, other| one[0].total_cmp(&other[0]));
         pair
     };
     points.chunks(2 * points.len().div_ceil(MOST)).flat_map(of_interval).collect()

@@ -90,7 +90,7 @@ fn lattice(report: &StressReport, plane: Plane, value: impl Fn(&Stress) -> f64) 
     let mut rows: Vec<(f64, Vec<f64>)> = rows
         .map(|(row, layer)| (sign * layer.depth / 1e-3, row.iter().map(&value).collect()))
         .collect();
-    rows.sort_by(|one, other| one.0.total_cmp(&other.0));
+    rows.sort_unstable_by(|one, other| one.0.total_cmp(&other.0));
     let (heights, rows) = rows.into_iter().unzip();
     let along = match plane {
         Plane::AlongRolling { .. } => (0..grid.columns).map(|i| grid.x(i) / 1e-3).collect(),

@@ -132,7 +132,7 @@ fn row_positions(range: [f64; 2], edges: [f64; 2], points: usize) -> Vec<f64> {
     for edge in edges.into_iter().filter(|edge| (range[0]..range[1]).contains(edge)) {
         positions.extend([edge - nearby, edge + nearby]);
     }
-    positions.sort_by(f64::total_cmp);
+    positions.sort_unstable_by(f64::total_cmp);
     positions
 }
 

@@ -164,7 +164,7 @@ pub fn trace(
     let normal = problem.normal.normal_contact(None)?.summary;
     let mut abscissae = sampling.abscissae(path.range());
     let is_downwards = abscissae.first() > abscissae.last();
-    abscissae.sort_by(f64::total_cmp);
+    abscissae.sort_unstable_by(f64::total_cmp);
     solver.forget();
     let mut solver = Points {
         problem: problem.clone(),

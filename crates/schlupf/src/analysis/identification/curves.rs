@@ -104,7 +104,7 @@ pub fn sample_curves(
         let apart = 1e-9 * (high - low);
         places.retain(|at| values().all(|value| (value - at).abs() > apart));
         places.extend(values());
-        places.sort_by(f64::total_cmp);
+        places.sort_unstable_by(f64::total_cmp);
         places.dedup();
         for at in places {
             let mut condition = one.condition;

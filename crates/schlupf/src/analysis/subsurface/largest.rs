@@ -282,7 +282,7 @@ fn local_maxima(measure: Measure, survey: &StressVolume) -> Vec<(f64, [f64; 3], 
             }
         }
     }
-    maxima.sort_by(|one, other| other.0.total_cmp(&one.0));
+    maxima.sort_unstable_by(|one, other| other.0.total_cmp(&one.0));
     maxima.truncate(MOST_STARTS);
     maxima
 }

@@ -48,7 +48,7 @@ pub(super) fn first_nodes(
             let halved = middles.iter().zip(errors);
             let halved = halved.filter(|(_, error)| *error >= allowed.max(PART * largest));
             axis.extend(halved.map(|(middle, _)| middle));
-            axis.sort_by(f64::total_cmp);
+            axis.sort_unstable_by(f64::total_cmp);
         }
     }
     Ok(axes)

@@ -418,7 +418,7 @@ impl Building<'_> {
     fn refine(&mut self, additions: &Additions) {
         for (axis, new) in self.axes.iter_mut().zip(additions) {
             axis.extend(new);
-            axis.sort_by(f64::total_cmp);
+            axis.sort_unstable_by(f64::total_cmp);
         }
     }
 }

@@ -168,7 +168,7 @@ impl State {
 
 fn error(states: &[State], table: &LookUpTable) -> TableError {
     let mut errors: Vec<f64> = states.iter().map(|state| state.error(table)).collect();
-    errors.sort_by(f64::total_cmp);
+    errors.sort_unstable_by(f64::total_cmp);
     let at = |part: f64| errors[((errors.len() - 1) as f64 * part).round() as usize];
     TableError { states: errors.len(), median: at(0.5), ninety_percent: at(0.9), largest: at(1.0) }
 }

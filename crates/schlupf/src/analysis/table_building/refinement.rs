@@ -34,7 +34,7 @@ impl Grid<'_> {
             }
         }
         for new in &mut additions {
-            new.sort_by(f64::total_cmp);
+            new.sort_unstable_by(f64::total_cmp);
             new.dedup();
         }
         additions

@@ -44,7 +44,7 @@ fn integrate_row(contact: &NormalSummary, grid: &Grid, row: usize) -> Vec<Integr
             breaks.extend([theta, -theta].into_iter().filter(|t| *t > low && *t < high));
         }
     }
-    breaks.sort_by(f64::total_cmp);
+    breaks.sort_unstable_by(f64::total_cmp);
     let mut columns = vec![Integrals::default(); grid.columns];
     for pair in breaks.windows(2) {
         let parts = ((pair[1] - pair[0]) / LONGEST_INTERVAL).ceil().max(1.0);

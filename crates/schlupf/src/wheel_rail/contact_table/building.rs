@@ -247,7 +247,7 @@ impl ContactTable {
             })
         });
         let mut errors: Vec<f64> = odd.collect();
-        errors.sort_by(f64::total_cmp);
+        errors.sort_unstable_by(f64::total_cmp);
         let place = (DECIDING * errors.len() as f64) as usize;
         let error = errors.get(place.min(errors.len().saturating_sub(1)));
         error.map_or(f64::INFINITY, |error| error / ORDER)

@@ -54,7 +54,7 @@ pub struct ContactTableErrors {
 
 impl Spread {
     fn of(mut errors: Vec<f64>) -> Self {
-        errors.sort_by(f64::total_cmp);
+        errors.sort_unstable_by(f64::total_cmp);
         let last = errors.len().saturating_sub(1);
         let at = |part: f64| errors.get((part * last as f64) as usize).copied().unwrap_or(0.0);
         Self {

@@ -335,7 +335,7 @@ fn placed(pair: &Pair, rail: &Rail) -> Vec<(f64, Candidate)> {
         (two[0][2], bend.abs())
     });
     let mut bends: Vec<(f64, f64)> = bends.filter(|(at, _)| at.is_finite()).collect();
-    bends.sort_by(|one, two| one.0.total_cmp(&two.0));
+    bends.sort_unstable_by(|one, two| one.0.total_cmp(&two.0));
     let of_rail = |inclination: f64| {
         let first = bends.partition_point(|(at, _)| *at < inclination - ROLLING);
         let near = bends[first..].iter().take_while(|(at, _)| *at < inclination + ROLLING);
