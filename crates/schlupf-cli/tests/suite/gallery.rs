@@ -250,6 +250,7 @@ const FORCES: [&str; 2] = ["/force/", "/normalised/"];
 /// The steady driver and marching give the same results: they solve the same discrete equations.
 /// The forces over μ0 N agree to ten times the solver's tolerance.
 #[test]
+#[ignore = "long: cargo xtask long"]
 fn marching_ends_where_the_steady_driver_does() {
     let mut found = Vec::new();
     for case in cases() {

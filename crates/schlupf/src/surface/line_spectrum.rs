@@ -19,6 +19,8 @@ pub struct LineSpectrum {
     step: f64,
     /// Of 0, 1, … steps, in m².
     variances: Vec<f64>,
+    /// How many observations each is the mean of.
+    observations: f64,
 }
 
 /// Bands in a decade of wavelengths.
@@ -30,8 +32,11 @@ const NOMINAL: f64 = 0.1;
 /// Root mean square height of level 0, in m.
 const REFERENCE: f64 = 1e-6;
 
-/// Wave numbers in the band of the longest waves.
-const WAVES_IN_FIRST: f64 = 4.0;
+/// Levels of bands are means over many waves, and are met.
+const OBSERVATIONS: f64 = 100.0;
+
+/// Number of the first wave: four are in the band of the longest.
+const FIRST_WAVE: f64 = 16.0;
 
 impl LineSpectrum {
     /// From wavelengths (in m) and levels (in dB re 1 µm) of all one-third octave bands between the
@@ -76,7 +81,8 @@ impl LineSpectrum {
         };
         let edge =
             |band: i64, side: f64| TAU / libm::pow(10.0, (band as f64 + side) / BANDS_IN_DECADE);
-        let step = (edge(longest, -0.5) - edge(longest, 0.5)) / WAVES_IN_FIRST;
+        // A wave stands for all from half a step below to half a step above.
+        let step = edge(longest, 0.5) / (FIRST_WAVE - 0.5);
         let mut variances = Vec::new();
         let bel = |k: usize| 0.1 * bands[k].2;
         for (k, &(band, ..)) in bands.iter().enumerate() {
@@ -93,7 +99,6 @@ impl LineSpectrum {
                 };
                 of(wave.clamp(low, high)) / of(high)
             };
-            // A wave stands for all from half a step below to half a step above.
             let last = (high + 0.5).floor() as usize;
             variances.resize(last + 1, 0.0);
             for (wave, sum) in variances.iter_mut().enumerate().skip((low + 0.5) as usize) {
@@ -101,13 +106,13 @@ impl LineSpectrum {
                 *sum += variance * (below(middle + 0.5) - below(middle - 0.5));
             }
         }
-        Ok(Self { step, variances })
+        Ok(Self { step, variances, observations: OBSERVATIONS })
     }
 
-    /// From the variances (in m²) of 0, 1, … waves, and the distance of their wave numbers (in
-    /// rad/m).
-    pub(super) fn new(step: f64, variances: Vec<f64>) -> Self {
-        Self { step, variances }
+    /// From the variances (in m²) of 0, 1, … waves, the distance of their wave numbers (in rad/m),
+    /// and how many independent observations each is.
+    pub(super) fn new(step: f64, variances: Vec<f64>, observations: f64) -> Self {
+        Self { step, variances, observations }
     }
 
     /// Wavelengths of the longest and the shortest waves that have a height, in m.
@@ -147,9 +152,14 @@ impl LineSpectrum {
         Ok(Self { variances, ..*self })
     }
 
-    /// The spectrum of an isotropic surface that has this line, with its root mean square height.
+    /// The spectrum of an isotropic surface that has this line. It is higher than a line of which
+    /// the longest waves are not known: oblique waves of the surface are longer along the line.
     pub fn isotropic(&self) -> RingSpectrum {
-        let spectrum = RingSpectrum::of_line(&self.variances, self.step);
+        let spectrum = RingSpectrum::of_line(&self.variances, self.step, self.observations);
+        if self.variances.get(1).is_none_or(|variance| *variance == 0.0) {
+            return spectrum;
+        }
+        // All of the line is known, so that it is as high as the surface.
         let found = spectrum.root_mean_square_height();
         spectrum.scaled(self.root_mean_square_height() / found)
     }
@@ -172,7 +182,6 @@ impl LineSpectrum {
 mod tests {
     use approx::assert_relative_eq;
 
-    use super::super::spectrum::spectral_gradient;
     use super::*;
 
     /// Wavelengths of bands, in m.
@@ -203,27 +212,39 @@ mod tests {
         let sum: f64 = levels.iter().map(|level| 1e-12 * 10.0_f64.powf(level / 10.0)).sum();
         assert_relative_eq!(line.root_mean_square_height(), sum.sqrt(), max_relative = 1e-12);
         let spectrum = line.isotropic();
-        assert_relative_eq!(spectrum.root_mean_square_height(), sum.sqrt(), max_relative = 1e-12);
-        // Away from the ends, beyond which there is nothing here.
+        // Away from the ends, beyond which there is nothing here; within a ring, a tenth wide, C is
+        // constant.
         for wavelength in bands(-20..=-4) {
             let q = TAU / wavelength;
-            assert_relative_eq!(spectrum.density(q), unit * q.powf(-3.6), max_relative = 0.15);
+            assert_relative_eq!(spectrum.density(q), unit * q.powf(-3.6), max_relative = 0.2);
         }
     }
 
-    /// A surface has the height of its bands, and waves as long and as short as they are.
+    /// The lines of a surface have the levels of the bands. Set-up: a side of eight of the longest
+    /// waves, so that a band of the lines has two to four waves, in 240 lines.
     #[test]
-    fn a_surface_has_the_height_of_its_bands() {
+    fn lines_of_a_surface_have_the_levels_of_the_bands() {
         let wavelengths = [1e-2, 8e-3, 6.3e-3, 5e-3, 4e-3, 3.15e-3];
-        let line = LineSpectrum::of_octave_bands(&wavelengths, &[-2.0; 6]).unwrap();
+        let line = LineSpectrum::of_octave_bands(&wavelengths, &[0.0; 6]).unwrap();
         let [longest, shortest] = line.wavelengths();
-        assert_relative_eq!(longest, 1e-2 * 1.122, max_relative = 0.1);
-        assert_relative_eq!(shortest, 3.16e-3 / 1.122, max_relative = 0.1);
-        let surface = line.isotropic_surface(Lattice::square(200, 0.08), 3).unwrap();
-        let height = root_mean_square(surface.heights());
-        assert_relative_eq!(height, line.root_mean_square_height(), max_relative = 0.02);
-        let waves = height / spectral_gradient(&surface) * TAU;
-        assert!((3e-3..1e-2).contains(&waves), "{waves}");
+        assert_relative_eq!(longest, 1e-2 * libm::pow(10.0, 0.05), max_relative = 0.05);
+        assert_relative_eq!(shortest, libm::pow(10.0, -2.55), max_relative = 0.05);
+        let cells = 240;
+        let surface = line.isotropic_surface(Lattice::square(cells, 0.08), 3).unwrap();
+        let variance = |wave: usize| {
+            let of_line = |row: &[f64]| {
+                let part = |shift: f64| -> f64 {
+                    let at = |i: usize| TAU * (wave * i) as f64 / cells as f64 + shift;
+                    row.iter().enumerate().map(|(i, height)| height * at(i).cos()).sum()
+                };
+                2.0 * (part(0.0).powi(2) + part(0.25 * TAU).powi(2)) / (cells * cells) as f64
+            };
+            surface.heights().chunks_exact(cells).map(of_line).sum::<f64>() / cells as f64
+        };
+        // From half a wave below to half a wave above: 7.5 to 28.5 waves, 10.7 to 2.8 mm.
+        let found: f64 = (8..=28).map(variance).sum();
+        let share = 1.0 - 10.0 * (0.01_f64 * 1.122 / (0.08 / 7.5)).log10();
+        assert_relative_eq!(found, 1e-12 * (5.0 + share), max_relative = 0.1);
     }
 
     /// A wave of the cut-off wavelength keeps half of its height, those much shorter all of it.

@@ -20,6 +20,10 @@ pub struct Profile {
     heights: Vec<f64>,
 }
 
+/// Fraction of the waves that are independent of their neighbours: a Hann window spreads each over
+/// three.
+const INDEPENDENT: f64 = 0.5;
+
 /// Minimum number of points for a spectrum.
 const FEWEST: usize = 64;
 
@@ -83,7 +87,7 @@ impl Profile {
         let found: f64 = variances.iter().skip(1).sum();
         let factor = self.root_mean_square_height().powi(2) / found;
         let variances = variances.into_iter().map(|variance| factor * variance).collect();
-        LineSpectrum::new(TAU / (count as f64 * self.spacing), variances)
+        LineSpectrum::new(TAU / (count as f64 * self.spacing), variances, INDEPENDENT)
     }
 }
 

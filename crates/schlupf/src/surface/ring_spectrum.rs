@@ -33,10 +33,6 @@ const BANDS_IN_DECADE: f64 = 25.0;
 const SMOOTHNESS: f64 = 1.0;
 const FORGIVEN: f64 = 5.0;
 
-/// Fraction of the waves that are independent of their neighbours: a Hann window spreads each over
-/// three.
-const INDEPENDENT: f64 = 0.5;
-
 /// Fraction of the largest variance below which nothing is left; dimensionless.
 const FLOOR: f64 = 1e-14;
 
@@ -49,9 +45,12 @@ const LARGEST_DAMPING: f64 = 1e12;
 
 impl RingSpectrum {
     /// The spectrum of the surface that has a line with these variances (in m²) by number of waves,
-    /// starting from zero, where the wave numbers have a given step (in rad/m).
-    pub(super) fn of_line(variances: &[f64], step: f64) -> Self {
-        let bands = bands(variances.len());
+    /// starting from zero, where the wave numbers have a given step (in rad/m). Nothing is known of
+    /// waves longer than the first that has a variance, and the surface has none.
+    /// So many observations stand behind each.
+    pub(super) fn of_line(variances: &[f64], step: f64, observations: f64) -> Self {
+        let first = variances.iter().skip(1).position(|variance| *variance > 0.0);
+        let bands = bands(first.map_or(1, |before| before + 1), variances.len());
         let edges: Vec<f64> = bands.iter().map(|band| (*band as f64 - 0.5) * step).collect();
         let means: Vec<f64> = bands
             .windows(2)
@@ -61,7 +60,7 @@ impl RingSpectrum {
             .collect();
         let largest = means.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         let line: Vec<f64> = means.iter().map(|mean| mean.max(FLOOR * largest) / largest).collect();
-        let likelihood = Likelihood::new(line, &bands);
+        let likelihood = Likelihood::new(line, &bands, observations);
         let densities = likelihood.most_likely();
         // The rings were counted in waves, the line in units of its largest variance.
         let unit = largest / (step * step);
@@ -106,10 +105,9 @@ impl RingSpectrum {
 }
 
 /// First wave of each band, and the end of the last one.
-fn bands(end: usize) -> Vec<usize> {
+fn bands(mut first: usize, end: usize) -> Vec<usize> {
     let widening = libm::pow(10.0, BANDS_IN_DECADE.recip());
-    let mut bands = vec![1];
-    let mut first = 1;
+    let mut bands = vec![first];
     loop {
         let next = (first + 1).max((first as f64 * widening).ceil() as usize);
         if next >= end {
@@ -140,7 +138,7 @@ struct Likelihood {
 }
 
 impl Likelihood {
-    fn new(line: Vec<f64>, bands: &[usize]) -> Self {
+    fn new(line: Vec<f64>, bands: &[usize], observations: f64) -> Self {
         let count = line.len();
         let edge = |band: usize| bands[band] as f64 - 0.5;
         let waves = |band: usize| (bands[band + 1] - bands[band]) as f64;
@@ -150,7 +148,7 @@ impl Likelihood {
         });
         let middle = |ring: usize| 0.5 * (edge(ring) * edge(ring + 1)).ln();
         let closeness = (1..count).map(|ring| (middle(ring) - middle(ring - 1)).recip()).collect();
-        let independent = (0..count).map(|band| INDEPENDENT * waves(band)).collect();
+        let independent = (0..count).map(|band| observations * waves(band)).collect();
         Self { line, independent, shares, closeness }
     }
 
