@@ -9,6 +9,7 @@ use schlupf::reporting::Message;
 use schlupf::solver::simplified::FastContact;
 use schlupf::{Error, Method, Problem, Solution, Solver, Watch};
 use schlupf_case::fields::STIFFNESSES;
+use schlupf_case::fields::choice::NormalSolution;
 use schlupf_case::{Case, CaseErrors, Effective, ElasticityModel, FieldPath, Place, field};
 
 use crate::request::Nothing;
@@ -55,7 +56,7 @@ impl Task for Compare {
 /// What the first one says if none has an answer.
 fn entries(case: &Case, watch: Watch) -> Result<Vec<Entry>, TaskError> {
     let full = case.with(COMPARE, &["solver.method=full".to_owned()], watch)?;
-    let candidates = candidates(full.elasticity);
+    let candidates = candidates(&full);
     let solved = parallel::map(candidates.iter().collect(), |candidate: &Candidate| {
         candidate.case(&full, watch).and_then(|case| Solved::new(case, watch))
     });
@@ -68,9 +69,9 @@ fn entries(case: &Case, watch: Watch) -> Result<Vec<Entry>, TaskError> {
             first_errors.get_or_insert(errors);
             reason
         });
-        let Candidate { name, method, elasticity } = candidate;
-        let elasticity = elasticity.map(ElasticityModel::name);
-        entries.push(Entry { name, method, elasticity, answer });
+        let Candidate { name, method, elasticity, normal } = candidate;
+        let (elasticity, normal) = (elasticity.map(|it| it.name()), normal.map(|it| it.name()));
+        entries.push(Entry { name, method, elasticity, normal, answer });
     }
     match first_errors {
         Some(errors) if entries.iter().all(|entry| entry.answer.is_err()) => Err(errors.into()),
@@ -82,27 +83,42 @@ fn explained(case: &Case, error: &Error) -> CaseErrors {
     case.explain(error).into()
 }
 
-/// A method, with a model of elasticity if it is the full one.
+/// A method, with a model of elasticity if it is the full one, and that of the normal contact of two
+/// profiles if it is not the case's.
 struct Candidate {
     name: &'static str,
     method: &'static str,
     elasticity: Option<ElasticityModel>,
+    normal: Option<NormalSolution>,
 }
 
 const fn full(name: &'static str, elasticity: ElasticityModel) -> Candidate {
-    Candidate { name, method: "full", elasticity: Some(elasticity) }
+    Candidate { name, method: "full", elasticity: Some(elasticity), normal: None }
 }
 
 const fn fast(name: &'static str, method: &'static str) -> Candidate {
-    Candidate { name, method, elasticity: None }
+    Candidate { name, method, elasticity: None, normal: None }
+}
+
+const fn fastsim(name: &'static str, normal: NormalSolution) -> Candidate {
+    Candidate { name, method: "fastsim", elasticity: None, normal: Some(normal) }
 }
 
 /// All methods, and the model of the case where it is of none of them: next to its like.
-fn candidates(own: ElasticityModel) -> Vec<Candidate> {
-    let is_rigid = own == ElasticityModel::Rigid;
+fn candidates(case: &Case) -> Vec<Candidate> {
+    let is_rigid = case.elasticity == ElasticityModel::Rigid;
     let own = is_rigid.then_some(full("full, rigid bodies", ElasticityModel::Rigid));
-    own.into_iter().chain(CANDIDATES).collect()
+    let of_profiles = case.wheel.is_some().then_some(OF_PROFILES);
+    own.into_iter().chain(CANDIDATES).chain(of_profiles.into_iter().flatten()).collect()
 }
+
+/// Approximate normal contacts of two profiles, each with what is mostly used on it.
+const OF_PROFILES: [Candidate; 4] = [
+    fastsim("FASTSIM, Kik–Piotrowski", NormalSolution::KikPiotrowski),
+    fastsim("FASTSIM, corrected ellipse", NormalSolution::EllipseCorrected),
+    fastsim("FASTSIM, equivalent ellipse", NormalSolution::EquivalentEllipse),
+    fastsim("FASTSIM, ANALYN", NormalSolution::Analyn),
+];
 
 /// The methods that every case is solved by.
 const CANDIDATES: [Candidate; 9] = [
@@ -124,7 +140,10 @@ impl Candidate {
             let is_own = full.elasticity == model;
             return if is_own { Ok(full.clone()) } else { with_elasticity(full, model, watch) };
         }
-        let case = full.with(COMPARE, &[format!("solver.method={}", self.method)], watch)?;
+        let method = format!("solver.method={}", self.method);
+        let normal = self.normal.map(|normal| format!("normal.method={}", normal.name()));
+        let assignments: Vec<String> = [method].into_iter().chain(normal).collect();
+        let case = full.with(COMPARE, &assignments, watch)?;
         if takes_paraboloid(&case)? {
             return case.with(COMPARE, &[format!("{BOUND}=elliptic")], watch);
         }

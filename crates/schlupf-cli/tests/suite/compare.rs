@@ -7,6 +7,35 @@ use serde_json::Value;
 const SMALL: &str = "title = \"small\"\n[kinematics]\ncreepage_x = 0.002\nspin = \"0.1 1/m\"\n\
                      [grid]\ncells_x = 8\ncells_y = 6\n";
 
+/// Approximate normal contacts of two profiles stand beside the exact one: near the tread, where the
+/// patch is nearly an ellipse, their largest pressures are within 15 % of it.
+#[test]
+fn normal_contacts_of_profiles_are_compared() {
+    let bench = Bench::new();
+    let case = "[kinematics]\nspeed = \"20 m/s\"\ncreepage_x = 0.002\n\
+                [normal]\nmodel = \"wheel-rail\"\nload = \"50 kN\"\n\
+                [wheel]\nprofile = \"S1002\"\n[rail]\nprofile = \"60E1\"\ncant = 0.025\n\
+                [friction]\nmodel = \"constant\"\n[grid]\ncells_x = 12\ncells_y = 12\n";
+    bench.write("case.toml", case);
+    let run = bench.run(&["compare", "case.toml", "--json", "c.json"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    assert!(run.stdout.contains("p0 (MPa)"), "{}", run.stdout);
+    let document: Value = serde_json::from_str(&bench.read("c.json")).unwrap();
+    let methods = document["methods"].as_array().unwrap();
+    let exact = methods[0]["peak_pressure"].as_f64().unwrap();
+    let of_profiles: Vec<_> =
+        methods.iter().filter(|method| !method["normal_method"].is_null()).collect();
+    let names: Vec<_> =
+        of_profiles.iter().map(|it| it["normal_method"].as_str().unwrap()).collect();
+    assert_eq!(names, ["kik-piotrowski", "ellipse-corrected", "equivalent-ellipse", "analyn"]);
+    for method in of_profiles {
+        let pressure = method["peak_pressure"].as_f64().unwrap();
+        assert!((pressure / exact - 1.0).abs() < 0.15 && pressure != exact, "{method} {exact}");
+        assert!(method["approach"].as_f64().unwrap() > 0.0, "{method}");
+        assert!(method["force"]["x"].as_f64().unwrap() < 0.0, "{method}");
+    }
+}
+
 #[test]
 fn all_methods_are_compared() {
     let bench = Bench::new();

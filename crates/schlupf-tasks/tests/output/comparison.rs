@@ -21,6 +21,7 @@ fn comparison() -> Comparison {
         name,
         method,
         elasticity,
+        normal: None,
         answer: Ok(Answer { solution, time: 2.5e-3, time_again: 1e-7 }),
     };
     let entries = vec![
@@ -38,6 +39,7 @@ fn with_a_gap() -> Comparison {
         name: "full, elastic layer",
         method: "full",
         elasticity: Some("elastic-layer"),
+        normal: None,
         answer: Err("no \"stiffness\", anywhere".to_owned()),
     };
     comparison.entries.insert(1, gap);

@@ -54,6 +54,13 @@ const COLUMNS: [Column; 4] = [
     },
 ];
 
+/// Seen where not all have the same normal contact.
+const PRESSURE: Column = Column {
+    label: "$p$_0 (MPa)",
+    value: |answer| Some(answer.solution.normal.peak_pressure / 1e6),
+    color: MUTED,
+};
+
 /// Styles of the dots of the cold and the warm times.
 const TIME_STYLES: [&str; 2] = [
     r##"fill="#ffffff" stroke="#4a4a4a" stroke-width="1.6""##,
@@ -70,8 +77,9 @@ const INVISIBLE: f64 = 1e-6;
 /// The figure; `None` where there is nothing to draw.
 pub(super) fn draw(comparison: &Comparison) -> Option<String> {
     let first = comparison.answers().next()?;
-    let columns: Vec<&Column> =
-        COLUMNS.iter().filter(|column| column.is_seen(comparison)).collect();
+    let columns = COLUMNS.iter().filter(|column| column.is_seen(comparison));
+    let pressure = comparison.has_normal_methods().then_some(&PRESSURE);
+    let columns: Vec<&Column> = columns.chain(pressure).collect();
     if columns.is_empty() {
         return None;
     }

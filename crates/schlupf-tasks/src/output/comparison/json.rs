@@ -38,6 +38,7 @@ struct Row<'a> {
     name: &'static str,
     method: &'static str,
     elasticity: Option<&'static str>,
+    normal_method: Option<&'static str>,
     status: &'static str,
     reason: Option<&'a str>,
     #[serde(flatten)]
@@ -51,6 +52,7 @@ impl<'a> Row<'a> {
             name: entry.name,
             method: entry.method,
             elasticity: entry.elasticity,
+            normal_method: entry.normal,
             status: entry.status(),
             reason: entry.reason(),
             numbers: Nested(comparison, row),

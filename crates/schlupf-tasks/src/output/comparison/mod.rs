@@ -35,6 +35,8 @@ pub struct Entry {
     pub method: &'static str,
     /// Elasticity model of the full method, as named in case files.
     pub elasticity: Option<&'static str>,
+    /// Method of the normal contact, as named in case files, if it is not that of the case.
+    pub normal: Option<&'static str>,
     /// The answer, or why there is none.
     pub answer: Result<Answer, String>,
 }
@@ -73,6 +75,11 @@ impl Comparison {
         self.entries.iter().filter_map(|entry| entry.answer.as_ref().ok())
     }
 
+    /// Whether some have a normal contact of their own.
+    fn has_normal_methods(&self) -> bool {
+        self.entries.iter().any(|entry| entry.normal.is_some())
+    }
+
     /// A number of the answer of an entry (in its unit, or dimensionless), if it has one.
     fn of<N: Into<Value>>(&self, row: usize, number: fn(&Answer) -> N) -> Value {
         self.entries[row].answer.as_ref().map_or(Value::Unknown, |answer| number(answer).into())
@@ -103,6 +110,8 @@ impl Record for Comparison {
         MaxRise => |methods, k| {
             methods.of(k, |answer| answer.solution.temperature.map(|largest| largest.max_rise))
         },
+        PeakPressure => |methods, k| methods.of(k, |answer| answer.solution.normal.peak_pressure),
+        Approach => |methods, k| methods.of(k, |answer| answer.solution.normal.approach),
         ComputingTime "time" => |methods, k| methods.of(k, |answer| answer.time),
         ComputingTimeAgain "time_again" => |methods, k| methods.of(k, |answer| answer.time_again),
     };
@@ -127,13 +136,17 @@ impl Report for Comparison {
     }
 
     fn csv(&self) -> Option<String> {
-        let names = Table::default().with("method", "name").with("elasticity", "name");
+        let names = ["method", "elasticity", "normal_method"];
         let mut table = names
+            .into_iter()
+            .fold(Table::default(), |table, name| table.with(name, "name"))
             .with_columns::<Self>()
             .with("status", "converged or not-converged or not-available")
             .with("reason", "text");
         for (row, entry) in self.entries.iter().enumerate() {
-            let names = [entry.method, entry.elasticity.unwrap_or_default()].map(str::to_owned);
+            let [elasticity, normal] =
+                [entry.elasticity, entry.normal].map(Option::unwrap_or_default);
+            let names = [entry.method, elasticity, normal].map(str::to_owned);
             let reason = entry.reason().map(quoted).unwrap_or_default();
             let end = [entry.status().to_owned(), reason];
             table.push(names.into_iter().chain(entries(self, row)).chain(end));

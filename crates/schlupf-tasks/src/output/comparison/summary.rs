@@ -19,8 +19,11 @@ const COLUMNS: [Column; 7] = [
     ("again (ms)", |a| Some(a.time_again * 1e3)),
 ];
 
+/// Where not all have the same normal contact.
+const PRESSURE: Column = ("p0 (MPa)", |a| Some(a.solution.normal.peak_pressure / 1e6));
+
 /// Width of the names, in characters.
-const NAMES: usize = 24;
+const NAMES: usize = 27;
 
 /// All methods as text: forces on the wheel, the largest temperature rise, and times.
 pub(super) fn text(comparison: &Comparison) -> Summary {
@@ -29,7 +32,9 @@ pub(super) fn text(comparison: &Comparison) -> Summary {
     if let Some(answer) = comparison.answers().next() {
         conditions(&mut text, answer);
     }
-    let headings = COLUMNS.iter().map(|(heading, _)| (*heading).to_owned());
+    let pressure = comparison.has_normal_methods().then_some(PRESSURE);
+    let columns: Vec<Column> = COLUMNS.into_iter().chain(pressure).collect();
+    let headings = columns.iter().map(|(heading, _)| (*heading).to_owned());
     row(&mut text, "on the wheel", headings, "");
     for entry in &comparison.entries {
         let answer = match &entry.answer {
@@ -41,7 +46,7 @@ pub(super) fn text(comparison: &Comparison) -> Summary {
         };
         let remark = if entry.is_unconverged() { "  NOT CONVERGED" } else { "" };
         let shown = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), number);
-        row(&mut text, entry.name, COLUMNS.iter().map(|(_, value)| shown(value(answer))), remark);
+        row(&mut text, entry.name, columns.iter().map(|(_, value)| shown(value(answer))), remark);
     }
     let note = "time: with set-up; again: the forces alone, with the set-up done; –: not given";
     line(&mut text, note);
