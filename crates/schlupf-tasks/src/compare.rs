@@ -70,7 +70,8 @@ fn entries(case: &Case, watch: Watch) -> Result<Vec<Entry>, TaskError> {
             reason
         });
         let Candidate { name, method, elasticity, normal } = candidate;
-        let (elasticity, normal) = (elasticity.map(|it| it.name()), normal.map(|it| it.name()));
+        let elasticity = elasticity.map(ElasticityModel::name);
+        let normal = normal.map(NormalSolution::name);
         entries.push(Entry { name, method, elasticity, normal, answer });
     }
     match first_errors {

@@ -118,11 +118,9 @@ pub fn quoted_path(path: &str) -> String {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! messages {
-    (@codes $codes:ident $code:literal $meaning:expr;) => { $codes.push(($code, $meaning.trim())) };
-    (@codes $codes:ident $code:literal $meaning:expr; $inner:ident) => {};
-    (@codes $codes:ident $code:literal $meaning:expr; $inner:ident: $of:ty) => {
-        $codes.extend(<$of>::codes())
-    };
+    (@codes $code:literal $meaning:expr;) => { vec![($code, $meaning.trim())] };
+    (@codes $code:literal $meaning:expr; $inner:ident) => { Vec::new() };
+    (@codes $code:literal $meaning:expr; $inner:ident: $of:ty) => { <$of>::codes() };
     (
         $(#[$about:meta])*
         $name:ident of $about_what:ty: $(
@@ -148,11 +146,9 @@ macro_rules! messages {
             /// The codes of all kinds with what each of them means, in Markdown, in the order of
             /// their declaration; those within in the place of a kind that holds them.
             pub fn codes() -> Vec<(&'static str, &'static str)> {
-                let mut codes = Vec::new();
-                $($crate::reporting::messages!(
-                    @codes codes $code concat!($($doc),*); $($inner $(: $of)?)?
-                );)*
-                codes
+                [$($crate::reporting::messages!(
+                    @codes $code concat!($($doc),*); $($inner $(: $of)?)?
+                )),*].concat()
             }
 
             /// Which kind it is, as a word that stays the same in every version.
