@@ -135,7 +135,7 @@ def _purge(app: Any, env: Any, docname: str) -> None:
 def _merge(app: Any, env: Any, docnames: set[str], other: Any) -> None:
     """Takes over what pages cite that another process has read."""
     cited = env.__dict__.setdefault("schlupf_cited", {})
-    cited.update({name: pages for name, pages in other.schlupf_cited.items() if name in docnames})
+    cited.update({name: keys for name, keys in other.schlupf_cited.items() if name in docnames})
 
 
 def _check(app: Any, env: Any) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -34,18 +34,19 @@ Family = Mapping[FieldPath, Sequence[Any] | Series]
 
 @dataclass(frozen=True)
 class Argument:
-    """A field of a request, or a column of its table, as far as units are concerned."""
+    """A field of a request, as far as units are concerned."""
 
     units: str
     kind: str = "number"
-    columns: dict[str, Argument] = field(default_factory=dict)
+    #: Columns of the tables that it may be, with their units.
+    tables: tuple[dict[str, str], ...] = ()
     default: str | None = None
 
     @classmethod
     def of(cls, entry: dict[str, Any]) -> Argument:
         """That of a field as the library describes it."""
-        columns = {name: cls(units) for name, units in entry["columns"]}
-        return cls(entry["units"], entry["kind"], columns, entry["default"])
+        tables = tuple(dict(table) for table in entry["columns"])
+        return cls(entry["units"], entry["kind"], tables, entry["default"])
 
 
 #: By task and name.
@@ -61,9 +62,8 @@ def _converted(argument: Argument, name: str, value: Any, folder: Path) -> Any:
         return value
     if isinstance(value, (list, tuple)):
         return [_converted(argument, name, part, folder) for part in value]
-    if argument.columns:
-        units = {column: of.units for column, of in argument.columns.items()}
-        return in_place(value, [units], name, folder)
+    if argument.tables:
+        return in_place(value, argument.tables, name, folder)
     if isinstance(value, (str, os.PathLike)):
         return value
     value = plain(value, argument, name)

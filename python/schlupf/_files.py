@@ -66,7 +66,9 @@ def data_url(value: Any, tables: Sequence[Table], name: str) -> str:
     CaseError
         If it is none of these.
     """
-    units = {column: unit for table in tables for column, unit in table.items()}
+    # Names tell tables apart; arrays without them are maps, where the file may hold one.
+    maps = [table for table in tables if {"x", "y"} <= table.keys()]
+    every, units = ({k: v for table in of for k, v in table.items()} for of in (tables, maps or tables))
     if "height" in units:
         surface = as_array(value, name)
         value = value if surface is None else surface
@@ -74,14 +76,14 @@ def data_url(value: Any, tables: Sequence[Table], name: str) -> str:
         axes = [_even(value[axis], name) for axis in ("x", "y") if axis in value.dims]
         if value.ndim == 2 and len(axes) == 2 and all(axes):
             return _map(_numbers(value.transpose("y", "x"), units, name), name, axes)
-        value = _named(value, units, name).to_dataset()
+        value = _named(value, every if value.name in every else units, name).to_dataset()
     if isinstance(value, xr.Dataset):
-        names = [*(c for c in value.coords if c in units), *value.data_vars]
+        names = [*(c for c in value.coords if c in every), *value.data_vars]
         value = dict(zip(names, xr.broadcast(*(value[each] for each in names)), strict=True))
     if hasattr(value, "to_frame"):
         value = value.to_frame()
     if hasattr(value, "keys"):
-        return _text(*_columns(value, units), units, name)
+        return _text(*_columns(value, every), every, name)
     if is_quantity(value):
         (unit, *others) = dict.fromkeys(units.values())
         value = value if others else magnitude(value, unit, name)

@@ -19,8 +19,9 @@ def roughness(surface: Surface, *, case: Case | None = None, **options: Any) -> 
     ----------
     surface : array, DataArray, path, Topography or Surface
         Heights: rows along x, in m, with their ``spacing`` (m) among the options; over x and y, or
-        over x alone; a file of the library or of an instrument (`open_surface`); an object of
-        SurfaceTopography or surfalize.
+        over x alone; levels of one-third octave bands (EN 15610), as a mapping or data frame with
+        ``wavelength`` (m) and ``level`` (dB); a file of the library or of an instrument
+        (`open_surface`); an object of SurfaceTopography or surfalize.
     case : Case, optional
         Of the bodies; by default steel wheel and rail.
     **options

@@ -93,7 +93,8 @@ def paragraph(text: str, indent: int) -> str:
 
 def parameter(field: dict[str, Any]) -> list[str]:
     unit = f" Numbers are in {field['units']}." if field["units"] else ""
-    columns = ", ".join(f"{name} in {unit}" for name, unit in field["columns"] if unit)
+    columns = (column for table in field["columns"] for column in table)
+    columns = ", ".join(f"{name} in {unit}" for name, unit in columns if unit)
     columns = f" Columns of a mapping without a unit: {columns}." if columns else ""
     choices = "; ".join(f'"{name}": {doc}' for name, doc in field["choices"])
     choices = f" ({choices})" if choices else ""

@@ -1,6 +1,7 @@
 """Surfaces of instruments: what other packages read is a surface as any other."""
 
 import numpy as np
+import pandas as pd
 import pytest
 import xarray as xr
 
@@ -68,6 +69,37 @@ def test_objects_of_other_packages_are_surfaces(heights, expected):
     array = xr.DataArray(heights[0], {"x": np.arange(64) * 1e-6})
     of_line, of_array = (schlupf.roughness(each, seed=3, **OPTIONS) for each in (line, array))
     assert of_line.contact_law.stiffness == pytest.approx(of_array.contact_law.stiffness, 1e-6)
+
+
+def test_octave_bands_are_a_surface_in_whatever_form(tmp_path):
+    """Levels of EN 15610 as a file, a mapping, a data frame, and over their wavelengths."""
+    wavelength, level = [4e-3, 5e-3, 6.3e-3, 8e-3], [-3.1, -2.2, -1.4, -0.5]
+    (tmp_path / "rail.csv").write_text(
+        "wavelength [mm],level [dB]\n" + "".join(f"{1e3 * w},{v}\n" for w, v in zip(wavelength, level))
+    )
+    table = {"wavelength": wavelength, "level": level}
+    over = xr.DataArray(level, {"wavelength": wavelength}, name="level")
+    frame = pd.DataFrame({"wavelength [mm]": [1e3 * w for w in wavelength], "level [dB]": level})
+    kept = [
+        schlupf.roughness(each, cells=64, **OPTIONS)
+        for each in (tmp_path / "rail.csv", table, pd.DataFrame(table), frame, over)
+    ]
+    for found in kept:
+        assert "from a spectrum of waves from 3.6" in found.remarks[0]
+        assert found.contact_law.stiffness == pytest.approx(kept[0].contact_law.stiffness, 1e-9)
+    case = schlupf.Case(contact_law={"roughness": {"file": table, "cells": 64}})
+    assert case.contact_law.stiffness is None
+    with pytest.raises(schlupf.CaseError, match="centres of one-third octave bands"):
+        schlupf.roughness({"wavelength": [9e-3], "level": [0.0]})
+
+
+def test_units_of_arrays_of_heights_count(heights, expected):
+    axes = {"y": np.arange(48) * 1e-6, "x": np.arange(64) * 1e-6}
+    micrometres = xr.DataArray(heights * 1e6, axes, attrs={"units": "um"})
+    alike(schlupf.roughness(micrometres, **OPTIONS), expected, 1e-9)
+    pint = pytest.importorskip("pint")
+    quantity = pint.UnitRegistry().Quantity(heights * 1e6, "um")
+    alike(schlupf.roughness(quantity, spacing=1e-6, **OPTIONS), expected, 1e-9)
 
 
 def test_holes_units_and_cells_are_checked_as_in_files_of_the_library(tmp_path, heights):

@@ -112,7 +112,7 @@ mod tests {
         assert_eq!(
             names,
             [
-                "fmt", "clippy", "test", "doc", "sources", "examples", "web", "package", "c",
+                "fmt", "clippy", "test", "web", "doc", "sources", "examples", "package", "c",
                 "python", "site"
             ]
         );

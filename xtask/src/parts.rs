@@ -1,7 +1,8 @@
 //! The tasks, and the composition of `cargo xtask ci`.
 
-use std::fs;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 use crate::step::Step;
@@ -46,10 +47,10 @@ impl Part {
         Self::Fmt,
         Self::Clippy,
         Self::Test,
+        Self::Web,
         Self::Doc,
         Self::Sources,
         Self::Examples,
-        Self::Web,
         Self::Package,
         Self::C,
         Self::Python,
@@ -111,10 +112,7 @@ impl Part {
                 ),
             ],
             Self::Test => vec![Step::cargo("test --workspace")],
-            Self::Doc => {
-                let doc = Step::cargo("doc --workspace --no-deps");
-                vec![Step { variable: Some(("RUSTDOCFLAGS", "-D warnings".to_owned())), ..doc }]
-            }
+            Self::Doc => vec![documentation()],
             Self::Sources | Self::Web | Self::C | Self::Python | Self::Site => Vec::new(),
             // The build of the tests includes the examples; building them alone would be another
             // build.
@@ -137,6 +135,7 @@ impl Part {
                     "schlupf",
                     "schlupf --features serde",
                     "schlupf --features rayon",
+                    "schlupf-tasks",
                     "schlupf-cli --no-default-features --all-targets",
                 ];
                 let alone = alone
@@ -164,14 +163,17 @@ impl Part {
             Self::Web => web::run(workspace, &workspace.join(target())),
             Self::C => c::run(workspace, &target()),
             Self::Python => python::run(workspace, &workspace.join(target())),
-            Self::Site => site::run(workspace, &workspace.join(target()), &LIBRARIES),
+            Self::Site => site::run(workspace, &workspace.join(target())),
             _ => self.steps(workspace)?.iter().try_for_each(|step| step.run(workspace)),
         }
     }
 }
 
-/// The packages that others build on.
-const LIBRARIES: [&str; 3] = ["schlupf", "schlupf-case", "schlupf-tasks"];
+/// Builds the documentation of all crates.
+pub fn documentation() -> Step {
+    let variable = Some(("RUSTDOCFLAGS", "-D warnings".to_owned()));
+    Step { variable, ..Step::cargo("doc --workspace --no-deps") }
+}
 
 /// Builds the packages that would be published, in a new directory: cargo takes packages of the
 /// same version that it has built before for unchanged.
@@ -209,24 +211,76 @@ pub fn target() -> PathBuf {
     std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| "target".into(), PathBuf::from)
 }
 
-/// Runs every part, even after one has failed, so that one run shows everything that needs fixing.
-/// Returns whether all passed.
+/// Runs every part, even after one has failed, so that one run shows everything that needs fixing:
+/// one after the other, but the explorer beside those up to the site, which takes it in, because
+/// neither keeps two cores busy. Returns whether all passed.
 pub fn run(parts: &[Part], workspace: &Path) -> bool {
-    let results: Vec<_> = parts.iter().map(|&part| timed(part, workspace)).collect();
+    let mut results = Vec::new();
+    let mut beside = None;
+    for &part in parts {
+        match part {
+            Part::Web if parts.contains(&Part::Site) => {
+                beside = Some(Beside::start(part, workspace))
+            }
+            _ => {
+                if part == Part::Site {
+                    results.extend(beside.take().map(Beside::result));
+                }
+                let (outcome, time) = timed(part, || part.run(workspace));
+                results.push((part, outcome, time));
+            }
+        }
+    }
     if parts.len() > 1 {
         eprintln!("\nsummary");
-        for (part, (outcome, time)) in parts.iter().zip(&results) {
+        for (part, outcome, time) in &results {
             let word = if outcome.is_ok() { "passed" } else { "FAILED" };
             eprintln!("  {:<9}{word} {:8.1} s", part.name(), time.as_secs_f64());
         }
     }
-    results.iter().all(|(outcome, _)| outcome.is_ok())
+    results.iter().all(|(_, outcome, _)| outcome.is_ok())
 }
 
-fn timed(part: Part, workspace: &Path) -> (Result<(), String>, Duration) {
+/// What came of a part, and how long it took.
+type Outcome = (Part, Result<(), String>, Duration);
+
+/// A part that runs beside others, as a process that writes to a file.
+struct Beside {
+    part: Part,
+    log: PathBuf,
+    child: Result<Child, String>,
+}
+
+impl Beside {
+    fn start(part: Part, workspace: &Path) -> Self {
+        let log = workspace.join(target()).join(format!("{}.log", part.name()));
+        let child = File::create(&log).and_then(|file| {
+            let both = [file.try_clone()?, file];
+            let [output, errors] = both.map(Stdio::from);
+            let mut command = Command::new(std::env::current_exe()?);
+            command.arg(part.name()).current_dir(workspace);
+            command.stdout(output).stderr(errors).spawn()
+        });
+        eprintln!("\n==> {}: begins, beside what follows", part.name());
+        Self { part, child: child.map_err(|error| format!("{}: {error}", log.display())), log }
+    }
+
+    /// Waits for its end, and prints what it has written.
+    fn result(self) -> Outcome {
+        let Self { part, log, child } = self;
+        let (outcome, time) = timed(part, || {
+            let status = child?.wait().map_err(|error| error.to_string())?;
+            eprint!("{}", fs::read_to_string(&log).unwrap_or_default());
+            if status.success() { Ok(()) } else { Err(status.to_string()) }
+        });
+        (part, outcome, time)
+    }
+}
+
+fn timed(part: Part, work: impl FnOnce() -> Result<(), String>) -> (Result<(), String>, Duration) {
     eprintln!("\n==> {}: {}", part.name(), part.about());
     let start = Instant::now();
-    let outcome = part.run(workspace);
+    let outcome = work();
     let time = start.elapsed();
     match &outcome {
         Ok(()) => eprintln!("==> {}: passed in {:.1} s", part.name(), time.as_secs_f64()),

@@ -5,6 +5,7 @@ use std::path::Path;
 use std::process::Command;
 
 use crate::environment::Environment;
+use crate::parts::documentation;
 use crate::step::Step;
 
 /// What building the site needs.
@@ -13,17 +14,15 @@ const REQUIREMENTS: &str = "docs/requirements.txt";
 /// The oldest Python that has the Sphinx of the requirements; the package needs 3.10.
 const OLDEST_PYTHON: (u32, u32) = (3, 11);
 
-/// Builds it in `site` of the target directory, with the documentation of the libraries; warnings
+/// Builds it in `site` of the target directory, with the documentation of the crates; warnings
 /// are errors. Results of notebooks are kept for the next time, as long as package and data stay
 /// the same.
-pub fn run(workspace: &Path, target: &Path, libraries: &[&str]) -> Result<(), String> {
+pub fn run(workspace: &Path, target: &Path) -> Result<(), String> {
     check_python()?;
     let environment =
         Environment::prepare(workspace, target.join("site-environment"), REQUIREMENTS)?;
     environment.install_package(workspace, target)?;
-    // Not the extension module: maturin and cargo compile what it needs in turns.
-    let packages = libraries.join(" --package ");
-    Step::cargo(&format!("doc --no-deps --package {packages}")).run(workspace)?;
+    documentation().run(workspace)?;
     // Pages call the C library, too.
     Step::cargo("build --package schlupf-c").run(workspace)?;
     let library = target.join(format!("debug/{DLL_PREFIX}schlupf_c{DLL_SUFFIX}"));

@@ -145,13 +145,25 @@ messages! {
         1e2 * share
     );
 
-    /// Waves of a profile shorter than two cells are omitted.
+    /// Waves of a profile or a spectrum shorter than two cells are omitted.
     "waves-left-out" WavesLeftOut {
         /// The longest of them, in m.
         wavelength: f64,
     } ROUGHNESS, |subject, words| format!(
-        "waves of the profile shorter than {:.3} µm, two cells, are left out; more cells would keep them",
+        "waves shorter than {:.3} µm, two cells, are left out; more cells would keep them",
         1e6 * wavelength
+    );
+
+    /// Waves of a profile or a spectrum longer than the surface are omitted.
+    "long-waves-left-out" LongWavesLeftOut {
+        /// The longest of them, in m.
+        longest: f64,
+        /// Side of the surface, in m.
+        side: f64,
+    } ROUGHNESS, |subject, words| format!(
+        "waves longer than the surface, {:.3} mm, are left out; the longest are {:.3} mm",
+        1e3 * side,
+        1e3 * longest
     );
 
     /// The shape of a profile does not show its axes, or contradicts its format or the case.

@@ -112,9 +112,9 @@ fn is_optional(field: &fields::Field) -> bool {
 }
 
 /// A field of a request: name, kind, how often it is given, default as text, SI unit, choices,
-/// columns of a table with their units, meaning.
+/// columns of tables with their units, meaning.
 fn of_request(field: &Field) -> Value {
-    let columns = field.form.columns();
+    let tables = field.form.tables();
     json!({
         "name": field.name,
         "is_several": field.need == Need::Several,
@@ -122,8 +122,8 @@ fn of_request(field: &Field) -> Value {
         "default": field.default,
         "units": field.form.unit(),
         "choices": choices(field.form.choices()),
-        "kind": if columns.is_empty() { kind_of_request(field.form) } else { "table" },
-        "columns": of_columns(&columns),
+        "kind": if tables.is_empty() { kind_of_request(field.form) } else { "table" },
+        "columns": tables.iter().map(|table| of_columns(table)).collect::<Vec<_>>(),
         "doc": field.doc,
     })
 }

@@ -10,7 +10,7 @@ use schlupf::solver::simplified::FastContact;
 use schlupf::{Error, Method, Problem, Solution, Solver, Watch};
 use schlupf_case::fields::STIFFNESSES;
 use schlupf_case::fields::choice::NormalSolution;
-use schlupf_case::{Case, CaseErrors, Effective, ElasticityModel, FieldPath, Place, field};
+use schlupf_case::{Case, CaseErrors, CaseFile, ElasticityModel, FieldPath, field};
 
 use crate::request::Nothing;
 use crate::task::{Found, Given, Task, Wanted};
@@ -42,7 +42,7 @@ impl Task for Compare {
     ) -> Result<Found<Comparison>, TaskError> {
         let case = of.case.pose(watch)?;
         case.require_steady("a comparison is")?;
-        let entries = entries(&case, watch)?;
+        let entries = entries(of.case, &case, watch)?;
         let warnings =
             Notice::of_first_contact(&case).into_iter().chain(warnings(&entries)).collect();
         Ok(Comparison { title: case.title, entries, warnings }.into())
@@ -54,11 +54,11 @@ impl Task for Compare {
 ///
 /// # Errors
 /// What the first one says if none has an answer.
-fn entries(case: &Case, watch: Watch) -> Result<Vec<Entry>, TaskError> {
+fn entries(of: &CaseFile, case: &Case, watch: Watch) -> Result<Vec<Entry>, TaskError> {
     let full = case.with(COMPARE, &["solver.method=full".to_owned()], watch)?;
-    let candidates = candidates(&full);
+    let (candidates, bound) = (candidates(&full), bound(of, &full)?);
     let solved = parallel::map(candidates.iter().collect(), |candidate: &Candidate| {
-        candidate.case(&full, watch).and_then(|case| Solved::new(case, watch))
+        candidate.case(&full, bound.as_deref(), watch).and_then(|case| Solved::new(case, watch))
     });
     let mut entries = Vec::new();
     let mut first_errors: Option<CaseErrors> = None;
@@ -135,32 +135,31 @@ const CANDIDATES: [Candidate; 9] = [
 ];
 
 impl Candidate {
-    /// The case that asks for it, from one that asks for the full method.
-    fn case(&self, full: &Case, watch: Watch) -> Result<Case, CaseErrors> {
+    /// The case that asks for it, from one that asks for the full method, with a bound of FASTSIM.
+    fn case(&self, full: &Case, bound: Option<&str>, watch: Watch) -> Result<Case, CaseErrors> {
         if let Some(model) = self.elasticity {
             let is_own = full.elasticity == model;
             return if is_own { Ok(full.clone()) } else { with_elasticity(full, model, watch) };
         }
         let method = format!("solver.method={}", self.method);
         let normal = self.normal.map(|normal| format!("normal.method={}", normal.name()));
-        let assignments: Vec<String> = [method].into_iter().chain(normal).collect();
-        let case = full.with(COMPARE, &assignments, watch)?;
-        if takes_paraboloid(&case)? {
-            return case.with(COMPARE, &[format!("{BOUND}=elliptic")], watch);
-        }
-        Ok(case)
+        let bound = bound.filter(|_| self.method.ends_with("fastsim")).map(str::to_owned);
+        let assignments: Vec<String> = [method].into_iter().chain(normal).chain(bound).collect();
+        full.with(COMPARE, &assignments, watch)
     }
 }
 
-/// Whether the traction is bounded by a paraboloid by default, which a pressure that is not Hertz's
-/// does not have.
-fn takes_paraboloid(case: &Case) -> Result<bool, CaseErrors> {
-    let is_default =
-        |field: &Effective| field.path == BOUND && matches!(field.place, Place::Default);
-    let normal = case.problem.normal.normal_contact(None);
-    let normal = normal.map_err(|error| explained(case, &error))?;
-    let is_elliptic = matches!(normal.pressure, Pressure::Elliptic);
-    Ok(!is_elliptic && case.effective().iter().any(is_default))
+/// What bounds the traction of FASTSIM by the pressure itself, if nothing bounds it in the case: a
+/// pressure that is not Hertz's has no paraboloid.
+fn bound(of: &CaseFile, full: &Case) -> Result<Option<String>, CaseErrors> {
+    // Pressures of two profiles are found by the solution.
+    let is_elliptic = full.wheel.is_none() && {
+        let normal = full.problem.normal.normal_contact(None);
+        let normal = normal.map_err(|error| explained(full, &error))?;
+        matches!(normal.pressure, Pressure::Elliptic)
+    };
+    let is_open = !is_elliptic && of.given().all(|path| path != BOUND);
+    Ok(is_open.then(|| format!("{BOUND}=elliptic")))
 }
 
 /// The case with another model of elasticity, without the stiffnesses of its own: the layer with

@@ -44,9 +44,13 @@ pub fn from_csv(name: String, bytes: Vec<u8>, how: Reading) -> Result<MeasuredSu
 fn from_bands(columns: &Columns, how: Reading) -> Result<MeasuredSurface, CaseError> {
     let spectrum = LineSpectrum::of_octave_bands(&columns.values[0], &columns.values[1]);
     let data = spectrum.map(SurfaceData::Spectrum).map_err(|error| match error {
-        Error::Surface { error: SurfaceError::OctaveBands { index, .. } } => {
-            columns.error(columns.lines[index], error.text(&how.names))
-        }
+        Error::Surface {
+            error:
+                SurfaceError::NoOctaveBand { index, .. }
+                | SurfaceError::NoLevel { index, .. }
+                | SurfaceError::OctaveBandTwice { index, .. }
+                | SurfaceError::OctaveBandMissing { index, .. },
+        } => columns.error(columns.lines[index], error.text(&how.names)),
         error => how.of_file(columns.source.name.as_ref(), &error),
     })?;
     Ok(MeasuredSurface { data, filled: 0.0 })

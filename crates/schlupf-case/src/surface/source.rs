@@ -105,7 +105,8 @@ impl SurfaceSource {
         let how = Reading { options: &SurfaceOptions::default(), names, field: FILE };
         surface.require_rough().map_err(|error| how.explained(&error))?;
         said.notices.extend(self.check_gradient(&surface, names)?);
-        said.notices.extend(self.check_size(&surface));
+        // A spectrum is that of many pieces.
+        said.notices.extend(self.check_size(&surface).filter(|_| !said.has_spectrum));
         Ok(RoughSurface { surface, remarks: said.remarks, notices: said.notices })
     }
 
@@ -179,14 +180,14 @@ impl SurfaceSource {
         let mut data = Vec::new();
         for (file, field) in files.iter().zip([FILE, SECOND_FILE]) {
             let how = Reading { field, ..how };
-            data.push((file.path(), self.one_file(file, how, taken_off, said)?));
+            data.push((file.path(), how, self.one_file(file, how, taken_off, said)?));
         }
-        let measured = data.iter().find_map(|(_, data)| match data {
+        let measured = data.iter().find_map(|(.., data)| match data {
             SurfaceData::Map(map) => Some(*map.lattice()),
             SurfaceData::Profile(_) | SurfaceData::Spectrum(_) => None,
         });
         let mut sum: Option<HeightMap> = None;
-        for (k, (file, data)) in data.iter().enumerate() {
+        for (k, (file, how, data)) in data.iter().enumerate() {
             let map = match data {
                 SurfaceData::Map(map) => map.clone(),
                 SurfaceData::Profile(profile) => {
@@ -194,7 +195,8 @@ impl SurfaceSource {
                     let own = Lattice::square(points, points as f64 * profile.spacing());
                     let line = Line { spectrum: &profile.line_spectrum(), own };
                     said.line(file, &format!("a profile of {points} points"), &line);
-                    self.extended(line, measured, k, said).map_err(|error| how.explained(&error))?
+                    self.extended(line, measured, k, said)
+                        .map_err(|error| how.of_file(file, &error))?
                 }
                 SurfaceData::Spectrum(spectrum) => {
                     let line = Line { spectrum, own: spectrum.suitable_lattice() };
@@ -202,7 +204,9 @@ impl SurfaceSource {
                         spectrum.wavelengths().map(|length| readable(1e3 * length));
                     let what = format!("a spectrum of waves from {shortest} to {longest} mm");
                     said.line(file, &what, &line);
-                    self.extended(line, measured, k, said).map_err(|error| how.explained(&error))?
+                    said.has_spectrum = true;
+                    self.extended(line, measured, k, said)
+                        .map_err(|error| how.of_file(file, &error))?
                 }
             };
             sum = Some(match sum {
@@ -280,9 +284,14 @@ impl SurfaceSource {
     ) -> Result<HeightMap, Error> {
         let cells = self.cells.unwrap_or(line.own.columns.min(MOST_CELLS));
         let lattice = lattice.unwrap_or(Lattice::square(cells, line.own.length_x()));
-        let (wavelength, [_, shortest]) = (2.0 * lattice.spacing_x, line.spectrum.wavelengths());
+        let (wavelength, [longest, shortest]) =
+            (2.0 * lattice.spacing_x, line.spectrum.wavelengths());
         if wavelength > 1.01 * shortest {
             said.notices.push(Notice::WavesLeftOut { wavelength });
+        }
+        let side = lattice.length_x().max(lattice.length_y());
+        if longest > 1.01 * side {
+            said.notices.push(Notice::LongWavesLeftOut { longest, side });
         }
         line.spectrum.isotropic_surface(lattice, self.seed.wrapping_add(k as u64))
     }
@@ -300,6 +309,8 @@ struct Line<'a> {
 struct Said {
     remarks: Vec<String>,
     notices: Vec<Notice>,
+    /// Whether a surface was made of a spectrum.
+    has_spectrum: bool,
 }
 
 impl Said {

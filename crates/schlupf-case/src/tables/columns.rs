@@ -120,11 +120,12 @@ impl Columns {
         Ok(Self { source, header_line: 1, lines, values, names, digits, present, field })
     }
 
-    /// Whether the header of a file has a column of this name.
+    /// Whether the header of a file has a column of this name, in letters of any size.
     pub fn has_column(bytes: &[u8], name: &str) -> bool {
         let text = String::from_utf8_lossy(bytes);
         let mut records = Records::new(text.trim_start_matches('\u{feff}'));
-        records.read().is_some() && records.cells().iter().any(|cell| split_header(cell).0 == name)
+        records.read().is_some()
+            && records.cells().iter().any(|cell| split_header(cell).0.eq_ignore_ascii_case(name))
     }
 
     /// Whether the file has a column, by its number among those that were asked for.

@@ -33,6 +33,9 @@ impl Conversion {
     }
 }
 
+/// How files name the unit of levels.
+const LEVEL_UNITS: [&str; 4] = ["dB", "dB re 1 um", "dB re 1 µm", "dB re 1 μm"];
+
 /// How a number of the unit becomes one of the measure's SI unit.
 pub fn parse_unit(unit: &str, measure: &Measure) -> Result<Conversion, QuantityError> {
     let unit = unit.trim();
@@ -41,7 +44,9 @@ pub fn parse_unit(unit: &str, measure: &Measure) -> Result<Conversion, QuantityE
     }
     match (measure.scale, absolute_temperature(unit)) {
         (Scale::AbsoluteTemperature, Some(conversion)) => Ok(conversion),
-        (Scale::Level, _) if unit == "dB" => Ok(Conversion { factor: 1.0, offset: 0.0 }),
+        (Scale::Level, _) if LEVEL_UNITS.contains(&unit) => {
+            Ok(Conversion { factor: 1.0, offset: 0.0 })
+        }
         (Scale::AbsoluteTemperature | Scale::Level, _) => {
             let parsed = expression::parse(unit)?;
             Err(wrong_dimension(unit, parsed.dimension))

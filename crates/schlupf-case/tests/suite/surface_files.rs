@@ -145,7 +145,7 @@ fn a_spectrum_of_octave_bands_is_a_surface() {
     };
     refused(
         &bands.replace("6.3,", "6.6,"),
-        "rail.csv:6: contact_law.roughness.file must have finite",
+        "rail.csv:6:1: the surface: wavelengths must be centres of one-third octave bands",
     );
     refused(&bands.replace("6.3,-1.4\n", ""), "rail.csv:5");
     refused(&bands.replace("[dB]", "[um]"), "must name its unit, dB");

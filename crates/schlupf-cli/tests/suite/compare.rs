@@ -7,8 +7,8 @@ use serde_json::Value;
 const SMALL: &str = "title = \"small\"\n[kinematics]\ncreepage_x = 0.002\nspin = \"0.1 1/m\"\n\
                      [grid]\ncells_x = 8\ncells_y = 6\n";
 
-/// Approximate normal contacts of two profiles stand beside the exact one: near the tread, where the
-/// patch is nearly an ellipse, their largest pressures are within 15 % of it.
+/// Approximate normal contacts of two profiles stand beside the exact one: their largest pressures
+/// are off by a third at most, all forces by a tenth, those of FASTSIM on the exact contact by less.
 #[test]
 fn normal_contacts_of_profiles_are_compared() {
     let bench = Bench::new();
@@ -28,11 +28,13 @@ fn normal_contacts_of_profiles_are_compared() {
     let names: Vec<_> =
         of_profiles.iter().map(|it| it["normal_method"].as_str().unwrap()).collect();
     assert_eq!(names, ["kik-piotrowski", "ellipse-corrected", "equivalent-ellipse", "analyn"]);
+    let force = |method: &Value| method["force"]["x"].as_f64().unwrap();
+    assert!((force(&methods[4]) / force(&methods[0]) - 1.0).abs() < 0.02, "{}", methods[4]);
     for method in of_profiles {
         let pressure = method["peak_pressure"].as_f64().unwrap();
-        assert!((pressure / exact - 1.0).abs() < 0.15 && pressure != exact, "{method} {exact}");
+        assert!((pressure / exact - 1.0).abs() < 0.35 && pressure != exact, "{method} {exact}");
         assert!(method["approach"].as_f64().unwrap() > 0.0, "{method}");
-        assert!(method["force"]["x"].as_f64().unwrap() < 0.0, "{method}");
+        assert!((force(method) / force(&methods[0]) - 1.0).abs() < 0.1, "{method}");
     }
 }
 

@@ -51,11 +51,11 @@ impl Form {
         matches!(self, Self::File(_)) || matches!(self.of_case(), Some(fields::Kind::Path))
     }
 
-    /// The columns that a file may have, if it is a table.
-    pub fn columns(self) -> Vec<TableColumn> {
+    /// The columns of the tables that a file may be.
+    pub fn tables(self) -> Vec<&'static [TableColumn]> {
         match self {
-            Self::File(columns) => columns.to_vec(),
-            Self::OfCase(path) => path.field().columns.concat(),
+            Self::File(columns) if !columns.is_empty() => vec![columns],
+            Self::OfCase(path) => path.field().columns.to_vec(),
             _ => Vec::new(),
         }
     }

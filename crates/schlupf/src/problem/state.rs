@@ -50,7 +50,10 @@ pub struct Element {
     /// Coefficient of friction on leaving the cell, dimensionless; if friction has a memory.
     pub friction_on_leaving: Option<f64>,
     /// Plastic displacement of the layer between the surfaces on leaving the cell, in m.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_zero"))]
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, alias = "plastic_way", skip_serializing_if = "is_zero")
+    )]
     pub plastic_displacement: f64,
     /// Heat received from entry until it leaves the cell, the latest step first.
     pub heat: HeatRecord,

@@ -6,21 +6,23 @@
 
 use std::f64::consts::{LN_2, TAU};
 
-use super::ring_spectrum::RingSpectrum;
+use super::ring_spectrum::{RingSpectrum, bands};
 use super::synthesis::{isotropic, suitable_lattice};
 use super::{HeightMap, Lattice};
 use crate::numerics::vector::root_mean_square;
 use crate::reporting::{Error, Quantity, Requirement, SurfaceError, require};
 
-/// Variance of the heights along a line by number of waves.
+/// Mean variance of the waves along a line, in bands of wave numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LineSpectrum {
-    /// Distance of two wave numbers, in rad/m.
-    step: f64,
-    /// Of 0, 1, … steps, in m².
-    variances: Vec<f64>,
-    /// How many observations each is the mean of.
-    observations: f64,
+    /// Spacing of the wave numbers, in rad/m.
+    pub(super) step: f64,
+    /// First wave of each band, and the end of the last one.
+    pub(super) bands: Vec<usize>,
+    /// Mean variance of a wave in each band, in m².
+    pub(super) variances: Vec<f64>,
+    /// How many observations there are of each wave.
+    pub(super) observations: f64,
 }
 
 /// Bands in a decade of wavelengths.
@@ -29,14 +31,21 @@ const BANDS_IN_DECADE: f64 = 10.0;
 /// Deviation of a nominal wavelength, such as 3.15 mm, from that of its band, in bands.
 const NOMINAL: f64 = 0.1;
 
+/// Wavelengths in m, and levels in dB re 1 µm: farther ones are in a wrong unit.
+const WAVELENGTHS: [f64; 2] = [1e-7, 100.0];
+const LEVELS: [f64; 2] = [-200.0, 120.0];
+
 /// Root mean square height of level 0, in m.
 const REFERENCE: f64 = 1e-6;
 
-/// Levels of bands are means over many waves, and are met.
+/// A level is the mean of so many waves that smoothness of the spectrum does not change it.
 const OBSERVATIONS: f64 = 100.0;
 
-/// Number of the first wave: four are in the band of the longest.
-const FIRST_WAVE: f64 = 16.0;
+/// The first wave, with which the band of the longest has four.
+const FIRST_WAVE: usize = 16;
+
+/// Share of the variance in waves that are too long to count.
+const NEGLIGIBLE: f64 = 1e-3;
 
 impl LineSpectrum {
     /// From wavelengths (in m) and levels (in dB re 1 µm) of all one-third octave bands between the
@@ -53,75 +62,95 @@ impl LineSpectrum {
     /// ```
     ///
     /// # Errors
-    /// A wavelength that is none of a band, is given twice, or is missing between others.
+    /// A wavelength that is not the centre of a band, is given twice, or is missing between others;
+    /// a level that is none.
     pub fn of_octave_bands(wavelengths: &[f64], levels: &[f64]) -> Result<Self, Error> {
-        let refuse = |index: usize, expected| {
-            let wavelength = wavelengths[index];
-            Error::from(SurfaceError::OctaveBands { index, wavelength, expected })
-        };
-        let mut bands = Vec::new();
+        let (expected, count) = (wavelengths.len(), levels.len());
+        if expected != count {
+            return Err(Error::WrongCount { quantity: Quantity::Heights, expected, count });
+        }
+        let mut octaves = Vec::new();
         for (index, (&wavelength, &level)) in wavelengths.iter().zip(levels).enumerate() {
             let position = BANDS_IN_DECADE * wavelength.log10();
-            let is_band = (position - position.round()).abs() < NOMINAL;
-            if !is_band || !level.is_finite() {
-                return Err(refuse(index, None));
+            let is_centre = (position - position.round()).abs() < NOMINAL;
+            if !is_centre || !(WAVELENGTHS[0]..=WAVELENGTHS[1]).contains(&wavelength) {
+                return Err(SurfaceError::NoOctaveBand { index, wavelength }.into());
             }
-            bands.push((position.round() as i64, index, level));
+            if !(LEVELS[0]..=LEVELS[1]).contains(&level) {
+                return Err(SurfaceError::NoLevel { index, level, range: LEVELS }.into());
+            }
+            octaves.push((position.round() as i64, index, 0.1 * level));
         }
-        bands.sort_by_key(|(band, ..)| -band);
-        for pair in bands.windows(2) {
-            let next = pair[0].0 - 1;
-            if pair[1].0 != next {
-                let expected = libm::pow(10.0, next as f64 / BANDS_IN_DECADE);
-                return Err(refuse(pair[1].1, Some(expected)));
+        octaves.sort_by_key(|(band, ..)| -band);
+        for pair in octaves.windows(2) {
+            let index = pair[1].1;
+            let wavelength = wavelengths[index];
+            match pair[0].0 - pair[1].0 {
+                1 => {}
+                0 => return Err(SurfaceError::OctaveBandTwice { index, wavelength }.into()),
+                _ => {
+                    let before = wavelengths[pair[0].1];
+                    return Err(
+                        SurfaceError::OctaveBandMissing { index, wavelength, before }.into()
+                    );
+                }
             }
         }
-        let Some(&(longest, ..)) = bands.first() else {
+        let Some(&(longest, ..)) = octaves.first() else {
             return Err(Error::TooFew { quantity: Quantity::Heights, fewest: 1, count: 0 });
         };
-        let edge =
-            |band: i64, side: f64| TAU / libm::pow(10.0, (band as f64 + side) / BANDS_IN_DECADE);
+        let bels: Vec<f64> = octaves.iter().map(|(.., bel)| *bel).collect();
+        Ok(Self::of_bels(&bels, libm::pow(10.0, longest as f64 / BANDS_IN_DECADE)))
+    }
+
+    /// From the levels (in bel) of adjacent bands, and the centre of the first one, that of the
+    /// longest waves (in m).
+    fn of_bels(bels: &[f64], longest: f64) -> Self {
+        let edge = |band: usize| libm::pow(10.0, (band as f64 - 0.5) / BANDS_IN_DECADE);
         // A wave stands for all from half a step below to half a step above.
-        let step = edge(longest, 0.5) / (FIRST_WAVE - 0.5);
-        let mut variances = Vec::new();
-        let bel = |k: usize| 0.1 * bands[k].2;
-        for (k, &(band, ..)) in bands.iter().enumerate() {
-            let variance = REFERENCE * REFERENCE * libm::pow(10.0, bel(k));
-            let (before, after) = (k.saturating_sub(1), (k + 1).min(bands.len() - 1));
-            let exponent =
-                BANDS_IN_DECADE * (bel(after) - bel(before)) / (after - before).max(1) as f64;
-            let [low, high] = [0.5, -0.5].map(|side| edge(band, side) / step);
-            // Share of the band below a number of waves.
-            let below = |wave: f64| {
-                let of = |wave: f64| match (wave / low).ln() {
-                    wide if exponent == 0.0 => wide,
-                    wide => (exponent * wide).exp_m1(),
-                };
-                of(wave.clamp(low, high)) / of(high)
-            };
-            let last = (high + 0.5).floor() as usize;
-            variances.resize(last + 1, 0.0);
-            for (wave, sum) in variances.iter_mut().enumerate().skip((low + 0.5) as usize) {
-                let middle = wave as f64;
-                *sum += variance * (below(middle + 0.5) - below(middle - 0.5));
-            }
+        let start = FIRST_WAVE as f64 - 0.5;
+        let step = TAU / longest * edge(0) / start;
+        // Variance of the waves up to the end of each band.
+        let mut sums = vec![0.0];
+        for bel in bels {
+            let before = sums[sums.len() - 1];
+            sums.push(before + REFERENCE * REFERENCE * libm::pow(10.0, *bel));
         }
-        Ok(Self { step, variances, observations: OBSERVATIONS })
+        let below = |wave: f64| {
+            let position = BANDS_IN_DECADE * (wave / start).log10();
+            let band = (position.max(0.0) as usize).min(bels.len() - 1);
+            let (before, after) = (band.saturating_sub(1), (band + 1).min(bels.len() - 1));
+            let exponent = (bels[after] - bels[before]) / (after - before).max(1) as f64;
+            let part = (position - band as f64).clamp(0.0, 1.0);
+            let grown = |part: f64| libm::pow(10.0, exponent * part) - 1.0;
+            let share = if exponent == 0.0 { part } else { grown(part) / grown(1.0) };
+            sums[band] + share * (sums[band + 1] - sums[band])
+        };
+        let end = (start * edge(bels.len()) / edge(0) + 0.5).ceil() as usize;
+        let bands = bands(FIRST_WAVE, end);
+        let variances = bands.windows(2).map(|band| {
+            let [low, high] = [band[0], band[1]].map(|wave| below(wave as f64 - 0.5));
+            (high - low) / (band[1] - band[0]) as f64
+        });
+        Self { step, variances: variances.collect(), bands, observations: OBSERVATIONS }
     }
 
-    /// From the variances (in m²) of 0, 1, … waves, the distance of their wave numbers (in rad/m),
-    /// and how many independent observations each is.
-    pub(super) fn new(step: f64, variances: Vec<f64>, observations: f64) -> Self {
-        Self { step, variances, observations }
-    }
-
-    /// Wavelengths of the longest and the shortest waves that have a height, in m.
+    /// Wavelengths of the longest waves that count and of the shortest, in m.
     pub fn wavelengths(&self) -> [f64; 2] {
-        let has_height = |wave: &usize| *wave > 0 && self.variances[*wave] > 0.0;
-        let mut waves = (0..self.variances.len()).filter(has_height);
-        let longest = waves.next().unwrap_or(1);
-        let shortest = waves.next_back().unwrap_or(longest);
-        [longest, shortest].map(|wave| TAU / (wave as f64 * self.step))
+        let least = NEGLIGIBLE * self.variance(self.variances.len());
+        let longest = (1..=self.variances.len()).position(|bands| self.variance(bands) > least);
+        let shortest = self.variances.iter().rposition(|variance| *variance > 0.0);
+        let wavelength = |wave: usize| TAU / (wave as f64 * self.step);
+        [
+            wavelength(self.bands[longest.unwrap_or(0)]),
+            wavelength(self.bands[shortest.unwrap_or(0) + 1] - 1),
+        ]
+    }
+
+    /// Variance (in m²) of the waves of the first bands.
+    fn variance(&self, bands: usize) -> f64 {
+        let each = self.bands.windows(2).zip(&self.variances).take(bands);
+        each.map(|(band, variance)| (band[1] - band[0]) as f64 * variance).sum()
     }
 
     /// A square lattice that represents all waves, as that of a
@@ -132,7 +161,7 @@ impl LineSpectrum {
 
     /// Root mean square height Rq of the line, in m.
     pub fn root_mean_square_height(&self) -> f64 {
-        self.variances.iter().skip(1).sum::<f64>().sqrt()
+        self.variance(self.variances.len()).sqrt()
     }
 
     /// The spectrum without waves longer than a cut-off wavelength (in m), by the Gaussian filter of
@@ -143,20 +172,21 @@ impl LineSpectrum {
     pub fn without_waviness(&self, cutoff: f64) -> Result<Self, Error> {
         let [_, shortest] = self.wavelengths();
         require(Quantity::CutoffWavelength, Requirement::AtLeast(shortest), cutoff)?;
-        let kept = |wave: usize| {
-            let waves_in_cutoff = cutoff * wave as f64 * self.step / TAU;
+        let kept = |band: &[usize]| {
+            let middle = 0.5 * (band[0] + band[1] - 1) as f64;
+            let waves_in_cutoff = cutoff * middle * self.step / TAU;
             1.0 - libm::exp(-LN_2 * waves_in_cutoff * waves_in_cutoff)
         };
-        let waves = self.variances.iter().enumerate();
-        let variances = waves.map(|(wave, variance)| kept(wave).powi(2) * variance).collect();
-        Ok(Self { variances, ..*self })
+        let bands = self.bands.windows(2).zip(&self.variances);
+        let variances = bands.map(|(band, variance)| kept(band).powi(2) * variance).collect();
+        Ok(Self { variances, ..self.clone() })
     }
 
     /// The spectrum of an isotropic surface that has this line. It is higher than a line of which
     /// the longest waves are not known: oblique waves of the surface are longer along the line.
     pub fn isotropic(&self) -> RingSpectrum {
-        let spectrum = RingSpectrum::of_line(&self.variances, self.step, self.observations);
-        if self.variances.get(1).is_none_or(|variance| *variance == 0.0) {
+        let spectrum = RingSpectrum::of_line(self);
+        if self.bands[0] > 1 {
             return spectrum;
         }
         // All of the line is known, so that it is as high as the surface.
@@ -166,6 +196,9 @@ impl LineSpectrum {
 
     /// An isotropic surface that has lines with this spectrum. Waves longer than the lattice and
     /// shorter than two of its cells are missing, and so is their share of the height.
+    ///
+    /// # Errors
+    /// A lattice on which none of the waves is.
     pub fn isotropic_surface(&self, lattice: Lattice, seed: u64) -> Result<HeightMap, Error> {
         let spectrum = self.isotropic();
         let surface = isotropic(lattice, |q| spectrum.density(q), seed)?;
@@ -173,6 +206,10 @@ impl LineSpectrum {
         let shortest = 2.0 * lattice.spacing_x.max(lattice.spacing_y);
         let carried = spectrum.height_between([0.5 * TAU / longest, TAU / shortest]);
         let found = root_mean_square(surface.heights());
+        if carried <= 0.0 || found <= 0.0 {
+            let (waves, lattice) = (self.wavelengths(), [longest, shortest]);
+            return Err(SurfaceError::NoWaveFits { waves, lattice }.into());
+        }
         surface.require_rough()?;
         Ok(surface.scaled(carried / found))
     }
@@ -227,8 +264,12 @@ mod tests {
         let wavelengths = [1e-2, 8e-3, 6.3e-3, 5e-3, 4e-3, 3.15e-3];
         let line = LineSpectrum::of_octave_bands(&wavelengths, &[0.0; 6]).unwrap();
         let [longest, shortest] = line.wavelengths();
-        assert_relative_eq!(longest, 1e-2 * libm::pow(10.0, 0.05), max_relative = 0.05);
-        assert_relative_eq!(shortest, libm::pow(10.0, -2.55), max_relative = 0.05);
+        assert_relative_eq!(
+            longest,
+            1e-2 * libm::pow(10.0, 0.05) * 15.5 / 16.0,
+            max_relative = 1e-12
+        );
+        assert_relative_eq!(shortest, libm::pow(10.0, -2.55), max_relative = 0.02);
         let cells = 240;
         let surface = line.isotropic_surface(Lattice::square(cells, 0.08), 3).unwrap();
         let variance = |wave: usize| {
@@ -262,17 +303,39 @@ mod tests {
         assert!(message.contains("cutoff_wavelength must be at least"), "{message}");
     }
 
+    /// Whatever the longest band, it has all of its variance in four waves; wide spectra take no
+    /// memory.
+    #[test]
+    fn every_band_has_its_variance() {
+        for band in -60..=10 {
+            let line = LineSpectrum::of_octave_bands(&bands(band..=band), &[0.0]).unwrap();
+            assert_eq!(line.bands[0], FIRST_WAVE);
+            assert_relative_eq!(line.root_mean_square_height(), 1e-6, max_relative = 1e-12);
+        }
+        let wide = LineSpectrum::of_octave_bands(&bands(-60..=0), &[-3.0; 61]).unwrap();
+        assert!(wide.variances.len() < 200);
+        assert!(wide.isotropic().root_mean_square_height() > wide.root_mean_square_height());
+    }
+
     #[test]
     fn what_is_no_series_of_bands_is_refused() {
         let refused = |wavelengths: &[f64], levels: &[f64], expected: &str| {
             let error = LineSpectrum::of_octave_bands(wavelengths, levels).unwrap_err();
             assert!(error.to_string().contains(expected), "{error}");
         };
-        refused(&[0.01, 0.009], &[0.0; 2], "but has one at 9e-3 m");
-        refused(&[-0.01], &[0.0], "but has one at -0.01 m");
-        refused(&[0.01], &[f64::NAN], "finite levels");
-        refused(&[0.01, 0.005, 0.0063], &[0.0; 3], "is missing");
-        refused(&[0.01, 0.01], &[0.0; 2], "is given twice");
-        refused(&[], &[], "at least 1");
+        refused(&[0.01, 0.009], &[0.0; 2], "but one is 9e-3 m");
+        for wavelength in [-0.01, 0.0, f64::NAN, f64::INFINITY, 1e-309, 1e-9, 1e3] {
+            refused(&[wavelength], &[0.0], "must be centres of one-third octave bands");
+        }
+        for level in [f64::NAN, f64::NEG_INFINITY, 300.0] {
+            refused(&[0.01], &[level], "must have levels from -200 to 120 dB");
+        }
+        refused(&[0.01, 0.005, 0.0063], &[0.0; 3], "between 0.01 m and 6.3e-3 m");
+        refused(&[0.01, 0.01], &[0.0; 2], "twice");
+        refused(&[], &[], "at least 1 entry");
+        refused(&[0.01], &[], "needs 1 values, got 0");
+        let line = LineSpectrum::of_octave_bands(&[0.01], &[0.0]).unwrap();
+        let message = line.isotropic_surface(Lattice::square(64, 1e-3), 1).unwrap_err().to_string();
+        assert!(message.contains("none of its waves"), "{message}");
     }
 }

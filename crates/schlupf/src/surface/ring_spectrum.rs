@@ -17,6 +17,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
+use super::line_spectrum::LineSpectrum;
+
 /// A spectrum of an isotropic surface, constant in rings of wave vectors.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RingSpectrum {
@@ -44,23 +46,13 @@ const LARGEST_CHANGE: f64 = 5.0;
 const LARGEST_DAMPING: f64 = 1e12;
 
 impl RingSpectrum {
-    /// The spectrum of the surface that has a line with these variances (in m²) by number of waves,
-    /// starting from zero, where the wave numbers have a given step (in rad/m). Nothing is known of
-    /// waves longer than the first that has a variance, and the surface has none.
-    /// So many observations stand behind each.
-    pub(super) fn of_line(variances: &[f64], step: f64, observations: f64) -> Self {
-        let first = variances.iter().skip(1).position(|variance| *variance > 0.0);
-        let bands = bands(first.map_or(1, |before| before + 1), variances.len());
+    /// The spectrum of the surface that has this line, without waves longer than those of the line.
+    pub(super) fn of_line(line: &LineSpectrum) -> Self {
+        let LineSpectrum { step, bands, variances, observations } = line;
         let edges: Vec<f64> = bands.iter().map(|band| (*band as f64 - 0.5) * step).collect();
-        let means: Vec<f64> = bands
-            .windows(2)
-            .map(|band| {
-                variances[band[0]..band[1]].iter().sum::<f64>() / (band[1] - band[0]) as f64
-            })
-            .collect();
-        let largest = means.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-        let line: Vec<f64> = means.iter().map(|mean| mean.max(FLOOR * largest) / largest).collect();
-        let likelihood = Likelihood::new(line, &bands, observations);
+        let largest = variances.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+        let relative = variances.iter().map(|mean| mean.max(FLOOR * largest) / largest).collect();
+        let likelihood = Likelihood::new(relative, bands, *observations);
         let densities = likelihood.most_likely();
         // The rings were counted in waves, the line in units of its largest variance.
         let unit = largest / (step * step);
@@ -105,7 +97,7 @@ impl RingSpectrum {
 }
 
 /// First wave of each band, and the end of the last one.
-fn bands(mut first: usize, end: usize) -> Vec<usize> {
+pub(super) fn bands(mut first: usize, end: usize) -> Vec<usize> {
     let widening = libm::pow(10.0, BANDS_IN_DECADE.recip());
     let mut bands = vec![first];
     loop {

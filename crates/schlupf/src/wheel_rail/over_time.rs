@@ -305,7 +305,7 @@ fn pressed(
         let wheel = wheel.at_roll(side, roll);
         let mut contacts =
             wheel.frictionless(Accuracy::Cells(wheel.cells), (tangential, watch))?.contacts;
-        contacts.sort_unstable_by(|one, two| two.force.total_cmp(&one.force));
+        contacts.sort_by(|one, two| two.force.total_cmp(&one.force));
         for contact in contacts {
             let normal = ContactPatch::new(&contact, None, side)?.normal_contact(None)?;
             let place = [contact.plane.origin[0], side.outwards() * contact.plane.arcs[0]];

@@ -417,7 +417,7 @@ impl WheelOnRail {
         let turned = turning.nearby();
         let Turning { angular_velocity, contacts, solvers, .. } = turning;
         let mut with_solvers: Vec<_> = contacts.into_iter().zip(solvers).collect();
-        with_solvers.sort_unstable_by(|(one, _), (two, _)| two.0.force.total_cmp(&one.0.force));
+        with_solvers.sort_by(|(one, _), (two, _)| two.0.force.total_cmp(&one.0.force));
         let (solved, solvers): (Vec<Slid>, Vec<_>) = with_solvers.into_iter().unzip();
         let of_profiles = solved.iter().flat_map(|(pressed, ..)| {
             let holes = holes::under(self.pair(), pressed).into_iter();

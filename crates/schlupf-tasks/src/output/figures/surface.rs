@@ -56,9 +56,8 @@ fn draw_facets(
 ) {
     let least_wall = 0.004 * (projection.ranges[2][1] - projection.ranges[2][0]);
     facets.retain(|facet| !facet.wall || (facet.value() - base).abs() > least_wall);
-    facets.sort_unstable_by(|p, q| {
-        projection.distance(q.place()).total_cmp(&projection.distance(p.place()))
-    });
+    facets
+        .sort_by(|p, q| projection.distance(q.place()).total_cmp(&projection.distance(p.place())));
     drawing.begin_group(r##"stroke="#000000" stroke-opacity="0.45" stroke-width="0.5""##);
     for facet in facets {
         let corners: Vec<[f64; 2]> = facet.corners.iter().map(|c| projection.at(*c)).collect();

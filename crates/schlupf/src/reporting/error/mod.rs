@@ -88,7 +88,8 @@ messages! {
         /// How many there are.
         count: usize,
     } *quantity, |name, words| {
-        format!("{name} needs at least {fewest} entries, got {count}")
+        let entries = if *fewest == 1 { "entry" } else { "entries" };
+        format!("{name} needs at least {fewest} {entries}, got {count}")
     };
 
     /// A table has fewer positions than needed.

@@ -60,28 +60,71 @@ messages! {
         None => format!("{name} must not be flat, but its points lie on a straight line"),
     };
 
-    /// Wavelengths are not those of adjacent one-third octave bands.
-    "octave-bands" OctaveBands {
-        /// Which one is not.
+    /// A wavelength is not the centre of a one-third octave band.
+    "no-octave-band" NoOctaveBand {
+        /// Which one.
         index: usize,
         /// It, in m.
         wavelength: f64,
-        /// The one that must follow, in m; `None` where it is the middle of no band.
-        expected: Option<f64>,
-    } Quantity::Heights, |name, words| {
-        let is = readable(*wavelength);
-        match expected {
-            None => format!(
-                "{name} must have finite levels at the middles of one-third octave bands, 10^(k/10) m, \
-                 but has one at {is} m"
-            ),
-            Some(expected) => format!(
-                "{name} must have all one-third octave bands up to {is} m once, but that of {} m is \
-                 missing or one is given twice",
-                readable(*expected)
-            ),
-        }
-    };
+    } Quantity::Heights, |name, words| format!(
+        "{name}: wavelengths must be centres of one-third octave bands, 10^(k/10) m from 1e-7 to 100 m, \
+         but one is {} m",
+        readable(*wavelength)
+    );
+
+    /// A level of a one-third octave band is in a wrong unit, or none.
+    "no-level" NoLevel {
+        /// Which one.
+        index: usize,
+        /// It, in dB re 1 µm.
+        level: f64,
+        /// What levels may be.
+        range: [f64; 2],
+    } Quantity::Heights, |name, words| format!(
+        "{name} must have levels from {} to {} dB re 1 µm, but one is {}",
+        range[0],
+        range[1],
+        readable(*level)
+    );
+
+    /// A one-third octave band is given twice.
+    "octave-band-twice" OctaveBandTwice {
+        /// Which one.
+        index: usize,
+        /// Its wavelength, in m.
+        wavelength: f64,
+    } Quantity::Heights, |name, words| format!(
+        "{name} must have every one-third octave band once, but that of {} m is given twice",
+        readable(*wavelength)
+    );
+
+    /// A one-third octave band is missing between others.
+    "octave-band-missing" OctaveBandMissing {
+        /// The one after it.
+        index: usize,
+        /// The wavelength of that, in m.
+        wavelength: f64,
+        /// The longer one before it, in m.
+        before: f64,
+    } Quantity::Heights, |name, words| format!(
+        "{name} must have all one-third octave bands up to its longest, but none between {} m and {} m",
+        readable(*before),
+        readable(*wavelength)
+    );
+
+    /// A lattice has no room for the waves of a line, or too large cells.
+    "no-wave-fits" NoWaveFits {
+        /// The longest and the shortest wave, in m.
+        waves: [f64; 2],
+        /// Side and two cells of the lattice, in m.
+        lattice: [f64; 2],
+    } Quantity::Heights, |name, words| format!(
+        "{name}: a surface must have waves from {} to {} m, but this has none of its waves, {} to {} m",
+        readable(lattice[1]),
+        readable(lattice[0]),
+        readable(waves[1]),
+        readable(waves[0])
+    );
 
     /// Two surfaces are on different lattices.
     "lattices-differ" LatticesDiffer {

@@ -311,7 +311,7 @@ impl<'a> Search<'a> {
 
 /// Of several states the one of least creepages where the forces rise, and the one where they fall.
 fn lowest(mut states: Vec<Response>) -> Vec<Response> {
-    states.sort_unstable_by(|one, other| one.creepages.norm().total_cmp(&other.creepages.norm()));
+    states.sort_by(|one, other| one.creepages.norm().total_cmp(&other.creepages.norm()));
     let mut kept = Vec::new();
     for falls in [false, true] {
         // Where none is of the kind, the next one of the other stands for it.
