@@ -12,7 +12,7 @@ use crate::output::figures::svg::{Drawing, GRID_LINE, ZERO};
 use crate::output::figures::ticks::{powers_of_ten, round_ticks};
 use crate::output::report::Report;
 
-const NAMES: f64 = 190.0;
+const NAMES: f64 = 204.0;
 const COLUMN: f64 = 200.0;
 const GAP: f64 = 30.0;
 const ROW: f64 = 34.0;
