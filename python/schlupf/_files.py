@@ -68,7 +68,9 @@ def data_url(value: Any, tables: Sequence[Table], name: str) -> str:
     """
     # Names tell tables apart; arrays without them are maps, where the file may hold one.
     maps = [table for table in tables if {"x", "y"} <= table.keys()]
-    every, units = ({k: v for table in of for k, v in table.items()} for of in (tables, maps or tables))
+    every, units = (
+        {k: v for table in of for k, v in table.items()} for of in (tables, maps or tables)
+    )
     if "height" in units:
         surface = as_array(value, name)
         value = value if surface is None else surface

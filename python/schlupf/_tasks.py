@@ -173,10 +173,10 @@ class Tasks:
         ----------
         surface : path or mapping, optional
             Surface or profile of one body, or of both together (.csv, .npy, .x3p, .xyz). Columns
-            of a mapping without a unit: x in m, y in m, height in m.
+            of a mapping without a unit: x in m, y in m, height in m, wavelength in m, level in dB.
         second : path or mapping, optional
             Surface of the other body, on the same lattice: their heights are added. Columns of a
-            mapping without a unit: x in m, y in m, height in m.
+            mapping without a unit: x in m, y in m, height in m, wavelength in m, level in dB.
         synthetic : str or sequence of str, optional
             Make a self-affine surface, such as rms_height="1 um",hurst=0.8,longest="100 um",
             shortest="5 um",seed=1; also rms_slope and roll_off.

@@ -1501,11 +1501,11 @@ class RoughnessFields(TypedDict, total=False):
     hurst: Plain | None
     """H, its Hurst exponent; default: 0.8."""
     file: Data | None
-    """a measured surface or profile for the micro model: .csv, .npy, .x3p or .xyz; or a table of x
-    (m), y (m), height (m)."""
+    """a measured surface, profile or spectrum for the micro model: .csv, .npy, .x3p or .xyz; or a
+    table of x (m), y (m), height (m) or wavelength (m), level (dB)."""
     second_file: Data | None
-    """the surface of the other body, on the same lattice; or a table of x (m), y (m), height
-    (m)."""
+    """the surface of the other body, on the same lattice; or a table of x (m), y (m), height (m)
+    or wavelength (m), level (dB)."""
     unit: str | None
     """unit of heights in .npy files, of all lengths in .xyz files."""
     spacing: Number | None
@@ -1556,11 +1556,11 @@ class Roughness(Section, path="contact_law.roughness"):
     hurst: Entry[float | None, Plain | None] = Entry()
     """H, its Hurst exponent; default: 0.8."""
     file: Entry[str | None, Data | None] = Entry()
-    """a measured surface or profile for the micro model: .csv, .npy, .x3p or .xyz; or a table of x
-    (m), y (m), height (m)."""
+    """a measured surface, profile or spectrum for the micro model: .csv, .npy, .x3p or .xyz; or a
+    table of x (m), y (m), height (m) or wavelength (m), level (dB)."""
     second_file: Entry[str | None, Data | None] = Entry()
-    """the surface of the other body, on the same lattice; or a table of x (m), y (m), height
-    (m)."""
+    """the surface of the other body, on the same lattice; or a table of x (m), y (m), height (m)
+    or wavelength (m), level (dB)."""
     unit: Entry[str | None, str | None] = Entry()
     """unit of heights in .npy files, of all lengths in .xyz files."""
     spacing: Entry[float | None, Number | None] = Entry()
