@@ -72,7 +72,7 @@ def test_objects_of_other_packages_are_surfaces(heights, expected):
 
 
 def test_octave_bands_are_a_surface_in_whatever_form(tmp_path):
-    """Levels of one-third octaves as a file, a mapping, a data frame, and over their wavelengths."""
+    """Levels of bands as a file, a mapping, a data frame, and over their wavelengths."""
     wavelength, level = [16e-6, 20e-6, 25e-6, 31.5e-6], [-14.0, -12.0, -10.0, -8.0]
     (tmp_path / "rail.csv").write_text(
         "wavelength [mm],level [dB]\n"
