@@ -48,7 +48,7 @@ print(peak() - before)
         # Each value is a case of its own: the growth with the number counts.
         ("friction__coefficient", (0.1, 0.5), (10_000, 30_000), "polach"),
         ("wheel__radius_x", (0.4, 0.5), (10_000, 30_000), "polach"),
-        ("friction__coefficient", (0.1, 0.5), (500, 1500), "full"),
+        ("friction__coefficient", (0.1, 0.5), (2000, 42_000), "full"),
     ],
 )
 def test_a_million_values_of_a_field_take_little(field, ends, counts, method):
@@ -56,9 +56,4 @@ def test_a_million_values_of_a_field_take_little(field, ends, counts, method):
     found = subprocess.run(
         [sys.executable, "-c", SCRIPT, *arguments], capture_output=True, text=True, check=True
     )
-    grown = int(found.stdout)
-    if method == "full":
-        # A thousand conditions are too few to tell growth from the heap's pages.
-        assert grown < 8e6
-    else:
-        assert grown * 1e6 / (counts[1] - counts[0]) < MOST
+    assert int(found.stdout) * 1e6 / (counts[1] - counts[0]) < MOST

@@ -4,7 +4,7 @@
 //! bands of one third of an octave about the wavelengths 10^(k/10) m (EN 15610, EN ISO 3095). The
 //! density of a band is a power of the wave number, with the exponent that its neighbours give.
 
-use std::f64::consts::{LN_2, TAU};
+use std::f64::consts::{LN_2, LN_10, TAU};
 
 use super::ring_spectrum::{RingSpectrum, bands};
 use super::synthesis::{isotropic, suitable_lattice};
@@ -122,7 +122,7 @@ impl LineSpectrum {
             let (before, after) = (band.saturating_sub(1), (band + 1).min(bels.len() - 1));
             let exponent = (bels[after] - bels[before]) / (after - before).max(1) as f64;
             let part = (position - band as f64).clamp(0.0, 1.0);
-            let grown = |part: f64| libm::pow(10.0, exponent * part) - 1.0;
+            let grown = |part: f64| (LN_10 * exponent * part).exp_m1();
             let share = if exponent == 0.0 { part } else { grown(part) / grown(1.0) };
             sums[band] + share * (sums[band + 1] - sums[band])
         };
@@ -312,6 +312,9 @@ mod tests {
             assert_eq!(line.bands[0], FIRST_WAVE);
             assert_relative_eq!(line.root_mean_square_height(), 1e-6, max_relative = 1e-12);
         }
+        let nearly = [0.0, 1e-15, 0.0, 1e-300];
+        let line = LineSpectrum::of_octave_bands(&bands(-24..=-21), &nearly).unwrap();
+        assert_relative_eq!(line.root_mean_square_height(), 2e-6, max_relative = 1e-12);
         let wide = LineSpectrum::of_octave_bands(&bands(-60..=0), &[-3.0; 61]).unwrap();
         assert!(wide.variances.len() < 200);
         assert!(wide.isotropic().root_mean_square_height() > wide.root_mean_square_height());
