@@ -136,6 +136,7 @@ impl Part {
                     "schlupf --features serde",
                     "schlupf --features rayon",
                     "schlupf-tasks",
+                    "schlupf-wasm --target wasm32-unknown-unknown",
                     "schlupf-cli --no-default-features --all-targets",
                 ];
                 let alone = alone
@@ -220,7 +221,7 @@ pub fn run(parts: &[Part], workspace: &Path) -> bool {
     for &part in parts {
         match part {
             Part::Web if parts.contains(&Part::Site) => {
-                beside = Some(Beside::start(part, workspace))
+                beside = Some(Beside::start(part, workspace));
             }
             _ => {
                 if part == Part::Site {

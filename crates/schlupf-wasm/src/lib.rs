@@ -7,6 +7,7 @@
 //! const { tables } = sliding.ask("solve", "{}");
 //! ```
 
+#![cfg(target_family = "wasm")]
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 #![allow(clippy::needless_pass_by_value, reason = "arrays of JavaScript arrive by value")]
 

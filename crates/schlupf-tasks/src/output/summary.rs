@@ -61,11 +61,6 @@ impl Summary {
     pub(crate) fn blank(&mut self) {
         self.lines.push(Line::Text(String::new()));
     }
-
-    /// Adds lines of text.
-    pub(crate) fn text(&mut self, text: &str) {
-        self.lines.extend(text.lines().map(|line| Line::Text(line.to_owned())));
-    }
 }
 
 /// A force or moment, 0 if it is rounding noise: negligible relative to μ0 N or μ0 N √(ab).

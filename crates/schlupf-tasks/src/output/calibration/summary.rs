@@ -21,7 +21,7 @@ pub(super) fn text(report: &CalibrationReport) -> Summary {
     if let Some(fitted) = &report.fitted {
         displacements(&mut text, fitted);
     }
-    text.text(&snippet(report));
+    snippet(report).lines().for_each(|each| line(&mut text, each));
     text.blank();
     line(&mut text, verdict(report.status));
     text

@@ -15,6 +15,7 @@ use crate::output::report::Report;
 use crate::output::summary::Summary;
 use crate::output::table::{self, ColumnValues, Table, entries, entry, quoted};
 
+#[cfg(feature = "fitting")]
 pub(in crate::output) use figure::axis;
 pub use map::{Axis, CreepMap, MapColumn};
 

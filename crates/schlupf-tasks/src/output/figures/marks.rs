@@ -177,6 +177,7 @@ pub(crate) enum Shape {
     /// A disc.
     Dot,
     /// A square.
+    #[cfg(feature = "fitting")]
     Square,
     /// A diagonal cross.
     Cross,
@@ -185,11 +186,11 @@ pub(crate) enum Shape {
 impl Shape {
     /// Draws it about a point; `style` holds SVG attributes.
     pub(crate) fn draw(self, drawing: &mut Drawing, [x, y]: [f64; 2], style: &str) {
-        const HALF: f64 = 3.7;
         const ARM: f64 = 4.5;
         match self {
             Self::Dot => dot(drawing, [x, y], style),
-            Self::Square => drawing.rectangle([x - HALF, y - HALF], [2.0 * HALF; 2], style),
+            #[cfg(feature = "fitting")]
+            Self::Square => drawing.rectangle([x - 3.7, y - 3.7], [7.4; 2], style),
             Self::Cross => {
                 drawing.line([x - ARM, y - ARM], [x + ARM, y + ARM], style);
                 drawing.line([x - ARM, y + ARM], [x + ARM, y - ARM], style);
