@@ -112,7 +112,7 @@ impl Part {
                 ),
             ],
             Self::Test => vec![Step::cargo("test --workspace")],
-            Self::Doc => vec![documentation()],
+            Self::Doc => vec![Step::documentation()],
             Self::Sources | Self::Web | Self::C | Self::Python | Self::Site => Vec::new(),
             // The build of the tests includes the examples; building them alone would be another
             // build.
@@ -168,12 +168,6 @@ impl Part {
             _ => self.steps(workspace)?.iter().try_for_each(|step| step.run(workspace)),
         }
     }
-}
-
-/// Builds the documentation of all crates.
-pub fn documentation() -> Step {
-    let variable = Some(("RUSTDOCFLAGS", "-D warnings".to_owned()));
-    Step { variable, ..Step::cargo("doc --workspace --no-deps") }
 }
 
 /// Builds the packages that would be published, in a new directory: cargo takes packages of the

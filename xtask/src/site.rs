@@ -5,7 +5,6 @@ use std::path::Path;
 use std::process::Command;
 
 use crate::environment::Environment;
-use crate::parts::documentation;
 use crate::step::Step;
 
 /// What building the site needs.
@@ -22,7 +21,7 @@ pub fn run(workspace: &Path, target: &Path) -> Result<(), String> {
     let environment =
         Environment::prepare(workspace, target.join("site-environment"), REQUIREMENTS)?;
     environment.install_package(workspace, target)?;
-    documentation().run(workspace)?;
+    Step::documentation().run(workspace)?;
     // Pages call the C library, too.
     Step::cargo("build --package schlupf-c").run(workspace)?;
     let library = target.join(format!("debug/{DLL_PREFIX}schlupf_c{DLL_SUFFIX}"));

@@ -21,6 +21,12 @@ impl Step {
         Self { program, arguments: arguments.to_owned(), variable: None }
     }
 
+    /// Builds the documentation of all crates.
+    pub fn documentation() -> Self {
+        let variable = Some(("RUSTDOCFLAGS", "-D warnings".to_owned()));
+        Self { variable, ..Self::cargo("doc --workspace --no-deps") }
+    }
+
     /// A program with arguments separated by blanks.
     pub fn new(program: PathBuf, arguments: &str) -> Self {
         Self { program, arguments: arguments.to_owned(), variable: None }

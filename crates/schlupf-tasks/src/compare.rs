@@ -84,8 +84,8 @@ fn explained(case: &Case, error: &Error) -> CaseErrors {
     case.explain(error).into()
 }
 
-/// A method, with a model of elasticity if it is the full one, and that of the normal contact of two
-/// profiles if it is not the case's.
+/// A method, with a model of elasticity if it is the full one, and that of the normal contact of
+/// two profiles if it is not the case's.
 struct Candidate {
     name: &'static str,
     method: &'static str,

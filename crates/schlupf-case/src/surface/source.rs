@@ -273,8 +273,8 @@ impl SurfaceSource {
         Ok(SurfaceData::Map(map))
     }
 
-    /// The surface of the body `k` that has a line, on the lattice of the other surface if that is a
-    /// map.
+    /// The surface of the body `k` that has a line, on the lattice of the other surface if that is
+    /// a map.
     fn extended(
         &self,
         line: Line,

@@ -8,7 +8,7 @@ const SMALL: &str = "title = \"small\"\n[kinematics]\ncreepage_x = 0.002\nspin =
                      [grid]\ncells_x = 8\ncells_y = 6\n";
 
 /// Approximate normal contacts of two profiles stand beside the exact one: their largest pressures
-/// are off by a third at most, all forces by a tenth, those of FASTSIM on the exact contact by less.
+/// are off by a third at most, all forces by a tenth, those of FASTSIM on the exact contact less.
 #[test]
 fn normal_contacts_of_profiles_are_compared() {
     let bench = Bench::new();

@@ -458,7 +458,7 @@ mod tests {
         assert!(of(f64::NAN).check(&ROLLING).unwrap_err().to_string().contains("shift_y"));
         let none = History { time: vec![], shift_y: Some(vec![]), ..History::default() };
         let message = none.check(&ROLLING).unwrap_err().to_string();
-        assert!(message.contains("time needs at least 1 entries, got 0"), "{message}");
+        assert!(message.contains("time needs at least 1 entry, got 0"), "{message}");
     }
 
     /// At every time, also between those of the table, the motion is that of the same rigid body.

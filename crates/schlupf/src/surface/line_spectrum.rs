@@ -16,13 +16,13 @@ use crate::reporting::{Error, Quantity, Requirement, SurfaceError, require};
 #[derive(Debug, Clone, PartialEq)]
 pub struct LineSpectrum {
     /// Spacing of the wave numbers, in rad/m.
-    pub(super) step: f64,
+    step: f64,
     /// First wave of each band, and the end of the last one.
-    pub(super) bands: Vec<usize>,
+    bands: Vec<usize>,
     /// Mean variance of a wave in each band, in m².
-    pub(super) variances: Vec<f64>,
+    variances: Vec<f64>,
     /// How many observations there are of each wave.
-    pub(super) observations: f64,
+    observations: f64,
 }
 
 /// Bands in a decade of wavelengths.
@@ -48,6 +48,16 @@ const FIRST_WAVE: usize = 16;
 const NEGLIGIBLE: f64 = 1e-3;
 
 impl LineSpectrum {
+    /// From the variances (in m²) of 0, 1, … waves along a line, the spacing of their wave numbers
+    /// (in rad/m), and how many observations there are of each.
+    pub(super) fn of_waves(step: f64, waves: &[f64], observations: f64) -> Self {
+        let bands = bands(1, waves.len());
+        let mean = |band: &[usize]| {
+            waves[band[0]..band[1]].iter().sum::<f64>() / (band[1] - band[0]) as f64
+        };
+        Self { step, variances: bands.windows(2).map(mean).collect(), bands, observations }
+    }
+
     /// From wavelengths (in m) and levels (in dB re 1 µm) of all one-third octave bands between the
     /// first and the last one, in any order.
     ///
@@ -164,8 +174,8 @@ impl LineSpectrum {
         self.variance(self.variances.len()).sqrt()
     }
 
-    /// The spectrum without waves longer than a cut-off wavelength (in m), by the Gaussian filter of
-    /// ISO 16610-21: a wave of the cut-off wavelength keeps half of its height.
+    /// The spectrum without waves longer than a cut-off wavelength (in m), by the Gaussian filter
+    /// of ISO 16610-21: a wave of the cut-off wavelength keeps half of its height.
     ///
     /// # Errors
     /// A cut-off wavelength shorter than all waves.
@@ -185,7 +195,8 @@ impl LineSpectrum {
     /// The spectrum of an isotropic surface that has this line. It is higher than a line of which
     /// the longest waves are not known: oblique waves of the surface are longer along the line.
     pub fn isotropic(&self) -> RingSpectrum {
-        let spectrum = RingSpectrum::of_line(self);
+        let spectrum =
+            RingSpectrum::of_line(self.step, &self.bands, &self.variances, self.observations);
         if self.bands[0] > 1 {
             return spectrum;
         }

@@ -7,7 +7,6 @@ use rustfft::num_complex::Complex;
 
 use super::form::line_without_circle;
 use super::line_spectrum::LineSpectrum;
-use super::ring_spectrum::bands;
 use super::spectrum::hann;
 use crate::numerics::vector::root_mean_square;
 use crate::reporting::{
@@ -87,17 +86,10 @@ impl Profile {
         // The window gave waves in the middle of the line a larger weight.
         let found: f64 = variances.iter().skip(1).sum();
         let factor = self.root_mean_square_height().powi(2) / found;
-        let bands = bands(1, variances.len());
-        let means = bands.windows(2).map(|band| {
-            let waves = &variances[band[0]..band[1]];
-            factor * waves.iter().sum::<f64>() / waves.len() as f64
-        });
-        LineSpectrum {
-            step: TAU / (count as f64 * self.spacing),
-            variances: means.collect(),
-            bands,
-            observations: INDEPENDENT,
+        for variance in &mut variances {
+            *variance *= factor;
         }
+        LineSpectrum::of_waves(TAU / (count as f64 * self.spacing), &variances, INDEPENDENT)
     }
 }
 

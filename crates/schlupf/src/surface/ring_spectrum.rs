@@ -17,8 +17,6 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-use super::line_spectrum::LineSpectrum;
-
 /// A spectrum of an isotropic surface, constant in rings of wave vectors.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RingSpectrum {
@@ -46,13 +44,19 @@ const LARGEST_CHANGE: f64 = 5.0;
 const LARGEST_DAMPING: f64 = 1e12;
 
 impl RingSpectrum {
-    /// The spectrum of the surface that has this line, without waves longer than those of the line.
-    pub(super) fn of_line(line: &LineSpectrum) -> Self {
-        let LineSpectrum { step, bands, variances, observations } = line;
+    /// The spectrum of the surface of a line that has these mean variances (in m²) in bands of wave
+    /// numbers with this step (in rad/m), from so many observations of each wave; without longer
+    /// waves.
+    pub(super) fn of_line(
+        step: f64,
+        bands: &[usize],
+        variances: &[f64],
+        observations: f64,
+    ) -> Self {
         let edges: Vec<f64> = bands.iter().map(|band| (*band as f64 - 0.5) * step).collect();
         let largest = variances.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         let relative = variances.iter().map(|mean| mean.max(FLOOR * largest) / largest).collect();
-        let likelihood = Likelihood::new(relative, bands, *observations);
+        let likelihood = Likelihood::new(relative, bands, observations);
         let densities = likelihood.most_likely();
         // The rings were counted in waves, the line in units of its largest variance.
         let unit = largest / (step * step);
