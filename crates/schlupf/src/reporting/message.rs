@@ -113,9 +113,9 @@ pub fn quoted_path(path: &str) -> String {
 
 /// Declares an enum of messages: for each kind its code, its values, the quantity that it is about
 /// and its sentence in given [`Words`]. The code of a kind that holds another message is that of
-/// the other: `"code" [field: its type]`, without the type where it is of the same enum. Messages may
-/// be about another [`Subject`] than quantities. A kind of which one may be worse than another says
-/// by which number: `severity …`, the larger the worse.
+/// the other: `"code" [field: its type]`, without the type where it is of the same enum. Messages
+/// may be about another [`Subject`] than quantities. A kind of which one may be worse than another
+/// says by which number: `severity …`, the larger the worse.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! messages {
