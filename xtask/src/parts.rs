@@ -221,7 +221,7 @@ pub fn run(parts: &[Part], workspace: &Path) -> bool {
                 if part == Part::Site {
                     results.extend(beside.take().map(Beside::result));
                 }
-                let (outcome, time) = timed(part, || part.run(workspace));
+                let (outcome, time) = timed(part, workspace);
                 results.push((part, outcome, time));
             }
         }
@@ -244,6 +244,7 @@ struct Beside {
     part: Part,
     log: PathBuf,
     child: Result<Child, String>,
+    start: Instant,
 }
 
 impl Beside {
@@ -257,25 +258,26 @@ impl Beside {
             command.stdout(output).stderr(errors).spawn()
         });
         eprintln!("\n==> {}: begins, beside what follows", part.name());
-        Self { part, child: child.map_err(|error| format!("{}: {error}", log.display())), log }
+        let child = child.map_err(|error| format!("{}: {error}", log.display()));
+        Self { part, log, child, start: Instant::now() }
     }
 
-    /// Waits for its end, and prints what it has written.
+    /// Waits for its end, and prints what it has written, its own time included.
     fn result(self) -> Outcome {
-        let Self { part, log, child } = self;
-        let (outcome, time) = timed(part, || {
-            let status = child?.wait().map_err(|error| error.to_string())?;
+        let Self { part, log, child, start } = self;
+        let outcome = child.and_then(|mut child| {
+            let status = child.wait().map_err(|error| error.to_string())?;
             eprint!("{}", fs::read_to_string(&log).unwrap_or_default());
             if status.success() { Ok(()) } else { Err(status.to_string()) }
         });
-        (part, outcome, time)
+        (part, outcome, start.elapsed())
     }
 }
 
-fn timed(part: Part, work: impl FnOnce() -> Result<(), String>) -> (Result<(), String>, Duration) {
+fn timed(part: Part, workspace: &Path) -> (Result<(), String>, Duration) {
     eprintln!("\n==> {}: {}", part.name(), part.about());
     let start = Instant::now();
-    let outcome = work();
+    let outcome = part.run(workspace);
     let time = start.elapsed();
     match &outcome {
         Ok(()) => eprintln!("==> {}: passed in {:.1} s", part.name(), time.as_secs_f64()),

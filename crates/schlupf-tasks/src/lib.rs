@@ -38,6 +38,7 @@ mod compare;
 mod temperature;
 mod subsurface;
 mod wear;
+#[cfg(feature = "bulk")]
 mod bulk;
 #[cfg(feature = "fitting")]
 mod calibrate;
@@ -69,6 +70,7 @@ pub const TASKS: &[Entry] = &[
     Entry::of::<temperature::Temperature>(),
     Entry::of::<subsurface::Subsurface>(),
     Entry::of::<wear::Wear>(),
+    #[cfg(feature = "bulk")]
     Entry::of::<bulk::Bulk>(),
     #[cfg(feature = "fitting")]
     Entry::of::<calibrate::Calibrate>(),

@@ -7,6 +7,7 @@
 //! wheel in all tables; the figures show the traction on the rail, −t, as in Neuhaus and Sextro
 //! (2014), and say so on their axes.
 
+#[cfg(feature = "bulk")]
 pub mod bulk_temperature;
 #[cfg(feature = "fitting")]
 pub mod calibration;
