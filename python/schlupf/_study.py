@@ -273,7 +273,7 @@ def sweep(
     --------
     >>> import pathlib, tempfile
     >>> import schlupf
-    >>> case = schlupf.Case(solver={"method": "polach"})
+    >>> case = schlupf.Case(friction={"model": "constant"}, solver={"method": "polach"})
     >>> study = schlupf.study(case, vary={"kinematics.creepage_x": [0.0, 0.002, 0.004]})
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     table = schlupf.sweep(study, pathlib.Path(folder) / "forces.parquet").table
@@ -325,15 +325,15 @@ def merge(
     --------
     >>> import pathlib, tempfile
     >>> import schlupf
-    >>> case = schlupf.Case(solver={"method": "polach"})
+    >>> case = schlupf.Case(friction={"model": "constant"}, solver={"method": "polach"})
     >>> study = schlupf.study(case, vary={"kinematics.creepage_x": [0.0, 0.002, 0.004]})
     >>> with tempfile.TemporaryDirectory() as name:
     ...     folder = pathlib.Path(name)
     ...     shards = [folder / "1.csv", folder / "2.csv"]
     ...     swept = [schlupf.sweep(study, shards[k], shard=(k + 1, 2)) for k in (0, 1)]
     ...     whole = schlupf.merge(shards, folder / "all.csv")
-    >>> [sweep.rows for sweep in swept], whole.rows
-    ([2, 1], 3)
+    >>> sum(sweep.rows for sweep in swept), whole.rows
+    (3, 3)
     """
     output = with_folder(output)
     counts = _core.merge([Path(table) for table in tables], output)
