@@ -183,7 +183,7 @@ impl Case {
         let found = self.done(task, &request, &schlupf::unwatched);
         found.map(Answer).map_err(|error| match error {
             TaskError::Case(errors) => of_case(&errors),
-            other => refused(other.to_string()),
+            other @ TaskError::Request(_) => refused(other.to_string()),
         })
     }
 }

@@ -183,7 +183,7 @@ fn is_empty(track: &Places) -> bool {
 }
 
 #[cfg(feature = "serde")]
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
 fn is_zero(way: &f64) -> bool {
     *way == 0.0
 }
