@@ -66,7 +66,8 @@ section! {
         of_columns(&[&HEIGHT_COLUMNS, &BAND_COLUMNS]);
     "second_file" [] Kind::Path, Finite, Nothing,
         "the surface of the other body, on the same lattice", example("rail.x3p"),
-        with(METHOD, FULL), idle_with(MODEL, COULOMB), of_columns(&[&HEIGHT_COLUMNS, &BAND_COLUMNS]);
+        with(METHOD, FULL), idle_with(MODEL, COULOMB),
+        of_columns(&[&HEIGHT_COLUMNS, &BAND_COLUMNS]);
     "unit" [] Kind::Text, Finite, Nothing,
         "unit of heights in .npy files, of all lengths in .xyz files", example("um"),
         with(METHOD, FULL), idle_with(MODEL, COULOMB);

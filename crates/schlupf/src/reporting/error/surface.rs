@@ -107,7 +107,8 @@ messages! {
         /// The longer one before it, in m.
         before: f64,
     } Quantity::Heights, |name, words| format!(
-        "{name} must have all one-third octave bands up to its longest, but none between {} m and {} m",
+        "{name} must have all one-third octave bands from its longest to its shortest, but has none \
+         between {} m and {} m",
         readable(*before),
         readable(*wavelength)
     );
@@ -119,11 +120,11 @@ messages! {
         /// Side and two cells of the lattice, in m.
         lattice: [f64; 2],
     } Quantity::Heights, |name, words| format!(
-        "{name}: a surface must have waves from {} to {} m, but this has none of its waves, {} to {} m",
-        readable(lattice[1]),
-        readable(lattice[0]),
+        "{name}: none of its waves, {} to {} m, is on a surface with a side of {} m and two cells of {} m",
         readable(waves[1]),
-        readable(waves[0])
+        readable(waves[0]),
+        readable(lattice[0]),
+        readable(lattice[1])
     );
 
     /// Two surfaces are on different lattices.
