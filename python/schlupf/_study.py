@@ -368,10 +368,7 @@ def read_table(path: str | PathLike[str]) -> xr.Dataset:
 
 def _read(path: str | PathLike[str]) -> xr.Dataset:
     columns = _core.read_table(Path(path))
-    described = {
-        name: {**column, "long_name": name, "symbol": "", "source": ""}
-        for name, column in columns.items()
-    }
+    described = {name: {**column, "long_name": name} for name, column in columns.items()}
     return along(described, "index", "index")
 
 

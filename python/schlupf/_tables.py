@@ -20,9 +20,9 @@ Column = dict[str, Any]
 
 
 def attributes(of: Column) -> dict[str, str]:
-    """Attributes of a variable (CF conventions): units, long_name, symbol, source."""
-    names = ("long_name", "units", "symbol", "source")
-    return {name: of[name] for name in names if of[name] or name == "units"}
+    """Attributes of a variable (CF conventions): units, long_name, symbol, definition, source."""
+    names = ("long_name", "units", "symbol", "definition", "source")
+    return {name: of[name] for name in names if of.get(name) or name == "units"}
 
 
 def along(columns: Mapping[str, Column], dimension: str, index: str | None = None) -> xr.Dataset:

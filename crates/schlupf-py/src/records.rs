@@ -104,7 +104,8 @@ pub fn lines<'py>(py: Python<'py>, summary: &Summary) -> PyResult<Bound<'py, PyL
     Ok(list)
 }
 
-/// Values with `symbol`, `units`, `long_name`, `source` and `vector` of their quantity.
+/// Values with `symbol`, `units`, `long_name`, `definition`, `source` and `vector` of their
+/// quantity.
 pub fn described<'py>(
     py: Python<'py>,
     quantity: Quantity,
@@ -115,6 +116,7 @@ pub fn described<'py>(
     entry.set_item("symbol", quantity.symbol())?;
     entry.set_item("units", quantity.unit())?;
     entry.set_item("long_name", quantity.description())?;
+    entry.set_item("definition", quantity.definition())?;
     entry.set_item("source", quantity.source())?;
     entry.set_item("vector", quantity.vector())?;
     Ok(entry)

@@ -65,7 +65,7 @@ pub fn catalogue() -> Value {
 
 /// A field of a case: path, kind, SI unit, what its numbers must be and mostly are, default (in
 /// words where it is computed), a unit that people give it in, whether it may have no value,
-/// choices and meaning.
+/// choices, defining equation and meaning.
 fn of_case(field: &fields::Field) -> Value {
     let is_number = !matches!(field.kind, Kind::Flag | Kind::Choice(_) | Kind::Text | Kind::Path);
     let requirement = field.requirement.text(field.kind.unit(), &FieldNames::CASE);
@@ -86,6 +86,7 @@ fn of_case(field: &fields::Field) -> Value {
         "choices": choices(field.kind.choices()),
         "used_with": uses,
         "columns": columns,
+        "definition": field.quantities.first().map_or("", |quantity| quantity.definition()),
         "doc": field.doc,
     })
 }

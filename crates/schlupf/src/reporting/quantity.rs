@@ -408,6 +408,58 @@ impl Quantity {
         }
     }
 
+    /// The equation that defines it; empty for what is given or measured, and where a law has its
+    /// own. ⟨…⟩ is the mean over a surface.
+    pub fn definition(self) -> &'static str {
+        match self {
+            Self::CreepageX => "ξ = cos α − ω R/v0",
+            Self::CreepageY => "η = −sin α",
+            Self::Spin => "φ = ω_z/v0",
+            Self::Creepage => "ν = √(ξ² + η²)",
+            Self::Direction => "tan θ = η/ξ",
+            Self::WheelTorque => "T = R F_x",
+            Self::Load => "N = ∫ p dA",
+            Self::BeddingX
+            | Self::BeddingY
+            | Self::CouplingX
+            | Self::CouplingXAcross
+            | Self::CouplingY
+            | Self::CouplingYAcross => "c u − g_x ∂²u/∂x² − g_y ∂²u/∂y² = t",
+            Self::ContactStiffness => "t = μ p (1 − exp(−k_c |δ|))",
+            Self::TemperatureAtZeroFriction => "μ = μ0 (1 − T/T_E)",
+            Self::LimitRatio | Self::Decay => "μ = μ0 ((1 − A) exp(−B s) + A)",
+            Self::FilmCoefficient => "P = h A (T_w − T_a)",
+            Self::RmsHeight | Self::ContactRoughness => "h_rms = √⟨h²⟩",
+            Self::RmsSlope => "h'_rms = √⟨|∇h|²⟩",
+            Self::SpectralDensity => "h_rms² = ∫ C d²q",
+            Self::HurstExponent => "C ∝ q^(−2 − 2H)",
+            Self::SlipX => "s_x = v0 (ξ − φ y) + du_x/dt",
+            Self::SlipY => "s_y = v0 (η + φ x) + du_y/dt",
+            Self::FrictionPowerDensity => "q = −(t_x s_x + t_y s_y)",
+            Self::ForceX => "F_x = ∫ t_x dA",
+            Self::ForceY => "F_y = ∫ t_y dA",
+            Self::MomentZ => "M_z = ∫ (x t_y − y t_x) dA",
+            Self::TractionCoefficient => "|F|/N = √(F_x² + F_y²)/N",
+            Self::FrictionPower => "P = ∫ q dA",
+            Self::CreepPower => "P_c = −v0 (ξ F_x + η F_y + φ M_z)",
+            Self::ReturnedPower => "P = −∫ min(q, 0) dA",
+            Self::WearNumber => "Tγ = |ξ F_x| + |η F_y|, with spin + |φ M_z|",
+            Self::FatigueIndex => "FI = |F|/N − k/p0",
+            Self::SlipSpeed => "s = P/(μ N)",
+            Self::LocalSlipSpeed => "s = √(s_x² + s_y²)",
+            Self::VonMisesStress => "σ_v = √(½ [(σ_1 − σ_2)² + (σ_2 − σ_3)² + (σ_3 − σ_1)²])",
+            Self::LargestShearStress => "τ_max = (σ_1 − σ_3)/2",
+            Self::HydrostaticStress => "σ_m = (σ_xx + σ_yy + σ_zz)/3",
+            Self::DissipatedEnergy => "E = ∫ P dt",
+            Self::StoredEnergy => "E = ½ ∫ t·u dA",
+            Self::Distance => "s = ∫ v0 dt",
+            Self::PecletNumber => "v a/κ, κ = λ/(ρ c)",
+            Self::RollingRadiusDifference => "Δr = r_left − r_right",
+            Self::EquivalentConicity | Self::HarmonicConicity => "Δr = 2 y tan γ of cones",
+            _ => "",
+        }
+    }
+
     /// A value (in its unit, or dimensionless) with six digits and its unit.
     pub fn six_digits(self, value: f64) -> String {
         let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
