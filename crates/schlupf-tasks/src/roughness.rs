@@ -165,6 +165,7 @@ fn spots(request: &RoughnessRequest, surface: &HeightMap, watch: Watch) -> Resul
     let mut contact = contact.with_hardness(key.hardness)?;
     let solution = contact.press(key.largest_pressure, &RoughContactOptions::default(), watch)?;
     Ok(Spots {
+        lattice: *surface.lattice(),
         mean_pressure: key.largest_pressure,
         is_converged: solution.is_converged,
         pressure: solution.pressure,

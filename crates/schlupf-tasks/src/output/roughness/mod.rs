@@ -11,9 +11,9 @@ mod summary;
 use schlupf::Status;
 use schlupf::interface::roughness::MicroModelResult;
 use schlupf::interface::roughness::tangential_curve::{SimilarBodies, TangentialCurve};
-use schlupf::reporting::Message;
-use schlupf::surface::HeightMap;
+use schlupf::reporting::{Column, Message, Record, columns};
 use schlupf::surface::spectrum::RadialSpectrum;
+use schlupf::surface::{HeightMap, Lattice};
 
 use crate::output::figures::{Drawing, FigureError};
 use crate::output::report::{OwnFile, Report};
@@ -52,6 +52,8 @@ pub struct RoughnessReport {
 /// The contact spots of a surface.
 #[derive(Debug, Clone)]
 pub struct Spots {
+    /// The cells of the surface.
+    pub lattice: Lattice,
     /// Mean pressure, in Pa.
     pub mean_pressure: f64,
     /// Pressure in every cell, row after row, in Pa.
@@ -61,6 +63,20 @@ pub struct Spots {
     pub gap: Vec<f64>,
     /// Whether this solution converged.
     pub is_converged: bool,
+}
+
+/// All cells of the surface, row after row; those with a pressure touch.
+impl Record for Spots {
+    fn rows(&self) -> usize {
+        self.lattice.len()
+    }
+
+    const COLUMNS: &'static [Column<Self>] = columns! { Spots:
+        X => |spots, k| (k % spots.lattice.columns) as f64 * spots.lattice.spacing_x,
+        Y => |spots, k| (k / spots.lattice.columns) as f64 * spots.lattice.spacing_y,
+        Pressure => |spots, k| spots.pressure[k],
+        Gap => |spots, k| spots.gap[k],
+    };
 }
 
 impl RoughnessReport {
@@ -117,7 +133,8 @@ impl Report for RoughnessReport {
             ("spectrum", table::columns(&self.spectrum)),
             ("loads", table::columns(&self.result.normal)),
         ];
-        own.into_iter().chain(curves).collect()
+        let spots = self.spots.as_ref().map(|spots| ("spots", table::columns(spots)));
+        own.into_iter().chain(curves).chain(spots).collect()
     }
 
     fn figure_names() -> Vec<String> {
