@@ -7,6 +7,7 @@ export interface Field {
   path: string;
   name: string;
   doc: string;
+  definition: string;
   kind: string;
   units: string;
   requirement: string;

@@ -2,7 +2,7 @@
 import type { CaseModel, Change } from './case/model';
 import { debounced } from './dom';
 import { CaseProblems, type Lane } from './solver/lane';
-import type { Answered, Described, Fields, Problem } from './solver/protocol';
+import type { Answered, Described, Fields, Problem, Progress } from './solver/protocol';
 
 /** A solution with the case that it belongs to. */
 export interface Result {
@@ -16,6 +16,8 @@ export interface Result {
 export interface Audience {
   described(described: Described): void;
   solving(): void;
+  progress(progress: Progress): void;
+  cancelled(): void;
   solved(result: Result): void;
   failed(problems: Problem[]): void;
 }
@@ -85,10 +87,12 @@ export class Explorer {
     const started = performance.now();
     this.audience.solving();
     const isTransient = this.isTransient();
+    const tell = this.audience.progress;
+    const input = model.fixed();
     const answered = await this.tried(
       isTransient
-        ? this.long.ask('play', 'play', { input: model.whole(), every: EVERY })
-        : this.contact.ask('solve', 'solve', { input: model.fixed(), ...model.moving(), isMoving }),
+        ? this.long.ask('play', 'play', { input: model.whole(), every: EVERY }, tell)
+        : this.contact.ask('solve', 'solve', { input, ...model.moving(), isMoving }, tell),
     );
     const { fields } = this.described ?? {};
     if (!answered || !fields) return false;
@@ -96,6 +100,18 @@ export class Explorer {
     this.result = { answered, fields, milliseconds, isTransient };
     this.audience.solved(this.result);
     return answered.isQuick;
+  }
+
+  /** Solves the case once more. */
+  again(): void {
+    void this.solve();
+  }
+
+  /** Ends the solution that is under way. */
+  cancel(): void {
+    this.contact.cancel('solve');
+    this.long.cancel('play');
+    this.audience.cancelled();
   }
 
   /** The answer; null if it is stale or there is none, which the audience is told. */

@@ -8,6 +8,7 @@ import { debounced, h } from './dom';
 import { Explorer, type Result } from './explorer';
 import { Head } from './head';
 import { problemList } from './report/problems';
+import { Running } from './report/running';
 import { summary } from './report/summary';
 import type { Lane } from './solver/lane';
 import type { Described, Problem } from './solver/protocol';
@@ -38,7 +39,8 @@ export class Page {
   private readonly tabs: Tabs;
   private readonly head: Head;
   private readonly damaged = h('div', {});
-  private readonly problems = h('div', { class: 'told' });
+  private readonly problems = h('div', {});
+  private readonly running = new Running(() => this.explorer.cancel());
   private readonly results = h('div', { class: 'results' });
   private readonly pin = h(
     'button',
@@ -58,7 +60,12 @@ export class Page {
   ) {
     this.explorer = new Explorer(model, contact, long, {
       described: (described) => this.describe(described),
-      solving: () => this.results.setAttribute('aria-busy', 'true'),
+      solving: () => {
+        this.results.setAttribute('aria-busy', 'true');
+        this.running.begin();
+      },
+      progress: (progress) => this.running.tell(progress),
+      cancelled: () => this.cancelled(),
       solved: (result) => this.show(result),
       failed: (problems) => this.fail(problems),
     });
@@ -107,7 +114,7 @@ export class Page {
       this.damaged,
       this.tabs.list,
       this.tabs.body,
-      this.problems,
+      h('div', { class: 'told' }, this.running.element, this.problems),
     );
     const controls = h(
       'aside',
@@ -172,6 +179,7 @@ export class Page {
   /** Nothing of another case is seen. */
   private clear(): void {
     this.tellDamaged(false);
+    this.running.end();
     this.problems.replaceChildren();
     this.results.replaceChildren();
     this.tabs.body.classList.add('blank');
@@ -211,10 +219,10 @@ export class Page {
 
   private show(result: Result): void {
     this.problems.replaceChildren();
-    this.results.removeAttribute('aria-busy');
+    this.ended();
     this.tabs.body.classList.remove('old', 'blank');
     this.patch.show(result, this.pinned);
-    this.wheel.show(result);
+    this.wheel.show(result, this.pinned);
     this.chooseContact();
     document.documentElement.dataset['solved'] = String(performance.now());
   }
@@ -232,15 +240,33 @@ export class Page {
   }
 
   private fail(problems: Problem[]): void {
-    this.results.removeAttribute('aria-busy');
-    this.tabs.body.classList.add('old');
+    this.ended();
+    this.markOutdated();
     this.columns.classList.toggle('undescribed', !this.explorer.described);
-    const hint = h('p', { class: 'status bad' }, t('outdated'));
-    const isOutdated = this.explorer.result && !this.results.querySelector('.status.bad');
-    if (isOutdated) this.results.prepend(hint);
     const assign = (values: [string, string][]) => this.model.assign(values);
     this.problems.replaceChildren(problemList(problems, this.model.text, assign));
     this.panel.showProblems(problems);
+  }
+
+  /** Nothing is solved any more. */
+  private ended(): void {
+    this.results.removeAttribute('aria-busy');
+    this.running.end();
+  }
+
+  private cancelled(): void {
+    this.ended();
+    this.markOutdated();
+    const again = h('button', { type: 'button', onclick: () => this.explorer.again() }, t('compute'));
+    this.running.end(`${t('cancelled')} `, again);
+  }
+
+  /** What is seen is not that of the case. */
+  private markOutdated(): void {
+    this.tabs.body.classList.add('old');
+    const hint = h('p', { class: 'status bad' }, t('outdated'));
+    const isOutdated = this.explorer.result && !this.results.querySelector('.status.bad');
+    if (isOutdated) this.results.prepend(hint);
   }
 
   private togglePin(): void {

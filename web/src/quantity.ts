@@ -110,11 +110,6 @@ export function withUnit(si: number, units: string): string {
   return `${digits(si / factor)}${unit ? ` ${unit}` : ''}`;
 }
 
-/** What a column means, for a tooltip: description, symbol and SI unit. */
-export function explained(column: { long_name: string; symbol: string; units: string }): string {
-  return labelled([column.long_name, column.symbol].filter(Boolean).join(', '), column.units);
-}
-
 /** The number that a person typed, with a point or a comma; else not a number. */
 export function numberTyped(text: string): number {
   const plain = text.trim().replace(/−/g, '-').replace(/^([-+]?\d*),(\d)/, '$1.$2');

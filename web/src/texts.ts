@@ -1,6 +1,8 @@
 /** All texts of the page in English, German and Chinese; what fields mean is in the catalogue. */
 
 import { NAMES } from './names';
+import { labelled } from './quantity';
+import type { Column } from './solver/protocol';
 
 /** Languages of the page. */
 export const LANGUAGES = { en: 'English', de: 'Deutsch', zh: '中文' } as const;
@@ -47,6 +49,8 @@ const TEXTS = {
   ],
   at_end: ['At the end of the time', 'Am Ende der Zeit', '终止时刻的结果'],
   cancel: ['Cancel', 'Abbrechen', '取消'],
+  cancelled: ['Cancelled.', 'Abgebrochen.', '已取消。'],
+  residual: ['residual', 'Residuum', '残差'],
   views: ['Views', 'Ansichten', '视图'],
   patch: ['Patch', 'Kontaktfläche', '接触斑'],
   curve: ['Curve', 'Kraftschlusskurve', '蠕滑曲线'],
@@ -148,6 +152,7 @@ const TEXTS = {
     '轮对横移特性',
   ],
   radius_difference: ['rolling radius difference', 'Rollradiendifferenz', '滚动圆半径差'],
+  rigid: ['rigid', 'starr', '刚性'],
   conicity: ['equivalent conicity', 'äquivalente Konizität', '等效锥度'],
   normal_load: ['normal load', 'Normalkraft', '法向力'],
   which_body: ['Whose profile is it?', 'Wessen Profil ist das?', '这是哪个部件的廓形？'],
@@ -197,4 +202,13 @@ export function nameOf(name: string, english = name.replace(/[_.]/g, ' ')): stri
   const names = NAMES[name];
   if (language === 'en' || !names) return english;
   return names[language === 'de' ? 0 : 1];
+}
+
+/** What a column means, for a tooltip: name, symbol and SI unit, and its defining equation. */
+export function explained(
+  name: string,
+  column: Pick<Column, 'long_name' | 'symbol' | 'units' | 'definition'>,
+): string {
+  const meaning = [nameOf(name, column.long_name), column.symbol].filter(Boolean).join(', ');
+  return [labelled(meaning, column.units), column.definition].filter(Boolean).join('\n');
 }

@@ -2,19 +2,34 @@
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
 import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import init, { Case, Files } from '../pkg/schlupf_wasm.js';
+import { CASES as CASE_FOLDER } from './support.mjs';
 
 const command = process.env.SCHLUPF_COMMAND;
 const skip = command ? false : 'SCHLUPF_COMMAND names no command';
 const module = new URL('../pkg/schlupf_wasm_bg.wasm', import.meta.url);
+
+const WHEEL = readFileSync(join(CASE_FOLDER, 'wheel_on_rail.toml'), 'utf8');
 
 /** Cases: a text and assignments of fields. */
 const CASES = [
   ['', ['kinematics.creepage_x=0.002']],
   ['grid = { cells_x = 24, cells_y = 24 }', ['kinematics.spin="0.6 1/m"', 'normal.load="60 kN"']],
   ['solver.method = "polach"', ['kinematics.creepage_y=0.01', 'friction.model="constant"']],
+  [WHEEL, []],
+  [WHEEL, ['wheelset.lateral_position="-7 mm"', 'normal.load="60 kN"']],
 ];
+
+/** Forces on a wheel and at its contacts, each a vector. */
+function forces({ force, wheel }) {
+  const contacts = (wheel?.contacts ?? []).flatMap((contact) => [
+    contact.force,
+    { z: contact.normal.load },
+  ]);
+  return [force, ...(wheel ? [wheel.wheel_force] : []), ...contacts];
+}
 
 test('the module gives the forces of the command', { skip }, async () => {
   await init({ module_or_path: readFileSync(module) });
@@ -24,14 +39,18 @@ test('the module gives the forces of the command', { skip }, async () => {
       input: text,
       stdio: ['pipe', 'pipe', 'ignore'],
     });
-    const expected = JSON.parse(printed).force;
+    const expected = forces(JSON.parse(printed));
     const solved = new Case(text, 'case', assignments, new Files()).ask('solve', '{}');
-    const found = JSON.parse(solved.json());
-    const size = Math.hypot(expected.x, expected.y);
-    for (const axis of ['x', 'y']) {
-      const difference = Math.abs(found.force[axis] - expected[axis]);
-      assert.ok(difference <= 1e-9 * size, `${text} ${assignments}: ${axis} ${difference} N`);
-    }
+    const found = forces(JSON.parse(solved.json()));
+    assert.equal(found.length, expected.length);
+    expected.forEach((vector, index) => {
+      const axes = ['x', 'y', 'z'].filter((axis) => axis in vector);
+      const size = Math.hypot(...axes.map((axis) => vector[axis]));
+      for (const axis of axes) {
+        const difference = Math.abs(found[index][axis] - vector[axis]);
+        assert.ok(difference <= 1e-9 * size, `${assignments}: ${index}, ${axis} ${difference} N`);
+      }
+    });
   }
 });
 

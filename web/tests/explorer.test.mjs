@@ -169,6 +169,38 @@ test('a result is pinned beside the next one', () =>
     assert.deepEqual(errors, []);
   }));
 
+test('a wheel is pinned beside the next position, with its curves', () =>
+  withPage({}, '#case=wheel_on_rail&view=wheel', async (page, errors) => {
+    await page.click('[data-task=wheelset]');
+    await page.locator('#panel-wheel .u-legend').first().waitFor();
+    await page.getByRole('button', { name: 'Pin to compare' }).click();
+    const canvas = page.locator('#panel-wheel canvas[role=slider]');
+    await canvas.focus();
+    await andSolved(page, () => page.keyboard.press('Shift+ArrowRight'));
+    assert.equal(await page.locator('#panel-wheel .profiles canvas:visible').count(), 3);
+    for (const [part, name] of [
+      ['.contacts', 'radius of the wheel'],
+      ['.contacts', 'lateral force'],
+      ['.results', 'contacts'],
+    ].map(([place, text]) => [page.locator(place), text])) {
+      const row = part.locator('.compared tr', { hasText: name }).first();
+      const cells = (await row.locator('td').allInnerTexts()).slice(0, 3);
+      const [present, pinned, change] = cells.map((text) => Number(text.replace('−', '-')));
+      assert.ok(Math.abs(present - pinned - change) <= 2e-3 * Math.abs(present), cells.join());
+    }
+    await page.locator('#panel-wheel .u-legend', { hasText: 'pinned' }).first().waitFor();
+    assert.deepEqual(errors, []);
+  }));
+
+test('what has a defining equation shows it', () =>
+  withPage({}, '#case=steel_wheel_driving', async (page) => {
+    const titled = (part) => page.locator(`[title*="${part}"]`).first();
+    await titled('P = ∫ q dA').waitFor();
+    await titled('ξ = cos α − ω R/v0').waitFor();
+    await page.selectOption('#quantity', 'friction_power');
+    assert.match(await page.locator('#quantity').getAttribute('title'), /q = −\(t_x s_x/);
+  }));
+
 test('a profile is read as that of the wheel', () =>
   withPage({}, '#case=wheel_on_rail', async (page, errors) => {
     const points = Array.from({ length: 41 }, (_, index) => index - 20);
@@ -301,6 +333,51 @@ test('a long task tells its time and can be cancelled', () =>
     await running.getByRole('timer').filter({ hasText: /\d\.\d s/ }).waitFor();
     await running.getByRole('button', { name: 'Cancel' }).click();
     assert.equal(await page.getByRole('timer').count(), 0);
+    assert.deepEqual(errors, []);
+  }));
+
+/** Gives a field a value that is typed. */
+async function give(page, path, text) {
+  await page.getByPlaceholder('Find a field').fill(path);
+  const input = page.locator(`.panel [data-path="${path}"] input[type=text]`);
+  await input.fill(text);
+  await input.press('Enter');
+}
+
+for (const [name, counted] of [
+  ['half_space', /Newton steps \d+/],
+  ['braking_from_rolling', /time steps \d+/],
+]) {
+  test(`a long solution tells how far it is and can be cancelled, ${name}`, () =>
+    withPage({}, `#case=${name}`, async (page, errors) => {
+      const before = await shown(page, 'force.x');
+      await give(page, 'grid.cells_y', '100');
+      await give(page, 'grid.cells_x', '600');
+      const running = page.locator('.told .running');
+      await running.filter({ hasText: counted }).waitFor();
+      await running.getByRole('button', { name: 'Cancel' }).click();
+      await page.getByText('Cancelled.').waitFor();
+      await page.locator('.results .status.bad').waitFor();
+      for (const cells of ['grid.cells_x', 'grid.cells_y']) {
+        await andSolved(page, () => give(page, cells, ''));
+      }
+      assert.equal(await shown(page, 'force.x'), before);
+      assert.ok(!(await running.isVisible()));
+      assert.deepEqual(errors, []);
+    }));
+}
+
+test('a long curve tells how far it is and can be cancelled', () =>
+  withPage({}, '#case=half_space&view=curve', async (page, errors) => {
+    await page.fill('#curve-points', '201');
+    await page.press('#curve-points', 'Enter');
+    const running = page.locator('#panel-curve .inquiry').first();
+    await running.getByText(/points \d+\/201/).waitFor();
+    await running.getByRole('button', { name: 'Cancel' }).click();
+    assert.equal(await page.getByRole('timer').count(), 0);
+    await page.fill('#curve-points', '5');
+    await page.press('#curve-points', 'Enter');
+    await page.locator('.curve-place .u-legend').waitFor();
     assert.deepEqual(errors, []);
   }));
 
@@ -481,6 +558,9 @@ test('a new surface is offered where it is generated', () =>
     const button = page.getByRole('button', { name: 'New surface' });
     assert.ok(await page.getByRole('button', { name: 'Spots and k_c' }).isVisible());
     assert.ok(!(await button.isVisible()));
+    await page.click('[data-task=roughness]');
+    await page.locator('.task .map canvas[aria-label^="normal pressure"]').waitFor();
+    assert.equal(await page.locator('.task .drawing').count(), 3);
     await andSolved(page, () => page.selectOption('#gallery', 'rough_surfaces'));
     assert.ok(!(await button.isVisible()));
   }));

@@ -12,12 +12,14 @@
 #![allow(clippy::needless_pass_by_value, reason = "arrays of JavaScript arrive by value")]
 
 use std::any::Any;
+use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
 
-use js_sys::{Array, Float64Array, Object, Reflect};
-use schlupf::Watch;
+use js_sys::{Array, Float64Array, Function, Object, Reflect};
+use schlupf::Progress;
 use schlupf::solution::Fields;
 use schlupf_case::fields::{self, Kind};
 use schlupf_case::{CaseError, CaseErrors, FieldPath, InputFile, Overrides, Setting, field};
@@ -38,6 +40,34 @@ const OPTION: &str = "explorer";
 #[wasm_bindgen]
 pub fn catalogue() -> String {
     schlupf_tasks::catalogue().to_string()
+}
+
+thread_local! {
+    static WATCHER: RefCell<Option<Function>> = const { RefCell::new(None) };
+}
+
+/// Takes a function that is told how far a computation has got: what is counted, the number done,
+/// and the total and the residual where they are known.
+#[wasm_bindgen]
+pub fn watch(watcher: Function) {
+    WATCHER.set(Some(watcher));
+}
+
+/// Who computes hears nothing until it is done: to stop it, its worker is ended.
+fn told(Progress { stage, done, total, change, .. }: Progress) -> ControlFlow<()> {
+    WATCHER.with_borrow(|watcher| {
+        let Some(watcher) = watcher else { return };
+        let (total, change) = (total.map(|total| total as f64), change.map(JsValue::from));
+        // What it does with that does not concern the computation.
+        let _ = watcher.call4(
+            &JsValue::NULL,
+            &stage.counted().into(),
+            &(done as f64).into(),
+            &total.into(),
+            &change.into(),
+        );
+    });
+    ControlFlow::Continue(())
 }
 
 /// Takes the bytes of the standard table of creep forces, which the method `table` needs.
@@ -137,10 +167,10 @@ impl Case {
     /// Solves rolling over time, and keeps the fields of every so many steps.
     pub fn play(&self, every: usize) -> Result<Answer, JsValue> {
         let solved = || -> Result<_, CaseErrors> {
-            let mut case = self.file.pose(&schlupf::unwatched)?;
+            let mut case = self.file.pose(&told)?;
             case.options.fields_every = every;
             let rolling = case.rolling(None)?;
-            let report = solve::solve(&case, rolling, &schlupf::unwatched);
+            let report = solve::solve(&case, rolling, &told);
             report.map_err(|error| case.explain(&error).into())
         };
         solved().map(|report| Answer(Box::new(report))).map_err(|errors| of_case(&errors))
@@ -169,18 +199,19 @@ impl Case {
         let fields = paths.iter().map(field).collect::<Result<_, _>>();
         self.solver.vary(fields.map_err(|error| of_case(&error.into()))?);
         let entries: Vec<_> = values.iter().map(|value| states::Entry::Number(*value)).collect();
-        match self.solver.solve(&entries, OPTION, &schlupf::unwatched) {
+        match self.solver.solve(&entries, OPTION, &told) {
             Ok((case, solution)) => Ok(Answer(Box::new(solve::report(case, solution)))),
             Err(failure) => Err(of_case(&failure.errors(&self.file))),
         }
     }
 
-    /// Does a task with a request, which is an object of its fields.
-    pub fn ask(&self, task: &str, request: &str) -> Result<Answer, JsValue> {
+    /// Does a task with a request, which is an object of its fields; some do more for figures.
+    pub fn ask(&self, task: &str, request: &str, figures: bool) -> Result<Answer, JsValue> {
         let refused = |message: String| of_case(&CaseError::new("", message, OWN).into());
         let task = schlupf_tasks::find(task).ok_or_else(|| refused(format!("no task {task}")))?;
         let request: Json = serde_json::from_str(request).map_err(|e| refused(e.to_string()))?;
-        let found = self.done(task, &request, &schlupf::unwatched);
+        let wanted = Wanted { figures, ..Wanted::default() };
+        let found = self.done(task, &request, &wanted);
         found.map(Answer).map_err(|error| match error {
             TaskError::Case(errors) => of_case(&errors),
             other @ TaskError::Request(_) => refused(other.to_string()),
@@ -203,14 +234,14 @@ impl Case {
         &self,
         task: &Entry,
         request: &Json,
-        watch: Watch,
+        wanted: &Wanted,
     ) -> Result<Box<dyn Report>, TaskError> {
         let asked = Asked::new(Face::Functions, (task.fields)(), |field| {
             let value = request.get(field.name).filter(|value| !value.is_null());
             value.map(|value| self.converted(field, value)).into_iter().collect()
         })?;
         let work = (task.read)(&asked)?;
-        let found = work(&Given::of(&self.file), &Wanted::default(), watch)?;
+        let found = work(&Given::of(&self.file), wanted, &told)?;
         match found.failure {
             Some(errors) if found.report.status() == schlupf::Status::Converged => {
                 Err(errors.into())
@@ -308,7 +339,7 @@ impl Answer {
     }
 
     /// Tables by name, each an array of tables; a table has columns by name, each with its values,
-    /// symbol, unit and description.
+    /// symbol, unit, description and defining equation.
     pub fn tables(&self) -> Object {
         let tables = Object::new();
         for (name, columns) in self.0.tables() {
@@ -342,6 +373,7 @@ fn of_column(ColumnValues { quantity, values, .. }: ColumnValues) -> Object {
     set(&column, "symbol", &quantity.symbol().into());
     set(&column, "units", &quantity.unit().into());
     set(&column, "long_name", &quantity.description().into());
+    set(&column, "definition", &quantity.definition().into());
     column
 }
 

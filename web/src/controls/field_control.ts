@@ -175,7 +175,7 @@ export class FieldControl {
 function explained(field: Field): [string, string] {
   const found = /^([^\s,;:]{1,5}), (.*)$/s.exec(field.doc);
   const choices = field.choices.map(([name, doc]) => `${name}: ${doc}`).join('\n');
-  const meaning = [field.doc, choices].filter(Boolean).join('\n');
+  const meaning = [field.doc, field.definition, choices].filter(Boolean).join('\n');
   return [found?.[1] ?? '', meaning];
 }
 

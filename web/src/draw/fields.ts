@@ -25,9 +25,11 @@ export function withMagnitudes(table: Table): Table {
 
 function magnitude(along: Column, across: Column): Column {
   const [x, y] = [numbers(along), numbers(across)];
+  const symbol = `|${along.symbol.replace(/_?x$/, '')}|`;
   return {
     values: x.map((value, index) => Math.hypot(value, y[index] ?? 0)),
-    symbol: `|${along.symbol.replace(/_?x$/, '')}|`,
+    symbol,
+    definition: `${symbol} = √(${along.symbol}² + ${across.symbol}²)`,
     units: along.units,
     long_name: along.long_name
       .replace(/,? ?(along rolling|along x|longitudinal|in x)\b/, '')

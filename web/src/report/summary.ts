@@ -1,10 +1,12 @@
 /** Scalars of a solution, beside those of a pinned one, with warnings. */
 import { h } from '../dom';
+import { numberOf } from '../draw/fields';
 import type { Result } from '../explorer';
-import { digits, explained, shownIn } from '../quantity';
+import { digits, shownIn } from '../quantity';
 import type { Column, Table, Told } from '../solver/protocol';
 import { symbolOf } from '../symbols';
-import { nameOf, t } from '../texts';
+import { explained, nameOf, t } from '../texts';
+import { cleaned, numberTable } from './number_table';
 
 /** Quantities that are shown large. */
 const LARGE = ['force.x', 'force.y', 'traction_coefficient', 'temperature.max_rise'];
@@ -18,7 +20,7 @@ const COMMON = /^(normal|kinematics|temperature)\./;
 export function summary(result: Result, pinned: Result | null, contact: number): HTMLElement {
   const { told, tables } = result.answered;
   const solution = tables['solution']?.[contact] ?? {};
-  const other = pinned?.answered.tables['solution']?.[contact];
+  const before = pinned?.answered.tables;
   const isConverged = told.status === 'converged';
   const status = h(
     'p',
@@ -35,8 +37,8 @@ export function summary(result: Result, pinned: Result | null, contact: number):
     status,
     result.isTransient ? h('p', { class: 'hint' }, t('at_end')) : '',
     large(solution),
-    wheelTable(tables['wheel']?.[0]),
-    scalars(solution, other),
+    scalars(tables['wheel']?.[0], before?.['wheel']?.[0]),
+    scalars(solution, before?.['solution']?.[contact]),
     warnings(told),
     whole(told),
   );
@@ -45,16 +47,6 @@ export function summary(result: Result, pinned: Result | null, contact: number):
 function isKnown([name, column]: [string, Column]): boolean {
   const value = column.values[0];
   return !OWN.test(name) && typeof value === 'number' && !Number.isNaN(value);
-}
-
-/** A scalar without the noise of a force that vanishes. */
-function cleaned(column: Column | undefined): number {
-  const {
-    values: [value],
-    units,
-  } = column ?? { values: [NaN], units: '' };
-  const number = Number(value);
-  return (units === 'N' || units === 'N m') && Math.abs(number) < 1e-6 ? 0 : number;
 }
 
 /** What a column is called. */
@@ -78,11 +70,11 @@ function large(solution: Table): HTMLElement {
     'dl',
     { class: 'large' },
     ...shown.map(([name, column]) => {
-      const value = cleaned(column);
+      const value = cleaned(numberOf(solution, name), column.units);
       const { unit, factor } = shownIn(column.units, value);
       return h(
         'div',
-        { title: explained(column) },
+        { title: explained(name, column) },
         h('dt', {}, nameOf(name, column.long_name)),
         h(
           'dd',
@@ -95,66 +87,18 @@ function large(solution: Table): HTMLElement {
   );
 }
 
-function scalars(solution: Table, other: Table | undefined): HTMLElement {
-  const head = other
-    ? [
-        h(
-          'thead',
-          {},
-          h(
-            'tr',
-            {},
-            h('td', {}),
-            ...[t('present'), t('pinned'), t('difference')].map((text) =>
-              h('th', { scope: 'col' }, text),
-            ),
-            h('td', { class: 'unit' }),
-          ),
-        ),
-      ]
-    : [];
-  const rows = Object.entries(solution)
+function scalars(table: Table | undefined, other: Table | undefined): HTMLElement | string {
+  if (!table) return '';
+  const rows = Object.entries(table)
     .filter(isKnown)
-    .map(([name, column]) => {
-      const value = cleaned(column);
-      const { unit, factor } = shownIn(column.units, value);
-      const cells = [value];
-      if (other) {
-        const before = cleaned(other[name]);
-        cells.push(before, value - before);
-      }
-      return h(
-        'tr',
-        { title: explained(column) },
-        h('th', { scope: 'row' }, ...label(name, column, other !== undefined)),
-        ...cells.map((cell) => h('td', {}, digits(cell / factor))),
-        h('td', { class: 'unit' }, unit),
-      );
-    });
-  return h(
-    'table',
-    { class: other ? 'scalars compared' : 'scalars' },
-    ...head,
-    h('tbody', {}, ...rows),
-  );
-}
-
-function wheelTable(wheel: Table | undefined): HTMLElement | string {
-  if (!wheel) return '';
-  const rows = Object.entries(wheel)
-    .filter(isKnown)
-    .map(([name, column]) => {
-      const value = cleaned(column);
-      const { unit, factor } = shownIn(column.units, value);
-      return h(
-        'tr',
-        { title: explained(column) },
-        h('th', { scope: 'row' }, ...label(name, column)),
-        h('td', {}, digits(value / factor)),
-        h('td', { class: 'unit' }, unit),
-      );
-    });
-  return h('table', { class: 'scalars' }, h('tbody', {}, ...rows));
+    .map(([name, column]) => ({
+      name,
+      label: label(name, column, other !== undefined),
+      column,
+      present: [numberOf(table, name)],
+      pinned: other ? [numberOf(other, name)] : null,
+    }));
+  return numberTable([t('present')], rows);
 }
 
 /** Warnings with their codes. */

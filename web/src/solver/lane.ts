@@ -1,5 +1,5 @@
 /** A worker to which the newest request of each topic goes; older ones that wait are dropped. */
-import type { FileBytes, Kind, Problem, Reply, Requests } from './protocol';
+import type { FileBytes, Kind, Problem, Progress, Reply, Requests } from './protocol';
 
 /** Errors of a case. */
 export class CaseProblems extends Error {
@@ -14,6 +14,7 @@ interface Job {
   ask: Requests[Kind]['ask'];
   resolve: (answer: Requests[Kind]['answer'] | null) => void;
   reject: (error: unknown) => void;
+  onProgress: (progress: Progress) => void;
 }
 
 /** Requests to one worker, one after the other. */
@@ -48,6 +49,7 @@ export class Lane {
     topic: string,
     kind: K,
     ask: Requests[K]['ask'],
+    onProgress: (progress: Progress) => void = () => {},
   ): Promise<Requests[K]['answer'] | null> {
     return new Promise((resolve, reject) => {
       if (!this.worker && kind !== 'start') this.restart();
@@ -55,7 +57,7 @@ export class Lane {
       // What is asked last comes last: it may need what was asked between.
       this.waiting.delete(topic);
       const taken = resolve as Job['resolve'];
-      this.waiting.set(topic, { topic, kind, ask, resolve: taken, reject });
+      this.waiting.set(topic, { topic, kind, ask, resolve: taken, reject, onProgress });
       if (this.endsStale && this.running?.topic === topic) this.restart();
       this.next();
     });
@@ -106,6 +108,10 @@ export class Lane {
   private take(reply: Reply): void {
     const job = this.running;
     if (!job || reply.id !== this.count) return;
+    if (reply.progress) {
+      job.onProgress(reply.progress);
+      return;
+    }
     if (reply.problems?.some((problem) => problem.place === 'schlupf')) {
       this.fail(reply.problems);
       return;

@@ -1,9 +1,10 @@
-/** A column of a table: SI values with symbol, unit and description. */
+/** A column of a table: SI values with symbol, unit, description and defining equation. */
 export interface Column {
   values: Float64Array | string[];
   symbol: string;
   units: string;
   long_name: string;
+  definition: string;
 }
 
 /** Columns by name. */
@@ -131,9 +132,20 @@ export type Message = {
   [K in Kind]: { id: number; kind: K; ask: Requests[K]['ask'] };
 }[Kind];
 
-/** A message from a worker. */
+/** How far a computation has got. */
+export interface Progress {
+  /** What is counted. */
+  counted: string;
+  done: number;
+  total: number | null;
+  /** The residual, which decreases. */
+  change: number | null;
+}
+
+/** A message from a worker: progress, then the answer. */
 export interface Reply {
   id: number;
+  progress?: Progress;
   answer?: Requests[Kind]['answer'];
   problems?: Problem[];
 }

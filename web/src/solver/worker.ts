@@ -1,5 +1,5 @@
 /** The solver in a worker: answers one message after the other. */
-import init, { Answer, Case, Files, catalogue, provide_table } from '../../pkg/schlupf_wasm.js';
+import init, { Answer, Case, Files, catalogue, provide_table, watch } from '../../pkg/schlupf_wasm.js';
 import type {
   Answered,
   CaseInput,
@@ -30,6 +30,19 @@ let table: string | null = null;
 let kept: { key: string; solved: Case; quick?: Case | null } | null = null;
 /** The last answer of each kind, of which files may be wanted. */
 const last = new Map<string, Answer>();
+
+/** Time between two messages of progress, in ms. */
+const INTERVAL = 100;
+/** The message that is acted on, and when its progress was told last. */
+let [acting, lastTold] = [0, 0];
+
+/** Tells how far a computation has got: the page cannot ask while it goes on. */
+function tellProgress(counted: string, done: number, total?: number, change?: number): void {
+  if (performance.now() - lastTold < INTERVAL) return;
+  lastTold = performance.now();
+  const progress = { counted, done, total: total ?? null, change: change ?? null };
+  self.postMessage({ id: acting, progress } satisfies Reply);
+}
 
 /** The case; one that lacks the standard table gets it. */
 async function opened(input: CaseInput): Promise<Case> {
@@ -112,7 +125,7 @@ async function done({
   const opening = await opened(input);
   try {
     const of = 'over' in request ? `${task} over` : task;
-    return answered(of, opening.ask(task, JSON.stringify(request)), wantsFigures);
+    return answered(of, opening.ask(task, JSON.stringify(request), wantsFigures), wantsFigures);
   } finally {
     opening.free();
   }
@@ -130,6 +143,7 @@ async function act(message: Message): Promise<Requests[Kind]['answer']> {
   switch (message.kind) {
     case 'start':
       await init({ module_or_path: message.ask.module });
+      watch(tellProgress);
       files = new Files();
       table = message.ask.table;
       return { catalogue: catalogue() };
@@ -173,6 +187,7 @@ function problemsOf(error: unknown): Problem[] {
 
 self.onmessage = async ({ data }: MessageEvent<Message>) => {
   const reply: Reply = { id: data.id };
+  acting = data.id;
   try {
     reply.answer = await act(data);
     self.postMessage(reply, { transfer: buffers(reply.answer) });

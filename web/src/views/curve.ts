@@ -8,7 +8,7 @@ import type { Result } from '../explorer';
 import { digits, labelled, numberTyped, shownFor } from '../quantity';
 import type { Lane } from '../solver/lane';
 import type { Table } from '../solver/protocol';
-import { nameOf, t } from '../texts';
+import { explained, nameOf, t } from '../texts';
 import { Handle } from './handle';
 import { Inquiry } from './inquiry';
 import { interpolated } from './patch';
@@ -223,7 +223,11 @@ export class CurveView {
     if (names.join() === present.join()) return;
     const chosen = this.ordinate.value || 'traction_coefficient';
     this.ordinate.replaceChildren(
-      ...names.map((name) => h('option', { value: name }, nameOf(name, table[name]?.long_name))),
+      ...names.map((name) => {
+        const column = table[name];
+        const title = column ? explained(name, column) : '';
+        return h('option', { value: name, title }, nameOf(name, column?.long_name));
+      }),
     );
     this.ordinate.value = names.includes(chosen) ? chosen : (names[0] ?? '');
   }
@@ -234,6 +238,7 @@ export class CurveView {
     const ordinate = this.ordinate.value;
     const column = computed?.table[ordinate];
     if (!computed || !column) return;
+    this.ordinate.title = explained(ordinate, column);
     const xs = numbers(computed.table[name]);
     const ys = numbers(column);
     const [xScale, yScale] = [shownFor(units, xs), shownFor(column.units, ys)];

@@ -1,17 +1,16 @@
-/** A task asked of the solver: how long it runs, a way to end it, and what is wrong. */
+/** A task asked of the solver: how far it has got, a way to end it, and what is wrong. */
 import type { CaseModel } from '../case/model';
 import { h } from '../dom';
 import { problemList } from '../report/problems';
+import { Running } from '../report/running';
 import { CaseProblems, type Lane } from '../solver/lane';
 import type { Answered } from '../solver/protocol';
-import { t } from '../texts';
-
-/** Time after which it is told that a task runs, and between two tellings, in ms. */
-const [PATIENCE, INTERVAL] = [500, 200];
 
 /** Tasks of one topic, of which the newest counts. */
 export class Inquiry {
-  readonly element = h('div', { class: 'inquiry', 'aria-live': 'polite' });
+  readonly element: HTMLElement;
+  private readonly running = new Running(() => this.end());
+  private readonly problems = h('div', { 'aria-live': 'polite' });
   private count = 0;
 
   constructor(
@@ -19,6 +18,7 @@ export class Inquiry {
     private readonly model: CaseModel,
     private readonly lane: Lane,
   ) {
+    this.element = h('div', { class: 'inquiry' }, this.running.element, this.problems);
     model.listen((change) => {
       if (change === 'opened') this.end();
     });
@@ -28,7 +28,8 @@ export class Inquiry {
   private end(): void {
     this.count += 1;
     this.lane.cancel(this.topic);
-    this.element.replaceChildren();
+    this.running.end();
+    this.problems.replaceChildren();
   }
 
   /** The answer; null if there is none, or a newer task took its place. */
@@ -39,39 +40,20 @@ export class Inquiry {
   ): Promise<Answered | null> {
     this.count += 1;
     const { count } = this;
-    const show = (...children: Node[]) => {
-      if (count === this.count) this.element.replaceChildren(...children);
-    };
-    show();
-    const timer = this.startClock(show);
+    const isNewest = () => count === this.count;
+    this.problems.replaceChildren();
+    this.running.begin();
     try {
       const ask = { input: this.model.whole(), task, request, wantsFigures };
-      const answered = await this.lane.ask(this.topic, 'task', ask);
-      show();
-      return count === this.count ? answered : null;
+      const tell = this.running.tell.bind(this.running);
+      const answered = await this.lane.ask(this.topic, 'task', ask, tell);
+      return isNewest() ? answered : null;
     } catch (error) {
       if (!(error instanceof CaseProblems)) throw error;
-      show(problemList(error.problems, this.model.text));
+      if (isNewest()) this.problems.replaceChildren(problemList(error.problems, this.model.text));
       return null;
     } finally {
-      clearInterval(timer);
+      if (isNewest()) this.running.end();
     }
-  }
-
-  private startClock(show: (...children: Node[]) => void): number {
-    const began = performance.now();
-    const clock = h('span', { role: 'timer' });
-    const running = h(
-      'p',
-      { class: 'hint' },
-      `${t('solving')} `,
-      clock,
-      h('button', { type: 'button', onclick: () => this.end() }, t('cancel')),
-    );
-    return window.setInterval(() => {
-      const elapsed = performance.now() - began;
-      clock.textContent = `${(elapsed / 1e3).toFixed(1)} s`;
-      if (elapsed > PATIENCE && !running.isConnected) show(running);
-    }, INTERVAL);
   }
 }

@@ -16,7 +16,7 @@ import type { Surface } from '../draw/surface';
 import type { Result } from '../explorer';
 import { digits, labelled, shownFor, withUnit, type Shown } from '../quantity';
 import type { Grid, Table } from '../solver/protocol';
-import { nameOf, t } from '../texts';
+import { explained, nameOf, t } from '../texts';
 import { Player } from './player';
 
 /** A table of fields with its grid. */
@@ -153,11 +153,9 @@ export class PatchView {
     const chosen = this.quantity.value || 'pressure';
     this.quantity.replaceChildren(
       ...names.map((name) => {
-        const { long_name: meaning, symbol } = field?.table[name] ?? {
-          long_name: name,
-          symbol: '',
-        };
-        return h('option', { value: name }, `${nameOf(name, meaning)} ${symbol}`.trim());
+        const column = field?.table[name];
+        const label = `${nameOf(name, column?.long_name)} ${column?.symbol ?? ''}`.trim();
+        return h('option', { value: name, title: column ? explained(name, column) : '' }, label);
       }),
     );
     this.quantity.value = names.includes(chosen) ? chosen : (names[0] ?? '');
@@ -171,6 +169,7 @@ export class PatchView {
     this.drawn.hidden = field === null;
     const name = this.quantity.value;
     if (!field?.table[name]) return;
+    this.quantity.title = explained(name, field.table[name]);
     const beside = pinned ? fieldOf(pinned, this.contactIndex, null) : null;
     const one = [...numbers(field.table[name]), ...numbers(beside?.table[name])];
     const seen = [...one, ...this.extremes(result, name)];

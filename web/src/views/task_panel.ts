@@ -6,6 +6,7 @@ import type { Lane } from '../solver/lane';
 import type { Answered, Fields } from '../solver/protocol';
 import { t } from '../texts';
 import { Inquiry } from './inquiry';
+import { spotsMap } from './spots';
 
 /** A button and the task that it starts. */
 export interface Offer {
@@ -83,7 +84,10 @@ export class TaskPanel {
     this.markStale();
   }
 
-  private show({ told, figures }: Answered): void {
+  private show({ told, figures: all, tables }: Answered): void {
+    const spots = tables['spots']?.[0];
+    // A map with values to read takes the place of the picture.
+    const figures = all.filter(([name]) => !spots || !name.endsWith('_spots'));
     for (const url of this.urls) URL.revokeObjectURL(url);
     this.urls = figures.map(([, svg]) =>
       URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' })),
@@ -92,6 +96,7 @@ export class TaskPanel {
       h('img', { src: this.urls[index] ?? '', alt: name.replace(/_/g, ' '), class: 'drawing' }),
     );
     this.answer.replaceChildren(
+      spots ? spotsMap(spots) : '',
       h('div', { class: 'drawings' }, ...drawn),
       warnings(told),
       whole(told, true),

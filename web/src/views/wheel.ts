@@ -8,12 +8,13 @@ import { dragged, h, perFrame } from '../dom';
 import type { Frame } from '../draw/axes';
 import { numberOf } from '../draw/fields';
 import type { Result } from '../explorer';
-import { digits, explained, shownIn } from '../quantity';
+import { digits } from '../quantity';
+import { numberTable } from '../report/number_table';
 import type { Lane } from '../solver/lane';
 import type { Described, Table } from '../solver/protocol';
 import { symbolOf } from '../symbols';
 import { nameOf, t } from '../texts';
-import { drawPlan, drawProfiles, type Scene } from './wheel_drawing';
+import { drawPlans, drawProfiles, type Scene } from './wheel_drawing';
 import { WheelsetCurves } from './wheelset_curves';
 
 /** Fields that the view moves. */
@@ -43,10 +44,8 @@ const TOLD = [
 export class WheelView {
   readonly element: HTMLElement;
   readonly canvas = h('canvas', { tabindex: 0, role: 'slider', 'aria-label': t('drag_wheel') });
-  private readonly plan = h('canvas', {
-    role: 'img',
-    'aria-label': nameOf('pressure', 'normal pressure'),
-  });
+  private readonly plan = planCanvas('');
+  private readonly pinnedPlan = planCanvas(`, ${t('pinned')}`);
   private readonly close = h('input', { type: 'checkbox', onchange: () => this.redraw() });
   private readonly contacts = h('div', { class: 'contacts' });
   private readonly none: HTMLElement;
@@ -56,6 +55,9 @@ export class WheelView {
   private readonly redraw = perFrame(() => this.draw());
   private described: Described | null = null;
   private result: Result | null = null;
+  private pinned: Result | null = null;
+  /** What was drawn when it was pinned. */
+  private beside: Scene | null = null;
   private frame: Frame | null = null;
   private held: Frame | null = null;
 
@@ -89,7 +91,7 @@ export class WheelView {
         ...this.controls.map(({ control }) => control.element),
         h('label', {}, this.close, ` ${t('zoom_contact')}`),
       ),
-      h('div', { class: 'profiles' }, this.canvas, this.plan),
+      h('div', { class: 'profiles' }, this.canvas, this.plan, this.pinnedPlan),
       h('p', { class: 'hint' }, t('drag_wheel'), ' ', legend()),
       this.contacts,
       this.curves.element,
@@ -121,10 +123,16 @@ export class WheelView {
     this.redraw();
   }
 
-  /** Shows a result. */
-  show(result: Result): void {
+  /** Shows a result, beside a pinned one. */
+  show(result: Result, pinned: Result | null): void {
     this.result = result;
-    this.contacts.replaceChildren(contactTable(result.answered.tables['contact'] ?? []));
+    if (pinned !== this.pinned) {
+      this.beside = pinned && this.scene();
+      this.curves.pin(pinned !== null);
+    }
+    this.pinned = pinned;
+    const [present, others] = [result, pinned].map((one) => one?.answered.tables['contact']);
+    this.contacts.replaceChildren(contactTable(present ?? [], others ?? null));
     this.curves.mark(this.lateral());
     this.draw();
   }
@@ -140,26 +148,36 @@ export class WheelView {
     return this.model.assignments.get(LATERAL)?.si ?? (typeof value === 'number' ? value : 0);
   }
 
-  private draw(): void {
+  /** What is drawn of the present result; null without profiles. */
+  private scene(): Scene | null {
     const { described, result } = this;
-    const width = this.element.clientWidth;
-    if (!described?.outlines || !result?.answered.tables['contact'] || width < 200) return;
+    if (!described?.outlines || !result?.answered.tables['contact']) return null;
     const wheel = result.answered.tables['wheel']?.[0];
-    const described_at = described.fields.values[LATERAL];
-    const scene: Scene = {
+    const outlined = described.fields.values[LATERAL];
+    return {
       outlines: described.outlines,
       answered: result.answered,
-      isClose: this.close.checked,
-      held: this.held,
       pose: {
         lateral: this.lateral(),
-        outlined: typeof described_at === 'number' ? described_at : 0,
+        outlined: typeof outlined === 'number' ? outlined : 0,
         height: numberOf(wheel, 'wheelset.height'),
         roll: numberOf(wheel, 'wheelset.roll_angle'),
       },
     };
-    this.frame = drawProfiles(this.canvas, width, scene);
-    if (this.frame) drawPlan(this.plan, width, this.frame, scene);
+  }
+
+  private draw(): void {
+    const scene = this.scene();
+    const width = this.element.clientWidth;
+    if (!scene || width < 200) return;
+    const { beside, held } = this;
+    this.frame = drawProfiles(this.canvas, width, scene, {
+      isClose: this.close.checked,
+      held,
+      beside,
+    });
+    if (this.frame) drawPlans([this.plan, this.pinnedPlan], width, this.frame, [scene, beside]);
+    this.pinnedPlan.hidden = !beside;
     const shown = digits(this.lateral() * 1e3, 3);
     this.canvas.setAttribute('aria-valuenow', String(this.lateral() * 1e3));
     this.canvas.setAttribute('aria-valuetext', `${nameOf('lateral_position')} ${shown} mm`);
@@ -210,6 +228,11 @@ export class WheelView {
   }
 }
 
+function planCanvas(note: string): HTMLCanvasElement {
+  const label = nameOf('pressure', 'normal pressure') + note;
+  return h('canvas', { role: 'img', 'aria-label': label });
+}
+
 function legend(): HTMLElement {
   return h(
     'span',
@@ -221,30 +244,18 @@ function legend(): HTMLElement {
   );
 }
 
-function contactTable(contacts: Table[]): HTMLElement {
-  const [first] = contacts;
+/** All contacts, beside those of a pinned result. */
+function contactTable(contacts: Table[], others: Table[] | null): HTMLElement {
+  const count = Math.max(contacts.length, others?.length ?? 0);
+  const of = (tables: Table[], name: string) =>
+    Array.from({ length: count }, (_, index) => numberOf(tables[index], name));
   const rows = TOLD.flatMap((name) => {
-    const column = first?.[name];
+    const column = contacts[0]?.[name];
     if (!column) return [];
-    const values = contacts.map((contact) => numberOf(contact, name));
-    const { unit, factor } = shownIn(column.units, Math.max(...values.map(Math.abs)));
-    return [
-      h(
-        'tr',
-        { title: explained(column) },
-        h('th', { scope: 'row' }, nameOf(name, column.long_name), ' ', symbolOf(column.symbol)),
-        ...values.map((value) => h('td', {}, digits(value / factor))),
-        h('td', { class: 'unit' }, unit),
-      ),
-    ];
+    const label = [nameOf(name, column.long_name), ' ', symbolOf(column.symbol)];
+    const pinned = others && of(others, name);
+    return [{ name, label, column, present: of(contacts, name), pinned }];
   });
-  const heads = contacts.map((_, index) =>
-    h('th', { scope: 'col' }, `${t('contact')} ${index + 1}`),
-  );
-  return h(
-    'table',
-    { class: 'scalars' },
-    h('thead', {}, h('tr', {}, h('td', {}), ...heads)),
-    h('tbody', {}, ...rows),
-  );
+  const heads = Array.from({ length: count }, (_, index) => `${t('contact')} ${index + 1}`);
+  return numberTable(heads, rows);
 }

@@ -17,10 +17,16 @@ export interface Scene {
   outlines: Outlines;
   pose: Pose;
   answered: Answered;
+}
+
+/** How it is drawn. */
+export interface Showing {
   /** Whether only the surroundings of the contacts are shown. */
   isClose: boolean;
   /** The frame to keep, while the wheel is dragged. */
   held: Frame | null;
+  /** A pinned wheel. */
+  beside: Scene | null;
 }
 
 const MARGIN = { left: 54, right: 16, top: 22, bottom: 42 };
@@ -32,8 +38,12 @@ const HEADROOM = 14;
 const REACH = 90;
 
 /** Draws the profiles; the frame tells where places are. */
-export function drawProfiles(canvas: HTMLCanvasElement, width: number, scene: Scene): Frame | null {
-  const { outlines, pose, answered, isClose, held } = scene;
+export function drawProfiles(
+  canvas: HTMLCanvasElement,
+  width: number,
+  { outlines, pose, answered }: Scene,
+  { isClose, held, beside }: Showing,
+): Frame | null {
   const wheel = placedWheel(outlines, pose);
   const contacts = answered.tables['contact'] ?? [];
   const frame = held ?? framed([outlines.rail, wheel], isClose ? contacts : [], width);
@@ -45,7 +55,8 @@ export function drawProfiles(canvas: HTMLCanvasElement, width: number, scene: Sc
   pen.clip();
   drawBody(pen, frame, outlines.rail, 'rail', false);
   drawBody(pen, frame, wheel, 'wheel', true);
-  contacts.forEach((contact) => drawPatch(pen, frame, contact));
+  if (beside) drawPinned(pen, frame, beside);
+  contacts.forEach((contact) => drawPatch(pen, frame, contact, 'accent'));
   pen.restore();
   const largest = Math.max(...contacts.map((contact) => numberOf(contact, 'normal.load')));
   contacts.forEach((contact, index) => drawForces(pen, frame, contact, index, largest));
@@ -78,6 +89,31 @@ function framed(lines: Line[], contacts: Table[], width: number): Frame {
   return { left: MARGIN.left, top: MARGIN.top, width: inner, height, x: y, y: z };
 }
 
+function pathOf(frame: Frame, { y, z }: Line): Path2D {
+  const path = new Path2D();
+  y.forEach((at, index) => {
+    const place: Place = [atX(frame, at * 1e3), atY(frame, (z[index] ?? 0) * 1e3)];
+    if (index === 0) path.moveTo(...place);
+    else path.lineTo(...place);
+  });
+  return path;
+}
+
+/** The wheel as it was pinned, with its contacts. */
+function drawPinned(
+  pen: CanvasRenderingContext2D,
+  frame: Frame,
+  { outlines, pose, answered }: Scene,
+): void {
+  pen.save();
+  pen.strokeStyle = colour('curve-2');
+  pen.lineWidth = 1.5;
+  pen.setLineDash([6, 4]);
+  pen.stroke(pathOf(frame, placedWheel(outlines, pose)));
+  pen.restore();
+  for (const contact of answered.tables['contact'] ?? []) drawPatch(pen, frame, contact, 'curve-2');
+}
+
 function drawBody(
   pen: CanvasRenderingContext2D,
   frame: Frame,
@@ -85,12 +121,7 @@ function drawBody(
   name: 'rail' | 'wheel',
   isAbove: boolean,
 ): void {
-  const path = new Path2D();
-  y.forEach((at, index) => {
-    const place: Place = [atX(frame, at * 1e3), atY(frame, (z[index] ?? 0) * 1e3)];
-    if (index === 0) path.moveTo(...place);
-    else path.lineTo(...place);
-  });
+  const path = pathOf(frame, { y, z });
   const filled = new Path2D(path);
   const edge = isAbove ? frame.top - 10 : frame.top + frame.height + 10;
   filled.lineTo(atX(frame, (y.at(-1) ?? 0) * 1e3), edge);
@@ -103,7 +134,12 @@ function drawBody(
 }
 
 /** The patch as a thick line, as wide as it is. */
-function drawPatch(pen: CanvasRenderingContext2D, frame: Frame, contact: Table): void {
+function drawPatch(
+  pen: CanvasRenderingContext2D,
+  frame: Frame,
+  contact: Table,
+  colourName: string,
+): void {
   const angle = numberOf(contact, 'angle');
   const half = numberOf(contact, 'normal.semi_axis_y');
   const [y, z] = [numberOf(contact, 'position.y'), numberOf(contact, 'position.z')];
@@ -115,7 +151,7 @@ function drawPatch(pen: CanvasRenderingContext2D, frame: Frame, contact: Table):
       atY(frame, (z - across * Math.sin(angle)) * 1e3),
     );
   }
-  pen.strokeStyle = colour('accent');
+  pen.strokeStyle = colour(colourName);
   pen.lineCap = 'round';
   pen.lineWidth = 5;
   pen.stroke();
@@ -168,12 +204,36 @@ function drawNames(pen: CanvasRenderingContext2D, frame: Frame, contacts: Table[
   });
 }
 
-/** Draws the pressure of all patches from above, under the profiles. */
-export function drawPlan(
+/** Draws the pressure of all patches from above, under the profiles; of several in one scale. */
+export function drawPlans(
+  canvases: HTMLCanvasElement[],
+  width: number,
+  frame: Frame,
+  scenes: (Scene | null)[],
+): void {
+  const pressures = scenes.map((scene) =>
+    (scene?.answered.tables['fields'] ?? []).map((table) => numbers(table['pressure'])),
+  );
+  const { of } = colourScale(pressures.flat().flatMap((values) => [...values]));
+  canvases.forEach((canvas, index) => {
+    const [scene, pressure] = [scenes[index], pressures[index]];
+    const note = index > 0 ? `, ${t('pinned')}` : '';
+    if (scene && pressure) drawPlan(canvas, width, frame, { scene, pressure, of, note });
+  });
+}
+
+interface Plan {
+  scene: Scene;
+  pressure: Float64Array[];
+  of: (value: number) => string;
+  note: string;
+}
+
+function drawPlan(
   canvas: HTMLCanvasElement,
   width: number,
   frame: Frame,
-  scene: Scene,
+  { scene, pressure, of, note }: Plan,
 ): void {
   const { tables, grids } = scene.answered;
   const contacts = tables['contact'] ?? [];
@@ -186,20 +246,16 @@ export function drawPlan(
   const plan: Frame = { ...frame, top: 10, height, y: [low, high] };
   const pen = penOf(canvas, width, plan.top + height + MARGIN.bottom);
   if (!pen) return;
-  const fields = tables['fields'] ?? [];
-  const pressure = fields.map((table) => numbers(table['pressure']));
-  const colours = colourScale(pressure.flatMap((values) => [...values]));
   pen.save();
   pen.beginPath();
   pen.rect(plan.left, plan.top, plan.width, plan.height);
   pen.clip();
-  fields.forEach((_, index) => {
+  pressure.forEach((values, index) => {
     const [contact, grid] = [contacts[index], grids[index]];
-    const values = pressure[index];
-    if (contact && grid && values) drawCells(pen, plan, contact, grid, values, colours.of);
+    if (contact && grid) drawCells(pen, plan, contact, grid, values, of);
   });
   pen.restore();
-  drawAxes(pen, plan, [`y (mm) – ${nameOf('pressure', 'normal pressure')}`, 'x (mm)']);
+  drawAxes(pen, plan, [`y (mm) – ${nameOf('pressure', 'normal pressure')}${note}`, 'x (mm)']);
 }
 
 function drawCells(

@@ -1,12 +1,13 @@
 /** Rolling-radius difference and conicity of the wheelset over its lateral position. */
 import type { CaseModel } from '../case/model';
 import { h } from '../dom';
-import { Chart, type ChartContent } from '../draw/chart';
+import { Chart, type Curve } from '../draw/chart';
 import { numbers } from '../draw/fields';
 import type { Lane } from '../solver/lane';
 import type { Table } from '../solver/protocol';
 import { nameOf, t } from '../texts';
 import { Inquiry } from './inquiry';
+import { interpolated } from './patch';
 
 /** Positions at which the wheelset is solved. */
 const POINTS = 17;
@@ -15,13 +16,21 @@ const LATERAL = 'wheelset.lateral_position';
 /** Rolling-radius differences of a table of contacts. */
 const DIFFERENCES = ['rolling_radius_difference', 'rigid_rolling_radius_difference'];
 
+/** Rolling-radius differences over the lateral position, conicity over the amplitude. */
+interface Curves {
+  contacts: Table;
+  conicity: Table;
+}
+
 /** Curves of a wheelset, on demand. */
 export class WheelsetCurves {
   readonly element: HTMLElement;
   private readonly difference = new Chart(240);
   private readonly conicity = new Chart(240);
   private readonly inquiry: Inquiry;
-  private content: ChartContent | null = null;
+  private tables: Curves | null = null;
+  private pinned: Curves | null = null;
+  private cursor = 0;
   private key = '';
   private readonly stale = h('p', { class: 'hint', hidden: true }, t('outdated'));
   private readonly charts: HTMLElement;
@@ -59,19 +68,23 @@ export class WheelsetCurves {
 
   /** Marks the present lateral position, in m. */
   mark(lateral: number): void {
-    if (!this.content) return;
-    this.content.cursor = lateral * 1e3;
-    this.difference.show(this.content);
+    this.cursor = lateral * 1e3;
+    this.draw();
+  }
+
+  /** Keeps the present curves beside later ones, or no longer. */
+  pin(isPinned: boolean): void {
+    this.pinned = isPinned ? this.tables : null;
   }
 
   private clear(): void {
-    this.content = null;
+    this.tables = null;
     this.charts.hidden = true;
   }
 
   /** Curves depend on all but the lateral position. */
   private markStale(): void {
-    const isStale = this.content !== null && this.model.key([LATERAL]) !== this.key;
+    const isStale = this.tables !== null && this.model.key([LATERAL]) !== this.key;
     this.stale.hidden = !isStale;
     this.element.classList.toggle('old', isStale);
   }
@@ -81,40 +94,80 @@ export class WheelsetCurves {
     const answered = await this.inquiry.ask('wheelset', { points: POINTS });
     if (!answered) return;
     this.key = key;
-    this.show(answered.tables['contacts']?.[0], answered.tables['conicity']?.[0]);
-  }
-
-  private show(contacts: Table | undefined, conicity: Table | undefined): void {
-    if (!contacts || !conicity) return;
-    this.charts.hidden = false;
-    const places = numbers(contacts['lateral_position']);
-    const rows = [...places.keys()].filter((row) => row === 0 || places[row] !== places[row - 1]);
-    this.content = {
-      x: rows.map((row) => (places[row] ?? 0) * 1e3),
-      xLabel: `${nameOf('lateral_position')} (mm)`,
-      yLabel: `${t('radius_difference')} (mm)`,
-      curves: DIFFERENCES.map((name, colour) => ({
-        label: contacts[name]?.long_name.startsWith('the same') ? 'Δr, rigid' : 'Δr',
-        values: rows.map((row) => (numbers(contacts[name])[row] ?? NaN) * 1e3),
-        colour,
-        dashed: colour > 0,
-      })),
-    };
-    this.difference.show(this.content);
-    const amplitude = numbers(conicity['amplitude']);
-    this.conicity.show({
-      x: amplitude.map((value) => value * 1e3),
-      xLabel: 'ŷ (mm)',
-      yLabel: t('conicity'),
-      curves: Object.entries(conicity)
-        .filter(([name]) => name !== 'amplitude')
-        .map(([, column], index) => ({
-          label: column.symbol,
-          values: numbers(column),
-          colour: index,
-          dashed: index > 0,
-        })),
-    });
+    const { contacts, conicity } = answered.tables;
+    if (contacts?.[0] && conicity?.[0]) {
+      this.tables = { contacts: positions(contacts[0]), conicity: conicity[0] };
+    }
+    this.charts.hidden = this.tables === null;
+    this.draw();
     this.markStale();
   }
+
+  private draw(): void {
+    const { tables, pinned } = this;
+    if (!tables) return;
+    const isRigid = (name: string) => name.startsWith('rigid');
+    this.difference.show({
+      xLabel: `${nameOf('lateral_position')} (mm)`,
+      yLabel: `${t('radius_difference')} (mm)`,
+      cursor: this.cursor,
+      ...curvesOf(tables.contacts, pinned?.contacts, 'lateral_position', {
+        names: DIFFERENCES,
+        factor: 1e-3,
+        label: (name) => (isRigid(name) ? `Δr, ${t('rigid')}` : 'Δr'),
+      }),
+    });
+    this.conicity.show({
+      xLabel: 'ŷ (mm)',
+      yLabel: t('conicity'),
+      ...curvesOf(tables.conicity, pinned?.conicity, 'amplitude', {
+        names: Object.keys(tables.conicity).filter((name) => name !== 'amplitude'),
+        factor: 1,
+        label: (name) => tables.conicity[name]?.symbol ?? name,
+      }),
+    });
+  }
+}
+
+/** The first row of each position. */
+function positions(contacts: Table): Table {
+  const places = numbers(contacts['lateral_position']);
+  const isFirst = (_: number, row: number) => row === 0 || places[row] !== places[row - 1];
+  const names = ['lateral_position', ...DIFFERENCES];
+  return Object.fromEntries(
+    Object.entries(contacts)
+      .filter(([name]) => names.includes(name))
+      .map(([name, column]) => [name, { ...column, values: numbers(column).filter(isFirst) }]),
+  );
+}
+
+interface Drawn {
+  names: string[];
+  /** From the unit shown to SI. */
+  factor: number;
+  label: (name: string) => string;
+}
+
+/** Curves over lengths in mm, those of pinned results dashed. */
+function curvesOf(
+  table: Table,
+  pinned: Table | undefined,
+  abscissa: string,
+  { names, factor, label }: Drawn,
+): { x: number[]; curves: Curve[] } {
+  const x = numbers(table[abscissa]);
+  const own = names.map((name, colour) => ({
+    label: label(name),
+    values: numbers(table[name]).map((value) => value / factor),
+    colour,
+  }));
+  const others = names.map((name, index) => ({
+    label: `${label(name)}, ${t('pinned')}`,
+    values: [...x].map(
+      (at) => interpolated(numbers(pinned?.[abscissa]), numbers(pinned?.[name]), at) / factor,
+    ),
+    colour: index + 2,
+    dashed: true,
+  }));
+  return { x: [...x].map((at) => at * 1e3), curves: pinned ? [...own, ...others] : own };
 }
