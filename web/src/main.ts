@@ -21,9 +21,8 @@ async function compiled(): Promise<WebAssembly.Module> {
 }
 
 async function start(): Promise<void> {
-  chooseLanguage();
   startTheme();
-  const module = await compiled();
+  const [module] = await Promise.all([compiled(), chooseLanguage()]);
   const [contact, long] = [new Lane(module, false), new Lane(module, true)];
   const catalogue = new Catalogue(await contact.start());
   const model = new CaseModel((path) => catalogue.field(path) !== undefined);

@@ -278,8 +278,9 @@ export class Page {
   }
 
   private changeView(name: string): void {
+    this.patch.visible = name === 'patch';
     this.curve.visible = name === 'curve';
-    if (name === 'wheel') this.wheel.refresh();
+    this.wheel.visible = name === 'wheel';
     this.storeHash();
   }
 

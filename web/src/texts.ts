@@ -1,6 +1,6 @@
 /** All texts of the page in English, German and Chinese; what fields mean is in the catalogue. */
 
-import { NAMES } from './names';
+import type { Field } from './catalogue';
 import { labelled } from './quantity';
 import type { Column } from './solver/protocol';
 
@@ -180,16 +180,34 @@ const TEXTS = {
 
 let language: Language = 'en';
 
+/** What another language calls something, and what that means. */
+type Word = [name: string, meaning?: string];
+
+/**
+ * Sections of a case by their names; fields by their paths, or by their names where those of
+ * several sections are alike; columns of results by their paths or by their quantities; what is
+ * counted in computing. English, which the catalogue and the columns have, stands in for the rest.
+ */
+export interface Words {
+  sections: Record<string, Word>;
+  names: Record<string, Word>;
+}
+
+const LOADED = { de: () => import('./languages/de'), zh: () => import('./languages/zh') };
+
+let words: Words = { sections: {}, names: {} };
+
 /** The language of the page. */
 export function currentLanguage(): Language {
   return language;
 }
 
-/** Chooses the language: a stored one, else that of the browser. */
-export function chooseLanguage(): void {
+/** Chooses the language, and loads its words: a stored one, else that of the browser. */
+export async function chooseLanguage(): Promise<void> {
   const wanted = localStorage.getItem('language') ?? navigator.language.slice(0, 2);
   language = wanted in LANGUAGES ? (wanted as Language) : 'en';
   document.documentElement.lang = language;
+  if (language !== 'en') words = (await LOADED[language]()).default;
 }
 
 /** A text in the language of the page. */
@@ -197,18 +215,44 @@ export function t(key: keyof typeof TEXTS): string {
   return TEXTS[key][Object.keys(LANGUAGES).indexOf(language)] ?? TEXTS[key][0];
 }
 
-/** The name of a section, field or quantity; in English its description, else the name itself. */
-export function nameOf(name: string, english = name.replace(/[_.]/g, ' ')): string {
-  const names = NAMES[name];
-  if (language === 'en' || !names) return english;
-  return names[language === 'de' ? 0 : 1];
+/** Words of a name. */
+function plain(name: string): string {
+  return name.replace(/[_.]/g, ' ');
+}
+
+/** A name in the language of the page; in English its description, else the name itself. */
+export function nameOf(name: string, english = plain(name)): string {
+  return words.names[name]?.[0] ?? english;
+}
+
+/** What a section is called and what it is about. */
+export function sectionWords({ name, doc }: { name: string; doc: string }): Word {
+  const [called = plain(name), meaning = doc] = words.sections[name] ?? [];
+  return [called, meaning];
+}
+
+/** What a field is called. */
+export function fieldName({ path, name }: { path: string; name: string }): string {
+  return words.names[path]?.[0] ?? nameOf(name);
+}
+
+/** What a field means. */
+export function fieldMeaning({ path, name, doc }: Pick<Field, 'path' | 'name' | 'doc'>): string {
+  return words.names[path]?.[1] ?? words.names[name]?.[1] ?? doc;
+}
+
+/** What a column of results is called. */
+export function columnName(
+  name: string,
+  column: Pick<Column, 'quantity' | 'long_name'> | undefined,
+  english = column?.long_name,
+): string {
+  const own = name.includes('.') ? words.names[name]?.[0] : undefined;
+  return own ?? nameOf(column?.quantity ?? name, english ?? plain(name));
 }
 
 /** What a column means, for a tooltip: name, symbol and SI unit, and its defining equation. */
-export function explained(
-  name: string,
-  column: Pick<Column, 'long_name' | 'symbol' | 'units' | 'definition'>,
-): string {
-  const meaning = [nameOf(name, column.long_name), column.symbol].filter(Boolean).join(', ');
+export function explained(name: string, column: Column): string {
+  const meaning = [columnName(name, column), column.symbol].filter(Boolean).join(', ');
   return [labelled(meaning, column.units), column.definition].filter(Boolean).join('\n');
 }

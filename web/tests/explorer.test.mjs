@@ -369,6 +369,7 @@ for (const [name, counted] of [
 
 test('a long curve tells how far it is and can be cancelled', () =>
   withPage({}, '#case=half_space&view=curve', async (page, errors) => {
+    for (const cells of ['grid.cells_x', 'grid.cells_y']) await give(page, cells, '60');
     await page.fill('#curve-points', '201');
     await page.press('#curve-points', 'Enter');
     const running = page.locator('#panel-curve .inquiry').first();
@@ -382,13 +383,27 @@ test('a long curve tells how far it is and can be cancelled', () =>
   }));
 
 test('speaks German and Chinese', async () => {
-  for (const [locale, text] of [
-    ['de', 'Kontaktfläche'],
-    ['zh-CN', '接触斑'],
+  for (const [locale, ...texts] of [
+    ['de', 'Kontaktfläche', 'Bohrschlupf', 'positiv beim Bremsen', 'Reibleistung, P (W)'],
+    ['zh-CN', '接触斑', '自旋蠕滑率', '制动时为正', '摩擦功率, P (W)'],
   ]) {
     await withPage({ locale }, '', async (page) => {
-      assert.equal(await page.getByRole('tab').first().innerText(), text);
+      const [tab, field, meaning, quantity] = texts;
+      assert.equal(await page.getByRole('tab').first().innerText(), tab);
+      await page.locator('.panel label', { hasText: field }).first().waitFor();
+      assert.ok((await page.locator(`.panel label[title*="${meaning}"]`).count()) > 0);
+      assert.equal(await page.locator(`.side tr[title^="${quantity}"]`).count(), 1);
     });
+  }
+});
+
+test('German and Chinese have words for the same', async () => {
+  const [german, chinese] = await Promise.all(
+    ['de', 'zh'].map(async (name) => (await pageModule(`languages/${name}.ts`)).default),
+  );
+  for (const part of ['sections', 'names']) {
+    const keys = (words) => Object.entries(words[part]).map(([key, word]) => [key, word.length]);
+    assert.deepEqual(keys(chinese), keys(german));
   }
 });
 

@@ -9,12 +9,12 @@ type Key = Vec<Vec<u8>>;
 /// What was made, and from what.
 type Made = (Key, Arc<dyn Any + Send + Sync>);
 
-/// The last things that were made from files.
+/// The last things that were made.
 #[derive(Debug, Clone, Default)]
 pub struct Kept(Arc<Mutex<Vec<Made>>>);
 
-/// How many of them.
-const MOST: usize = 4;
+/// How many of them: profiles of both wheels and both rails, and their pairs.
+const MOST: usize = 5;
 
 impl Kept {
     /// What was made from the same.
@@ -27,6 +27,7 @@ impl Kept {
     /// Keeps it.
     pub fn keep<T: Clone + Send + Sync + 'static>(&self, key: Key, thing: &T) {
         if let Ok(mut last) = self.0.lock() {
+            last.retain(|(other, _)| *other != key);
             last.insert(0, (key, Arc::new(thing.clone())));
             last.truncate(MOST);
         }

@@ -339,7 +339,7 @@ impl Answer {
     }
 
     /// Tables by name, each an array of tables; a table has columns by name, each with its values,
-    /// symbol, unit, description and defining equation.
+    /// the name of its quantity, symbol, unit, description and defining equation.
     pub fn tables(&self) -> Object {
         let tables = Object::new();
         for (name, columns) in self.0.tables() {
@@ -370,6 +370,7 @@ fn of_column(ColumnValues { quantity, values, .. }: ColumnValues) -> Object {
     };
     let column = Object::new();
     set(&column, "values", &values);
+    set(&column, "quantity", &quantity.name().into());
     set(&column, "symbol", &quantity.symbol().into());
     set(&column, "units", &quantity.unit().into());
     set(&column, "long_name", &quantity.description().into());

@@ -3,7 +3,7 @@ import { isNumeric, shownUnit, type Field } from '../catalogue';
 import { h } from '../dom';
 import type { FieldValue } from '../solver/protocol';
 import { symbolOf } from '../symbols';
-import { nameOf, t } from '../texts';
+import { fieldMeaning, fieldName, t } from '../texts';
 import { scaleOf, STEPS, type Scale } from './scale';
 
 /** What a control does with a field. */
@@ -56,7 +56,7 @@ export class FieldControl {
     const label = h(
       'label',
       { for: id, title: meaning },
-      nameOf(field.name),
+      fieldName(field),
       ' ',
       symbolOf(symbol),
     );
@@ -76,7 +76,7 @@ export class FieldControl {
         min: 0,
         max: STEPS,
         step: 1,
-        'aria-label': `${nameOf(field.name)} (${unit || '–'})`,
+        'aria-label': `${fieldName(field)} (${unit || '–'})`,
         oninput: () => this.slid(),
       });
       this.slider.title = meaning;
@@ -99,8 +99,8 @@ export class FieldControl {
 
   /** Whether its name or meaning contains a text. */
   matches(text: string): boolean {
-    const { path, doc, name } = this.field;
-    return [path, doc, nameOf(name)].some((part) => part.toLowerCase().includes(text));
+    const { field } = this;
+    return [field.path, field.doc, fieldName(field), fieldMeaning(field)].some((part) => part.toLowerCase().includes(text));
   }
 
   private made(id: string): HTMLInputElement | HTMLSelectElement {
@@ -173,10 +173,11 @@ export class FieldControl {
 
 /** Symbol and meaning: a description opens with the symbol where there is one. */
 function explained(field: Field): [string, string] {
-  const found = /^([^\s,;:]{1,5}), (.*)$/s.exec(field.doc);
+  const symbol = /^([^\s,;:]{1,5}), /.exec(field.doc)?.[1] ?? '';
+  const meaning = fieldMeaning(field);
+  const told = symbol && meaning !== field.doc ? `${symbol}, ${meaning}` : meaning;
   const choices = field.choices.map(([name, doc]) => `${name}: ${doc}`).join('\n');
-  const meaning = [field.doc, field.definition, choices].filter(Boolean).join('\n');
-  return [found?.[1] ?? '', meaning];
+  return [symbol, [told, field.definition, choices].filter(Boolean).join('\n')];
 }
 
 /** A unit with raised exponents. */

@@ -3,7 +3,7 @@ import { siOf, tomlOfTyped, type Catalogue, type Field, type Section } from '../
 import type { CaseModel } from '../case/model';
 import { h } from '../dom';
 import type { Fields, Problem } from '../solver/protocol';
-import { nameOf, t } from '../texts';
+import { sectionWords, t } from '../texts';
 import { FieldControl, type ControlActions } from './field_control';
 
 /** Sections that come first, in order; the others follow as in the catalogue. */
@@ -74,12 +74,12 @@ export class Panel {
       field,
       control: new FieldControl(field, actions),
     }));
-    const title = nameOf(section.name);
+    const [title, meaning] = sectionWords(section);
     const element = h(
       'details',
       { class: 'group' },
-      h('summary', { title: section.doc }, title),
-      this.presets(section.name),
+      h('summary', { title: meaning ?? '' }, title),
+      this.presets(section.name, title),
       ...controls.map(({ control }) => control.element),
     );
     element.open = OPEN.includes(section.name);
@@ -94,12 +94,12 @@ export class Panel {
   }
 
   /** Presets of a section, or of bodies where they are given for a wheel. */
-  private presets(section: string): HTMLElement | string {
+  private presets(section: string, title: string): HTMLElement | string {
     const isFor = (given: string) => given === section || (given === 'wheel' && section === 'rail');
     return this.presetChoice(
       this.catalogue.presets.filter((preset) => isFor(preset.section)),
       section,
-      t('preset'),
+      [t('preset'), title],
     );
   }
 
@@ -108,14 +108,14 @@ export class Panel {
     return this.presetChoice(
       this.catalogue.presets.filter((preset) => preset.section === ''),
       '',
-      t('conditions'),
+      [t('conditions'), ''],
     );
   }
 
   private presetChoice(
     presets: Catalogue['presets'],
     section: string,
-    label: string,
+    [label, of]: [string, string],
   ): HTMLElement | string {
     if (presets.length === 0) return '';
     const option = (preset: (typeof presets)[number], index: number) =>
@@ -126,7 +126,7 @@ export class Panel {
       );
     const choice = h(
       'select',
-      { 'aria-label': `${label} ${nameOf(section)}`.trim() },
+      { 'aria-label': `${label} ${of}`.trim() },
       h('option', { value: '' }, `${label} …`),
       ...presets.map(option),
     );

@@ -17,17 +17,18 @@ export function withMagnitudes(table: Table): Table {
   const found: Table = {};
   for (const [name, column] of Object.entries(table)) {
     const across = name.endsWith('_x') ? table[name.replace(/_x$/, '_y')] : undefined;
-    if (across) found[name.slice(0, -2)] = magnitude(column, across);
+    if (across) found[name.slice(0, -2)] = magnitude(name.slice(0, -2), column, across);
     found[name] = column;
   }
   return found;
 }
 
-function magnitude(along: Column, across: Column): Column {
+function magnitude(quantity: string, along: Column, across: Column): Column {
   const [x, y] = [numbers(along), numbers(across)];
   const symbol = `|${along.symbol.replace(/_?x$/, '')}|`;
   return {
     values: x.map((value, index) => Math.hypot(value, y[index] ?? 0)),
+    quantity,
     symbol,
     definition: `${symbol} = √(${along.symbol}² + ${across.symbol}²)`,
     units: along.units,

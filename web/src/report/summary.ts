@@ -5,7 +5,7 @@ import type { Result } from '../explorer';
 import { digits, shownIn } from '../quantity';
 import type { Column, Table, Told } from '../solver/protocol';
 import { symbolOf } from '../symbols';
-import { explained, nameOf, t } from '../texts';
+import { columnName, explained, t } from '../texts';
 import { cleaned, numberTable } from './number_table';
 
 /** Quantities that are shown large. */
@@ -50,13 +50,14 @@ function isKnown([name, column]: [string, Column]): boolean {
 }
 
 /** What a column is called. */
-function label(name: string, { long_name: meaning, symbol }: Column, isShort = false): Node[] {
+function label(name: string, column: Column, isShort = false): Node[] {
+  const { long_name: meaning, symbol } = column;
   const body = /_(wheel|rail)$/.exec(name)?.[1];
   const own = body && !meaning.includes(body) ? `${meaning}, ${body}` : meaning;
   const english = name.startsWith('t_gamma.') ? `Tγ ${name.slice(8).replace('_', ' ')}` : own;
   const text = isShort
-    ? nameOf(name, name.replace(COMMON, '').replace(/[._]/g, ' '))
-    : nameOf(name, english);
+    ? columnName(name, column, name.replace(COMMON, '').replace(/[._]/g, ' '))
+    : columnName(name, column, english);
   const parts: Node[] = [document.createTextNode(`${text} `)];
   if (symbol && !name.startsWith('t_gamma')) parts.push(symbolOf(symbol));
   return parts;
@@ -75,7 +76,7 @@ function large(solution: Table): HTMLElement {
       return h(
         'div',
         { title: explained(name, column) },
-        h('dt', {}, nameOf(name, column.long_name)),
+        h('dt', {}, columnName(name, column)),
         h(
           'dd',
           { 'data-quantity': name, 'data-value': value },

@@ -1,6 +1,8 @@
 /** A column of a table: SI values with symbol, unit, description and defining equation. */
 export interface Column {
   values: Float64Array | string[];
+  /** The name of its quantity. */
+  quantity: string;
   symbol: string;
   units: string;
   long_name: string;

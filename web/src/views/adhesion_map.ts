@@ -7,7 +7,7 @@ import { HeatMap } from '../draw/heat_map';
 import { digits, labelled, numberTyped, shownFor, withUnit } from '../quantity';
 import type { Lane } from '../solver/lane';
 import type { Fields, Table } from '../solver/protocol';
-import { nameOf, t } from '../texts';
+import { columnName, fieldName, nameOf, sectionWords, t } from '../texts';
 import { prettyUnit } from '../controls/field_control';
 import { varied, type CurveView } from './curve';
 import { Inquiry } from './inquiry';
@@ -98,7 +98,7 @@ export class AdhesionMap {
         h(
           'option',
           { value: path },
-          `${nameOf(path.split('.')[0] ?? '')}: ${nameOf(path.slice(path.lastIndexOf('.') + 1))}`,
+          this.label(path),
         ),
       ),
     );
@@ -109,6 +109,14 @@ export class AdhesionMap {
   /** Draws anew, in other colours or with another present point. */
   refresh(): void {
     this.draw();
+  }
+
+  /** Section and name of a field. */
+  private label(path: string): string {
+    const of = path.slice(0, path.lastIndexOf('.'));
+    const section = this.catalogue.sections.find(({ name }) => name === of);
+    const field = this.catalogue.field(path);
+    return section && field ? `${sectionWords(section)[0]}: ${fieldName(field)}` : path;
   }
 
   private clear(): void {
@@ -177,7 +185,7 @@ export class AdhesionMap {
       .map(([name]) => name);
     this.ordinate.replaceChildren(
       ...names.map((name) =>
-        h('option', { value: name }, nameOf(name, this.tables[0]?.[name]?.long_name)),
+        h('option', { value: name }, columnName(name, this.tables[0]?.[name])),
       ),
     );
     this.ordinate.value = 'traction_coefficient';
@@ -190,7 +198,7 @@ export class AdhesionMap {
     const over = this.drawnOver;
     if (!first || !column || !over) return;
     const [overUnit, overFactor] = shownUnit(over);
-    const overLabel = labelled(nameOf(over.name), prettyUnit(overUnit));
+    const overLabel = labelled(fieldName(over), prettyUnit(overUnit));
     const along = numbers(first[this.drawnAlong]);
     const scale = shownFor(first[this.drawnAlong]?.units ?? '', along);
     const all = this.tables.flatMap((table) => [...numbers(table[name])]);
@@ -209,13 +217,13 @@ export class AdhesionMap {
       this.curve.move(Number((picked * scale.factor).toPrecision(3)));
     };
     this.map.show({
-      title: nameOf(name, column.long_name),
+      title: columnName(name, column),
       unit: shown.unit,
       xEdges: edgesAround(x),
       yEdges: edgesAround(this.levels),
       values: Float64Array.from(values),
       labels: [
-        labelled(nameOf(this.drawnAlong, first[this.drawnAlong]?.long_name), scale.unit),
+        labelled(columnName(this.drawnAlong, first[this.drawnAlong]), scale.unit),
         overLabel,
       ],
       isToScale: false,
@@ -223,7 +231,7 @@ export class AdhesionMap {
       describe: (at, row) => [
         `${nameOf(this.drawnAlong)}  ${digits(x[at] ?? NaN)} ${scale.unit}`,
         `${overLabel}  ${digits(this.levels[row] ?? NaN)}`,
-        `${nameOf(name, column.symbol)}  ${told(values[row * x.length + at] ?? NaN)}`,
+        `${columnName(name, column, column.symbol)}  ${told(values[row * x.length + at] ?? NaN)}`,
       ],
     });
   }

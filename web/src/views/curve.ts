@@ -8,7 +8,7 @@ import type { Result } from '../explorer';
 import { digits, labelled, numberTyped, shownFor } from '../quantity';
 import type { Lane } from '../solver/lane';
 import type { Table } from '../solver/protocol';
-import { explained, nameOf, t } from '../texts';
+import { columnName, explained, nameOf, t } from '../texts';
 import { Handle } from './handle';
 import { Inquiry } from './inquiry';
 import { interpolated } from './patch';
@@ -226,7 +226,7 @@ export class CurveView {
       ...names.map((name) => {
         const column = table[name];
         const title = column ? explained(name, column) : '';
-        return h('option', { value: name, title }, nameOf(name, column?.long_name));
+        return h('option', { value: name, title }, columnName(name, column));
       }),
     );
     this.ordinate.value = names.includes(chosen) ? chosen : (names[0] ?? '');
@@ -247,7 +247,7 @@ export class CurveView {
       order.map((index) => (values[index] ?? NaN) / factor);
     const x = sorted(xs, xScale.factor);
     const curves: Curve[] = [
-      { label: nameOf(ordinate, column.symbol), values: sorted(ys, yScale.factor), colour: 0 },
+      { label: columnName(ordinate, column, column.symbol), values: sorted(ys, yScale.factor), colour: 0 },
     ];
     if (pinnedCurve?.table[ordinate] && pinnedCurve.table[name]) {
       const [px, py] = [numbers(pinnedCurve.table[name]), numbers(pinnedCurve.table[ordinate])];
@@ -275,8 +275,8 @@ export class CurveView {
       x,
       curves,
       points,
-      xLabel: labelled(nameOf(name, computed.table[name]?.long_name), xScale.unit),
-      yLabel: labelled(nameOf(ordinate, column.long_name), yScale.unit),
+      xLabel: labelled(columnName(name, computed.table[name]), xScale.unit),
+      yLabel: labelled(columnName(ordinate, column), yScale.unit),
     });
     this.chart.touch(points);
     this.placeHandle();

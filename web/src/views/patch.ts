@@ -16,7 +16,7 @@ import type { Surface } from '../draw/surface';
 import type { Result } from '../explorer';
 import { digits, labelled, shownFor, withUnit, type Shown } from '../quantity';
 import type { Grid, Table } from '../solver/protocol';
-import { explained, nameOf, t } from '../texts';
+import { columnName, explained, t } from '../texts';
 import { Player } from './player';
 
 /** A table of fields with its grid. */
@@ -69,6 +69,7 @@ export class PatchView {
   private readonly drawn: HTMLElement;
   private result: Result | null = null;
   private pinned: Result | null = null;
+  private isShown = false;
   private framed: { result: Result; name: string; extremes: number[] } | null = null;
 
   /** `onContact` is told which contact is shown. */
@@ -119,9 +120,15 @@ export class PatchView {
     this.draw();
   }
 
+  /** Whether the view is seen: it is drawn only then. */
+  set visible(isShown: boolean) {
+    this.isShown = isShown;
+    this.draw();
+  }
+
   /** Draws anew, in other colours. */
   refresh(): void {
-    if (this.result) this.draw();
+    this.draw();
   }
 
   private async toggleSurface(): Promise<void> {
@@ -154,7 +161,7 @@ export class PatchView {
     this.quantity.replaceChildren(
       ...names.map((name) => {
         const column = field?.table[name];
-        const label = `${nameOf(name, column?.long_name)} ${column?.symbol ?? ''}`.trim();
+        const label = `${columnName(name, column)} ${column?.symbol ?? ''}`.trim();
         return h('option', { value: name, title: column ? explained(name, column) : '' }, label);
       }),
     );
@@ -163,7 +170,7 @@ export class PatchView {
 
   private draw(): void {
     const { result, pinned } = this;
-    if (!result) return;
+    if (!result || !this.isShown) return;
     const field = fieldOf(result, this.contactIndex, this.player.frame);
     this.none.hidden = field !== null;
     this.drawn.hidden = field === null;
@@ -204,13 +211,13 @@ export class PatchView {
     const every = Math.max(1, Math.round(Math.max(grid.columns, grid.rows) / 18));
     const describe = (at: number, row: number) => {
       const index = places.get(row * grid.columns + at) ?? 0;
-      return Object.entries(table).map(([key, { values, units, symbol, long_name: meaning }]) => {
-        const value = Number(values[index]);
-        return `${symbol || nameOf(key, meaning)}  ${withUnit(value, units)}`;
+      return Object.entries(table).map(([key, one]) => {
+        const value = Number(one.values[index]);
+        return `${one.symbol || columnName(key, one)}  ${withUnit(value, one.units)}`;
       });
     };
     return {
-      title: nameOf(name, column?.long_name),
+      title: columnName(name, column),
       unit: shown.unit,
       xEdges: edges(grid, 0),
       yEdges: edges(grid, 1),
@@ -230,7 +237,7 @@ export class PatchView {
       row.cells.map((cell) => (values[cell] ?? NaN) / shown.factor);
     const curves: Curve[] = [
       {
-        label: nameOf(name, field.table[name]?.symbol),
+        label: columnName(name, field.table[name], field.table[name]?.symbol),
         values: taken(numbers(field.table[name])),
         colour: 0,
       },
@@ -263,7 +270,7 @@ export class PatchView {
     this.section.show({
       x: row.x,
       xLabel: `x (mm), ${t('section_at')} y = ${digits(row.y * 1e3, 2)} mm`,
-      yLabel: labelled(field.table[name]?.symbol || nameOf(name), shown.unit),
+      yLabel: labelled(field.table[name]?.symbol || columnName(name, field.table[name]), shown.unit),
       curves,
     });
   }

@@ -4,7 +4,7 @@ import { Chart } from '../draw/chart';
 import { numbers } from '../draw/fields';
 import type { Result } from '../explorer';
 import { digits, labelled, shownFor } from '../quantity';
-import { nameOf, t } from '../texts';
+import { columnName, t } from '../texts';
 
 /** Time between two frames on the screen, in ms. */
 const INTERVAL = 60;
@@ -102,7 +102,7 @@ export class Player {
       yLabel: labelled(t('force'), unit.unit),
       cursor: now / scale.factor,
       curves: FORCES.map((name, index) => ({
-        label: nameOf(name, history[name]?.long_name),
+        label: columnName(name, history[name]),
         colour: index,
         values: (forces[index] ?? new Float64Array()).map((value) => value / unit.factor),
       })),

@@ -3,7 +3,7 @@ import { edgesAround, numbers } from '../draw/fields';
 import { HeatMap } from '../draw/heat_map';
 import { shownFor, withUnit } from '../quantity';
 import type { Table } from '../solver/protocol';
-import { nameOf } from '../texts';
+import { columnName } from '../texts';
 
 /** A map of a table of all cells, row by row. */
 export function spotsMap(table: Table): HTMLElement {
@@ -16,7 +16,7 @@ export function spotsMap(table: Table): HTMLElement {
   const mean = pressure.reduce((sum, value) => sum + value, 0) / pressure.length;
   const map = new HeatMap(430);
   map.show({
-    title: nameOf('pressure', table['pressure']?.long_name),
+    title: columnName('pressure', table['pressure']),
     unit: scale.unit,
     xEdges: edges(x.slice(0, columns)),
     yEdges: edges(y.filter((_, index) => index % columns === 0)),

@@ -13,7 +13,7 @@ import { numberTable } from '../report/number_table';
 import type { Lane } from '../solver/lane';
 import type { Described, Table } from '../solver/protocol';
 import { symbolOf } from '../symbols';
-import { nameOf, t } from '../texts';
+import { columnName, nameOf, t } from '../texts';
 import { drawPlans, drawProfiles, type Scene } from './wheel_drawing';
 import { WheelsetCurves } from './wheelset_curves';
 
@@ -58,6 +58,7 @@ export class WheelView {
   private pinned: Result | null = null;
   /** What was drawn when it was pinned. */
   private beside: Scene | null = null;
+  private isShown = false;
   private frame: Frame | null = null;
   private held: Frame | null = null;
 
@@ -131,6 +132,18 @@ export class WheelView {
       this.curves.pin(pinned !== null);
     }
     this.pinned = pinned;
+    this.showResult();
+  }
+
+  /** Whether the view is seen: it is drawn only then. */
+  set visible(isShown: boolean) {
+    this.isShown = isShown;
+    this.showResult();
+  }
+
+  private showResult(): void {
+    if (!this.isShown) return;
+    const { result, pinned } = this;
     const [present, others] = [result, pinned].map((one) => one?.answered.tables['contact']);
     this.contacts.replaceChildren(contactTable(present ?? [], others ?? null));
     this.curves.mark(this.lateral());
@@ -252,7 +265,7 @@ function contactTable(contacts: Table[], others: Table[] | null): HTMLElement {
   const rows = TOLD.flatMap((name) => {
     const column = contacts[0]?.[name];
     if (!column) return [];
-    const label = [nameOf(name, column.long_name), ' ', symbolOf(column.symbol)];
+    const label = [columnName(name, column), ' ', symbolOf(column.symbol)];
     const pinned = others && of(others, name);
     return [{ name, label, column, present: of(contacts, name), pinned }];
   });

@@ -190,9 +190,9 @@ function drawNames(pen: CanvasRenderingContext2D, frame: Frame, contacts: Table[
   pen.textAlign = 'left';
   pen.textBaseline = 'top';
   pen.fillStyle = colour('ink');
-  pen.fillText(nameOf('wheel'), frame.left + 8, frame.top + 8);
+  pen.fillText(t('of_wheel'), frame.left + 8, frame.top + 8);
   pen.textBaseline = 'bottom';
-  pen.fillText(nameOf('rail'), frame.left + 8, frame.top + frame.height - 8);
+  pen.fillText(t('of_rail'), frame.left + 8, frame.top + frame.height - 8);
   pen.textAlign = 'right';
   contacts.forEach((contact, index) => {
     const [load, lateral] = ['normal.load', 'force.y'].map((name) =>

@@ -28,6 +28,13 @@ pub struct Placed {
     pub notices: Vec<Notice>,
 }
 
+/// The pairs of the last case, with what they were made of.
+struct Made {
+    shapes: [(WheelShape, RailShape); 2],
+    track: Track,
+    pairs: Sides<Arc<Pair>>,
+}
+
 /// Places the profiles of both sides; where these have the same, both have one pair.
 pub fn placed(settings: &Settings) -> Result<Placed, CaseError> {
     let wheels = read(settings, profiles::of_wheel)?;
@@ -43,11 +50,21 @@ pub fn placed(settings: &Settings) -> Result<Placed, CaseError> {
     let pair = |(wheel, rail): &(WheelShape, RailShape)| {
         Pair::new(wheel, rail, &track).map(Arc::new).map_err(|error| settings.explain(&error))
     };
-    let [left, right] = [shapes(Side::Left)?, shapes(Side::Right)?];
-    let pairs = if left == right {
-        Sides::both(pair(&left)?)
+    let shapes = [shapes(Side::Left)?, shapes(Side::Right)?];
+    let key = vec![b"pairs".to_vec()];
+    let known: Option<Arc<Made>> = settings.kept.known(&key);
+    let known = known.filter(|made| made.shapes == shapes && made.track == track);
+    let pairs = if let Some(made) = known {
+        made.pairs.clone()
     } else {
-        Sides { left: pair(&left)?, right: pair(&right)? }
+        let [left, right] = &shapes;
+        let pairs = if left == right {
+            Sides::both(pair(left)?)
+        } else {
+            Sides { left: pair(left)?, right: pair(right)? }
+        };
+        settings.kept.keep(key, &Arc::new(Made { shapes, track, pairs: pairs.clone() }));
+        pairs
     };
     let mut found = Placed { pairs, readings: Vec::new(), notices: Vec::new() };
     for profile in [&wheels.left, &wheels.right, &rails.left, &rails.right] {

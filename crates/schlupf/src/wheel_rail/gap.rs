@@ -146,10 +146,10 @@ impl Gap {
 /// The region of neighbouring points that overlap.
 fn region(points: &[GapPoint], height: f64, radius: f64) -> Region {
     let depth = |point: &GapPoint| -point.gap - height;
-    let weigh = |point: &GapPoint| depth(point).powf(WEIGHT);
-    let weight: f64 = points.iter().map(weigh).sum();
+    let weights: Vec<f64> = points.iter().map(|point| depth(point).powf(WEIGHT)).collect();
+    let weight: f64 = weights.iter().sum();
     let mean = |value: fn(&GapPoint) -> f64| {
-        points.iter().map(|point| weigh(point) * value(point)).sum::<f64>() / weight
+        points.iter().zip(&weights).map(|(point, own)| own * value(point)).sum::<f64>() / weight
     };
     let half = |point: &GapPoint| (2.0 * radius * depth(point)).sqrt();
     let end = |point: &GapPoint| [point.y, point.rail[0]];

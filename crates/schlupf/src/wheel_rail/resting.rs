@@ -33,6 +33,16 @@ const MOST_ROUNDS: usize = 100;
 /// A wheel beside its rail.
 pub fn resting_roll(
     pairs: &Sides<Arc<Pair>>,
+    place: [f64; 2],
+    depths: [f64; 2],
+) -> Result<f64, Error> {
+    resting_roll_near(0.0, pairs, place, depths)
+}
+
+/// The same, from an angle (in rad) nearby.
+fn resting_roll_near(
+    mut roll: f64,
+    pairs: &Sides<Arc<Pair>>,
     [lateral, yaw]: [f64; 2],
     depths: [f64; 2],
 ) -> Result<f64, Error> {
@@ -48,7 +58,6 @@ pub fn resting_roll(
     require_positive(Quantity::FlangeBackDistance, offset)?;
     let mut bracket = Bracket::new([f64::NEG_INFINITY, f64::INFINITY]);
     let mut slope = Slope::new(pairs);
-    let mut roll = 0.0;
     loop {
         let off = difference(roll)?;
         bracket.note(roll, off > 0.0);
@@ -127,7 +136,8 @@ impl WheelOnRail {
             let wheel = self.at_roll(side, rigid);
             Ok(wheel.frictionless(Accuracy::Coarse, (tangential, watch))?.at.depth)
         };
-        resting_roll(&self.pairs, place, [depth(Side::Left)?, depth(Side::Right)?])
+        let depths = [depth(Side::Left)?, depth(Side::Right)?];
+        resting_roll_near(rigid, &self.pairs, place, depths)
     }
 
     /// Both wheels, this one first with what has solved its contacts, from a roll angle (in rad)
