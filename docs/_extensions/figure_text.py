@@ -1,7 +1,7 @@
 """What figures show, in words: the descriptions of pictures that are drawn while the site is built.
 
 In notebooks a picture carries its description as the text `Description` of the PNG, from which it
-becomes the text in place of the picture.
+becomes the text in place of the picture, and the case of the gallery that it is about as `Case`.
 """
 
 from __future__ import annotations
@@ -11,6 +11,10 @@ from pathlib import Path
 from typing import Any
 
 KEY = "Description"
+CASE = "Case"
+
+#: Where code names a case of the gallery, or makes a case of its own.
+_CASE = re.compile(r"\bcases/(\w+)\.toml|\bexamples\.(\w+)|\bCase\(")
 
 #: Letters of formulas, and the names of TeX for the rest.
 _TEX = re.compile(r"[${}\\]|\\mathrm")
@@ -45,22 +49,30 @@ def described(figure: Any) -> str:
     return ". ".join(dict.fromkeys(filter(None, words))) or "figure"
 
 
+def case_named(code: str) -> str:
+    """The case of the gallery that code is about: the last one it names, unless it makes another."""
+    found = list(_CASE.finditer(code))
+    return found[-1][1] or found[-1][2] or "" if found else ""
+
+
 def install() -> None:
     """Lets a kernel of IPython describe all figures that it shows."""
+    from IPython import get_ipython
     from IPython.core import pylabtools
 
     draw = pylabtools.print_figure
 
     def with_description(figure: Any, *args: Any, **options: Any) -> Any:
-        metadata = {**options.pop("metadata", {}), KEY: described(figure)}
+        case = case_named("\n".join(get_ipython().user_ns["In"]))
+        metadata = {**options.pop("metadata", {}), KEY: described(figure), CASE: case}
         return draw(figure, *args, metadata=metadata, **options)
 
     pylabtools.print_figure = with_description
 
 
-def of_picture(path: Path) -> str:
-    """The description that a PNG carries, or nothing."""
+def of_picture(path: Path, key: str = KEY) -> str:
+    """The description that a PNG carries, or its case, or nothing."""
     from PIL import Image
 
     with Image.open(path) as picture:
-        return str(picture.info.get(KEY, ""))
+        return str(picture.info.get(key, ""))

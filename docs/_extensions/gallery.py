@@ -24,6 +24,7 @@ import matplotlib as mpl
 import matplotlib.pyplot as plt
 import site_content
 import tomllib
+from docutils import nodes
 
 import schlupf
 
@@ -178,7 +179,7 @@ def write(path: Path) -> tuple[str, str]:
         *_tab("Command", "sh", shell),
         "::::",
         "",
-        f"{{download}}`{path.name} <{relative}>`{_in_explorer(path)}",
+        f"{{download}}`{path.name} <{relative}>`{_in_explorer(path.stem, '../', ', ')}",
         "",
         "## Summary",
         "",
@@ -190,11 +191,38 @@ def write(path: Path) -> tuple[str, str]:
     return pictures[-1 if len(commands) > 1 else 0]
 
 
-def _in_explorer(path: Path) -> str:
-    """A link to the explorer with a case, if the site has it."""
-    if not (EXPLORER / "explore/index.html").exists():
+def _in_explorer(case: str, top: str, before: str) -> str:
+    """A link from below the top folder to the explorer with a case, if the site has both."""
+    if not ((EXPLORER / "explore/index.html").exists() and (CASES / f"{case}.toml").exists()):
         return ""
-    return f', <a href="../explore/index.html#case={path.stem}">open it in the explorer</a>'
+    return f'{before}<a href="{top}explore/index.html#case={case}">open it in the explorer</a>'
+
+
+#: Pages of which figures need no further link to the explorer.
+LINKED = ("gallery/", "explorer")
+
+
+def _link_figures(app: Any, doctree: nodes.document) -> None:
+    """Figures lead to their case in the explorer: in notebooks that of the code that draws them,
+    elsewhere that of the command before them in their section."""
+    page = app.env.docname
+    if page.startswith(LINKED):
+        return
+    case = ""
+    kinds = (nodes.section, nodes.literal_block, nodes.image)
+    for node in list(doctree.findall(lambda node: isinstance(node, kinds))):
+        if isinstance(node, nodes.section):
+            case = ""
+        elif isinstance(node, nodes.literal_block):
+            case = figure_text.case_named(node.astext()) or case
+        else:
+            path = Path(app.srcdir) / node["uri"]
+            is_picture = path.suffix == ".png" and path.is_file()
+            is_drawn = is_picture and figure_text.of_picture(path)
+            of = figure_text.of_picture(path, figure_text.CASE) if is_drawn else case
+            if link := _in_explorer(of, "../" * page.count("/"), "<br>"):
+                place = node.parent.index(node) + 1
+                node.parent.insert(place, nodes.raw("", link, format="html"))
 
 
 def _tab(name: str, language: str, text: str) -> list[str]:
@@ -244,4 +272,6 @@ def setup(app: Any) -> dict[str, bool]:
     site_content.GENERATED["gallery"] = cards
     # Before Sphinx looks for pages.
     app.connect("builder-inited", _write_all)
+    # Before Sphinx collects the pictures.
+    app.connect("doctree-read", _link_figures, priority=100)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
