@@ -257,7 +257,11 @@ export class Page {
   private cancelled(): void {
     this.ended();
     this.markOutdated();
-    const again = h('button', { type: 'button', onclick: () => this.explorer.again() }, t('compute'));
+    const again = h(
+      'button',
+      { type: 'button', onclick: () => this.explorer.again() },
+      t('compute'),
+    );
     this.running.end(`${t('cancelled')} `, again);
   }
 

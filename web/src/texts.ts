@@ -19,7 +19,11 @@ const TEXTS = {
   edit: ['Edit case', 'Fall bearbeiten', '编辑算例'],
   share: ['Copy link', 'Link kopieren', '复制链接'],
   copied: ['Copied', 'Kopiert', '已复制'],
-  not_in_link: ['Copied, but too large for it:', 'Kopiert, zu groß dafür:', '已复制，但文件过大未包含：'],
+  not_in_link: [
+    'Copied, but too large for it:',
+    'Kopiert, zu groß dafür:',
+    '已复制，但文件过大未包含：',
+  ],
   copy: ['Copy', 'Kopieren', '复制'],
   save: ['Save', 'Speichern', '保存'],
   save_toml: ['Case (TOML)', 'Fall (TOML)', '算例 (TOML)'],

@@ -189,6 +189,7 @@ test('a wheel is pinned beside the next position, with its curves', () =>
       assert.ok(Math.abs(present - pinned - change) <= 2e-3 * Math.abs(present), cells.join());
     }
     await page.locator('#panel-wheel .u-legend', { hasText: 'pinned' }).first().waitFor();
+    assert.deepEqual(await seriousFlaws(page), []);
     assert.deepEqual(errors, []);
   }));
 
@@ -330,7 +331,10 @@ test('a long task tells its time and can be cancelled', () =>
   withPage({}, '#case=wheel_on_rail', async (page, errors) => {
     await page.click('[data-task=subsurface]');
     const running = page.locator('.inquiry', { has: page.getByRole('timer') });
-    await running.getByRole('timer').filter({ hasText: /\d\.\d s/ }).waitFor();
+    await running
+      .getByRole('timer')
+      .filter({ hasText: /\d\.\d s/ })
+      .waitFor();
     await running.getByRole('button', { name: 'Cancel' }).click();
     assert.equal(await page.getByRole('timer').count(), 0);
     assert.deepEqual(errors, []);
@@ -355,6 +359,7 @@ for (const [name, counted] of [
       await give(page, 'grid.cells_x', '600');
       const running = page.locator('.told .running');
       await running.filter({ hasText: counted }).waitFor();
+      assert.deepEqual(await seriousFlaws(page), []);
       await running.getByRole('button', { name: 'Cancel' }).click();
       await page.getByText('Cancelled.').waitFor();
       await page.locator('.results .status.bad').waitFor();

@@ -53,13 +53,7 @@ export class FieldControl {
       },
       '↺',
     );
-    const label = h(
-      'label',
-      { for: id, title: meaning },
-      fieldName(field),
-      ' ',
-      symbolOf(symbol),
-    );
+    const label = h('label', { for: id, title: meaning }, fieldName(field), ' ', symbolOf(symbol));
     const help = h('p', { class: 'help', id: `${id}-help` }, meaning);
     const state = h('span', { class: 'state' }, this.remark, this.back);
     const isShort = isNumeric(field);
@@ -100,7 +94,9 @@ export class FieldControl {
   /** Whether its name or meaning contains a text. */
   matches(text: string): boolean {
     const { field } = this;
-    return [field.path, field.doc, fieldName(field), fieldMeaning(field)].some((part) => part.toLowerCase().includes(text));
+    return [field.path, field.doc, fieldName(field), fieldMeaning(field)].some((part) =>
+      part.toLowerCase().includes(text),
+    );
   }
 
   private made(id: string): HTMLInputElement | HTMLSelectElement {

@@ -16,7 +16,10 @@ const WORDS: Words = {
       'Radsatz',
       'Lage und Bewegung des Radsatzes im Gleis (x nach vorn, y nach links, z nach oben), wenn der Normalkontakt der zweier Profile ist.',
     ],
-    left_wheel: ['linkes Rad', 'Was das linke Rad eigenes hat, und wie es von seinem Platz abweicht.'],
+    left_wheel: [
+      'linkes Rad',
+      'Was das linke Rad eigenes hat, und wie es von seinem Platz abweicht.',
+    ],
     right_wheel: [
       'rechtes Rad',
       'Was das rechte Rad eigenes hat, und wie es von seinem Platz abweicht.',
@@ -64,7 +67,10 @@ const WORDS: Words = {
     creepage_y: ['Querschlupf', 'Querschlupf'],
     creepage: ['Gesamtschlupf'],
     spin: ['Bohrschlupf', 'Bohrschlupf'],
-    angular_velocity: ['Winkel\u00adgeschwin\u00addigkeit', 'des Rades, an Stelle des Längsschlupfs'],
+    angular_velocity: [
+      'Winkel\u00adgeschwin\u00addigkeit',
+      'des Rades, an Stelle des Längsschlupfs',
+    ],
     'rail.angular_velocity': [
       'Winkel\u00adgeschwin\u00addigkeit',
       'einer Rolle mit dem Längsradius, an Stelle der Geschwindigkeit',
@@ -124,7 +130,10 @@ const WORDS: Words = {
       'Einbauneigung',
       'Neigung der Schiene zur Gleismitte, etwa 0,025 für 1:40; 0, wenn das Profil schon geneigt ist',
     ],
-    origin_y: ['Ursprung quer', 'y des Profilursprungs im Gleis, nach außen, an Stelle der Spurweite'],
+    origin_y: [
+      'Ursprung quer',
+      'y des Profilursprungs im Gleis, nach außen, an Stelle der Spurweite',
+    ],
     origin_z: ['Ursprung senkrecht', 'z dieses Ursprungs im Gleis'],
     // Normal contact.
     model: ['Modell'],
@@ -170,7 +179,10 @@ const WORDS: Words = {
     ],
     method: ['Verfahren'],
     'normal.method': ['Verfahren', 'wie die Kontakte zweier Profile bestimmt werden'],
-    'solver.method': ['Verfahren', 'was gelöst wird: alle Gleichungen oder ein schnelles Verfahren'],
+    'solver.method': [
+      'Verfahren',
+      'was gelöst wird: alle Gleichungen oder ein schnelles Verfahren',
+    ],
     // Track and wheelset.
     gauge: ['Spurweite', 'Abstand der Fahrkanten beider Schienen'],
     gauge_depth: [
@@ -178,10 +190,7 @@ const WORDS: Words = {
       'Tiefe unter Schienenoberkante, bis zu der die Spurweite gemessen wird',
     ],
     curve_radius: ['Bogenradius', 'positiv in Linksbögen, negativ in Rechtsbögen'],
-    flange_back_distance: [
-      'Radrücken\u00adabstand',
-      'Abstand der Radrückenflächen des Radsatzes',
-    ],
+    flange_back_distance: ['Radrücken\u00adabstand', 'Abstand der Radrückenflächen des Radsatzes'],
     side: ['Seite', 'welches Rad gelöst wird'],
     wheel_side: ['Seite'],
     track_position: ['Ort im Gleis', 'längs einer Schiene mit veränderlichem Profil'],
@@ -202,7 +211,10 @@ const WORDS: Words = {
     longitudinal_velocity: ['Längs\u00adgeschwin\u00addigkeit', 'nach vorn, relativ zum Radsatz'],
     yaw_rate: ['Wende\u00adgeschwin\u00addigkeit', 'Winkelgeschwindigkeit um die Hochachse'],
     roll_rate: ['Wank\u00adgeschwin\u00addigkeit', 'Winkelgeschwindigkeit um die Längsachse'],
-    pitch_rate: ['Nick\u00adgeschwin\u00addigkeit', 'Winkelgeschwindigkeit um y über die des Radsatzes hinaus'],
+    pitch_rate: [
+      'Nick\u00adgeschwin\u00addigkeit',
+      'Winkelgeschwindigkeit um y über die des Radsatzes hinaus',
+    ],
     force_axis: ['Richtung der Längskraft', 'längs des Gleises oder des Radsatzes'],
     longitudinal_displacement: [
       'Längs\u00adabweichung',
@@ -219,9 +231,15 @@ const WORDS: Words = {
     bedding_x: ['Bettung längs', 'Bettungssteifigkeit für Verschiebungen in x'],
     bedding_y: ['Bettung quer', 'Bettungssteifigkeit für Verschiebungen in y'],
     coupling_x: ['Kopplung längs', 'Koppelsteifigkeit für Verschiebungen in x'],
-    coupling_x_across: ['Kopplung längs, Nachbarn quer', 'dieselbe zwischen Nachbarn quer zur Rollrichtung, wenn verschieden'],
+    coupling_x_across: [
+      'Kopplung längs, Nachbarn quer',
+      'dieselbe zwischen Nachbarn quer zur Rollrichtung, wenn verschieden',
+    ],
     coupling_y: ['Kopplung quer', 'Koppelsteifigkeit für Verschiebungen in y'],
-    coupling_y_across: ['Kopplung quer, Nachbarn quer', 'dieselbe zwischen Nachbarn quer zur Rollrichtung, wenn verschieden'],
+    coupling_y_across: [
+      'Kopplung quer, Nachbarn quer',
+      'dieselbe zwischen Nachbarn quer zur Rollrichtung, wenn verschieden',
+    ],
     spring_x: ['Feder längs', 'Feder einer Zelle in x, an Stelle der Steifigkeiten je Fläche'],
     spring_y: ['Feder quer', 'Feder einer Zelle in y'],
     spring_coupling_x: ['Koppelfeder längs', 'zwischen Nachbarzellen für Verschiebungen in x'],
@@ -229,16 +247,31 @@ const WORDS: Words = {
     margin: ['Rand', 'Breite der Umgebung der Kontaktfläche auf jeder Seite'],
     thickness: ['Dicke', 'Dicke der Schicht; 0: starr, bis sie fließt'],
     shear_modulus: ['Schubmodul', 'Schubmodul der Schicht, die um t h/G geschert wird'],
-    yield_stress: ['Fließspannung', 'Schubspannung, bei der die Schicht fließt; ohne Angabe elastisch'],
-    hardening: ['Verfestigung', 'Zunahme davon mit der plastischen Verschiebung; negativ: Entfestigung'],
+    yield_stress: [
+      'Fließspannung',
+      'Schubspannung, bei der die Schicht fließt; ohne Angabe elastisch',
+    ],
+    hardening: [
+      'Verfestigung',
+      'Zunahme davon mit der plastischen Verschiebung; negativ: Entfestigung',
+    ],
     // Contact law and roughness.
     stiffness: ['Steifigkeit', 'Rate, mit der die Schubspannung sich der Reibgrenze nähert'],
-    rms_height: ['quadratische Rauheit', 'quadratischer Mittelwert der Höhen beider Oberflächen zusammen'],
+    rms_height: [
+      'quadratische Rauheit',
+      'quadratischer Mittelwert der Höhen beider Oberflächen zusammen',
+    ],
     rms_height_wheel: ['quadratische Rauheit, Rad', 'quadratischer Mittelwert der Höhen des Rades'],
-    rms_height_rail: ['quadratische Rauheit, Schiene', 'quadratischer Mittelwert der Höhen der Schiene'],
+    rms_height_rail: [
+      'quadratische Rauheit, Schiene',
+      'quadratischer Mittelwert der Höhen der Schiene',
+    ],
     slope_factor: ['Faktor γ', 'der geschlossenen Formel k_c = 2(1 − ν)/(μ0 (2 − ν) γ h_rms)'],
     rms_slope: ['quadratische Steigung', 'an Stelle der Höhen; mit den Wellenlängen'],
-    longest_wavelength: ['größte Wellenlänge', 'einer selbstaffinen Oberfläche für das Mikromodell'],
+    longest_wavelength: [
+      'größte Wellenlänge',
+      'einer selbstaffinen Oberfläche für das Mikromodell',
+    ],
     roll_off_wavelength: ['Abknick-Wellenlänge', 'längere Wellen haben ein konstantes Spektrum'],
     shortest_wavelength: ['kleinste Wellenlänge', 'ihre kürzeste Welle'],
     hurst: ['Hurst-Exponent', 'ihr Hurst-Exponent'],
@@ -246,7 +279,10 @@ const WORDS: Words = {
     unit: ['Einheit', 'der Höhen in .npy-, aller Längen in .xyz-Dateien'],
     spacing: ['Punktabstand', 'der Punkte einer .npy-Datei oder von Höhen allein'],
     form: ['Form', 'die von den Höhen der Datei abgezogen wird'],
-    cutoff_wavelength: ['Grenz\u00adwellenlänge', 'längere Wellen werden entfernt (Gauß-Filter, ISO 16610)'],
+    cutoff_wavelength: [
+      'Grenz\u00adwellenlänge',
+      'längere Wellen werden entfernt (Gauß-Filter, ISO 16610)',
+    ],
     fill_holes: ['Lücken füllen', 'ob Punkte ohne Höhe glatt gefüllt werden'],
     square_cells: ['quadratische Zellen', 'ob nicht quadratische Zellen umgerechnet werden'],
     seed: ['Startwert', 'der zufälligen Phasen einer erzeugten Oberfläche'],
@@ -258,18 +294,39 @@ const WORDS: Words = {
     reference_temperature: ['Bezugs\u00adtemperatur', 'T zählt ab ihr'],
     minimum_coefficient: ['kleinster Reibwert', 'untere Grenze von μ'],
     hot_coefficient: ['heißer Reibwert', 'über μ0, wo die Reibung steigt'],
-    temperature_range: ['Temperatur\u00adbereich', 'über den μ von μ0 auf μ_hot fällt, eine Differenz'],
-    speed_model: ['Gesetz der Gleit\u00adgeschwindigkeit', 'μ ist das des Modells mal dem Abfall μ/μ0 von diesem'],
+    temperature_range: [
+      'Temperatur\u00adbereich',
+      'über den μ von μ0 auf μ_hot fällt, eine Differenz',
+    ],
+    speed_model: [
+      'Gesetz der Gleit\u00adgeschwindigkeit',
+      'μ ist das des Modells mal dem Abfall μ/μ0 von diesem',
+    ],
     kinetic_coefficient: ['kinetischer Reibwert', 'Grenzwert bei großer Gleitgeschwindigkeit'],
-    half_speed: ['Halbwerts\u00adgeschwindigkeit', 'Gleitgeschwindigkeit, bei der der Term mit μ1 halbiert ist'],
+    half_speed: [
+      'Halbwerts\u00adgeschwindigkeit',
+      'Gleitgeschwindigkeit, bei der der Term mit μ1 halbiert ist',
+    ],
     second_coefficient: ['zweiter Reibwert', 'Größe eines zweiten Terms'],
-    second_half_speed: ['zweite Halbwerts\u00adgeschwindigkeit', 'Gleitgeschwindigkeit, bei der der zweite Term halbiert ist'],
+    second_half_speed: [
+      'zweite Halbwerts\u00adgeschwindigkeit',
+      'Gleitgeschwindigkeit, bei der der zweite Term halbiert ist',
+    ],
     limit_ratio: ['Grenzverhältnis', 'Reibwert bei großer Gleitgeschwindigkeit durch μ0'],
     decay: ['Abfall', 'Rate des Abfalls mit der Gleitgeschwindigkeit'],
-    memory_distance: ['Gedächtnisweg', 'Gleitweg, über den sich die Reibung ihrem Gesetz nähert; sonst sofort'],
-    memory_speed: ['Gedächtnis\u00adgeschwindigkeit', 'kleinste Gleitgeschwindigkeit, die für das Gedächtnis zählt'],
+    memory_distance: [
+      'Gedächtnisweg',
+      'Gleitweg, über den sich die Reibung ihrem Gesetz nähert; sonst sofort',
+    ],
+    memory_speed: [
+      'Gedächtnis\u00adgeschwindigkeit',
+      'kleinste Gleitgeschwindigkeit, die für das Gedächtnis zählt',
+    ],
     variation_y: ['Orte quer', 'Orte quer, aufsteigend, an denen Faktoren gegeben sind'],
-    variation_inclination: ['Neigungen', 'Neigungen der Schienenoberfläche, aufsteigend, an Stelle von Orten'],
+    variation_inclination: [
+      'Neigungen',
+      'Neigungen der Schienenoberfläche, aufsteigend, an Stelle von Orten',
+    ],
     variation_factor: ['Faktoren', 'Faktoren auf μ, 1 bei y = 0; linear dazwischen'],
     variation_file: ['Datei der Faktoren', 'CSV mit der Kopfzeile „y [mm],factor“'],
     // Heat, stresses, damage.
@@ -280,15 +337,39 @@ const WORDS: Words = {
     body: ['Körper', 'in welchem Körper'],
     depth: ['Tiefe', 'Tiefe der untersten Schicht'],
     layers: ['Schichten', 'Zahl der Schichten, gleichmäßig von der Oberfläche an'],
-    shear_yield_stress: ['Schubfließ\u00adspannung', 'Fließspannung bei reinem Schub, für den Ermüdungsindex (Ekberg, Kabo und Andersson 2002)'],
-    'damage.hardness': ['Härte', 'des weicheren Körpers, für Archards Verschleißgesetz; voreingestellt der Schienenstahl R260'],
-    wear_coefficient_mild: ['Verschleiß\u00adkoeffizient, mild', 'von Archards Gesetz für milden Verschleiß (Jendel 2002)'],
-    wear_coefficient_severe: ['Verschleiß\u00adkoeffizient, stark', 'für Gleitgeschwindigkeiten von 0,2 bis 0,7 m/s'],
-    wear_coefficient_catastrophic: ['Verschleiß\u00adkoeffizient, katastrophal', 'für Drücke über 0,8 H'],
-    wear_map: ['Verschleiß\u00adkennfeld', 'CSV mit slip_speed, pressure_ratio (p/H) und coefficient, an Stelle davon'],
-    wear_rate_mild: ['Verschleißrate, mild', 'Masse je Energie, bis 10,4 N/mm² (Braghin u. a. 2006)'],
+    shear_yield_stress: [
+      'Schubfließ\u00adspannung',
+      'Fließspannung bei reinem Schub, für den Ermüdungsindex (Ekberg, Kabo und Andersson 2002)',
+    ],
+    'damage.hardness': [
+      'Härte',
+      'des weicheren Körpers, für Archards Verschleißgesetz; voreingestellt der Schienenstahl R260',
+    ],
+    wear_coefficient_mild: [
+      'Verschleiß\u00adkoeffizient, mild',
+      'von Archards Gesetz für milden Verschleiß (Jendel 2002)',
+    ],
+    wear_coefficient_severe: [
+      'Verschleiß\u00adkoeffizient, stark',
+      'für Gleitgeschwindigkeiten von 0,2 bis 0,7 m/s',
+    ],
+    wear_coefficient_catastrophic: [
+      'Verschleiß\u00adkoeffizient, katastrophal',
+      'für Drücke über 0,8 H',
+    ],
+    wear_map: [
+      'Verschleiß\u00adkennfeld',
+      'CSV mit slip_speed, pressure_ratio (p/H) und coefficient, an Stelle davon',
+    ],
+    wear_rate_mild: [
+      'Verschleißrate, mild',
+      'Masse je Energie, bis 10,4 N/mm² (Braghin u. a. 2006)',
+    ],
     wear_rate_catastrophic: ['Verschleißrate, katastrophal', 'dieselbe über 77,2 N/mm²'],
-    crack_t_gamma: ['Tγ der Rissfunktion', 'aufsteigend, bei denen die Rissschädigung gegeben ist; sonst Burstow (2004)'],
+    crack_t_gamma: [
+      'Tγ der Rissfunktion',
+      'aufsteigend, bei denen die Rissschädigung gegeben ist; sonst Burstow (2004)',
+    ],
     crack_damage: ['Rissschädigung', 'Kehrwert der Zahl der Überrollungen, bis ein Riss da ist'],
     melting_temperature: ['Schmelz\u00adtemperatur', 'ab der eine Oberfläche schmilzt'],
     // Grid and solver.
@@ -301,20 +382,32 @@ const WORDS: Words = {
     max_iterations: ['Newton-Schritte, höchstens', 'je Gleichgewicht'],
     max_steps: ['Zeitschritte, höchstens', 'bis zum stationären Zustand'],
     sensitivity: ['Ableitungen', 'ob die Ableitungen der Kräfte berechnet werden'],
-    extrapolate: ['Extrapolation', 'ob die Kräfte von diesem und einem halb so feinen Gitter extrapoliert werden'],
+    extrapolate: [
+      'Extrapolation',
+      'ob die Kräfte von diesem und einem halb so feinen Gitter extrapoliert werden',
+    ],
     slip_threshold: ['Gleitschwelle', 'eine Zelle gleitet, wo |t| ≥ Schwelle · μ pₙ'],
     polach_area_adhesion: ['Polach, Haftgebiet', 'Abminderung der Steigung im Haftgebiet'],
     polach_area_slip: ['Polach, Gleitgebiet', 'Abminderung der Steigung im Gleitgebiet'],
     flexibilities: ['Nachgiebigkeiten', 'Nachgiebigkeiten L aus Kalkers Koeffizienten'],
     bound: ['Schranke', 'was die Schubspannung begrenzt'],
-    initial_reduction: ['Anfangs\u00adabminderung', 'Abminderung der Steigung bei verschwindendem Schlupf'],
+    initial_reduction: [
+      'Anfangs\u00adabminderung',
+      'Abminderung der Steigung bei verschwindendem Schlupf',
+    ],
     reduction_limit_ratio: ['Restanteil', 'Anteil von k0 bei großem Schlupf'],
     reduction_decay: ['Abklingen', 'Rate, mit der die Steigung mit dem Schlupf fällt'],
     motion: ['Bewegung', 'wie seine Bewegung gegeben ist'],
     normal: ['Anpressung', 'was das Rad auf die Schiene drückt'],
-    memory: ['Gedächtnis', 'ob die elastische Verschiebung sein Zustand ist, sodass ein stehendes Rad haftet'],
+    memory: [
+      'Gedächtnis',
+      'ob die elastische Verschiebung sein Zustand ist, sodass ein stehendes Rad haftet',
+    ],
     contact_table: ['Kontakttabelle', 'Kontakte eines Rades mit zwei Profilen'],
-    standstill_speed: ['Stillstands\u00adgeschwindigkeit', 'unter der Gleiten nicht mehr durch die Rollgeschwindigkeit geteilt wird'],
+    standstill_speed: [
+      'Stillstands\u00adgeschwindigkeit',
+      'unter der Gleiten nicht mehr durch die Rollgeschwindigkeit geteilt wird',
+    ],
     // History.
     time: ['Zeit'],
     'history.time': ['Zeitpunkte', 'aufsteigend; zwischen gleichen ist das Rad in Ruhe'],
@@ -326,7 +419,10 @@ const WORDS: Words = {
     shifts_x: ['Verschiebungen längs', 'jede auf dem Weg zu ihrem Zeitpunkt'],
     shifts_y: ['Verschiebungen quer', 'ebenso quer'],
     turns: ['Drehungen', 'Drehungen um z, ebenso'],
-    shift_duration: ['Dauer der Verschiebung', 'wie lange die Bewegung des Radsatzes zwischen gleichen Zeiten wirkt'],
+    shift_duration: [
+      'Dauer der Verschiebung',
+      'wie lange die Bewegung des Radsatzes zwischen gleichen Zeiten wirkt',
+    ],
     // Fields of a contact.
     pressure: ['Normaldruck'],
     traction: ['Schubspannung'],

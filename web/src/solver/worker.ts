@@ -1,5 +1,12 @@
 /** The solver in a worker: answers one message after the other. */
-import init, { Answer, Case, Files, catalogue, provide_table, watch } from '../../pkg/schlupf_wasm.js';
+import init, {
+  Answer,
+  Case,
+  Files,
+  catalogue,
+  provide_table,
+  watch,
+} from '../../pkg/schlupf_wasm.js';
 import type {
   Answered,
   CaseInput,

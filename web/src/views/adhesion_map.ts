@@ -94,13 +94,7 @@ export class AdhesionMap {
     if (paths.join() === present.join()) return;
     const chosen = this.over.value || FIRST_OVER;
     this.over.replaceChildren(
-      ...paths.map((path) =>
-        h(
-          'option',
-          { value: path },
-          this.label(path),
-        ),
-      ),
+      ...paths.map((path) => h('option', { value: path }, this.label(path))),
     );
     this.over.value = paths.includes(chosen) ? chosen : (paths[0] ?? '');
     this.proposeRange();

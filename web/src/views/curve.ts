@@ -247,7 +247,11 @@ export class CurveView {
       order.map((index) => (values[index] ?? NaN) / factor);
     const x = sorted(xs, xScale.factor);
     const curves: Curve[] = [
-      { label: columnName(ordinate, column, column.symbol), values: sorted(ys, yScale.factor), colour: 0 },
+      {
+        label: columnName(ordinate, column, column.symbol),
+        values: sorted(ys, yScale.factor),
+        colour: 0,
+      },
     ];
     if (pinnedCurve?.table[ordinate] && pinnedCurve.table[name]) {
       const [px, py] = [numbers(pinnedCurve.table[name]), numbers(pinnedCurve.table[ordinate])];

@@ -270,7 +270,10 @@ export class PatchView {
     this.section.show({
       x: row.x,
       xLabel: `x (mm), ${t('section_at')} y = ${digits(row.y * 1e3, 2)} mm`,
-      yLabel: labelled(field.table[name]?.symbol || columnName(name, field.table[name]), shown.unit),
+      yLabel: labelled(
+        field.table[name]?.symbol || columnName(name, field.table[name]),
+        shown.unit,
+      ),
       curves,
     });
   }
