@@ -50,7 +50,7 @@ def described(figure: Any) -> str:
 
 
 def case_named(code: str) -> str:
-    """The case of the gallery that code is about: the last one it names, unless it makes another."""
+    """The case of the gallery that code is about: the last it names, unless it makes another."""
     found = list(_CASE.finditer(code))
     return found[-1][1] or found[-1][2] or "" if found else ""
 
