@@ -10,6 +10,7 @@ use schlupf_tasks::output::Report;
 use schlupf_tasks::output::contact_law::{ContactLaw, Fit, Origin};
 use schlupf_tasks::output::figures::FigureError;
 use schlupf_tasks::output::roughness::{RoughnessReport, Spots};
+use schlupf_tasks::output::table::Values;
 
 /// Steel, 64² cells, two pressures.
 fn report() -> RoughnessReport {
@@ -31,6 +32,7 @@ fn report() -> RoughnessReport {
     };
     let result = model.solve(&LoadCurveOptions::default(), &unwatched).unwrap();
     let share = |k: usize| if k.is_multiple_of(5) { 2e9 } else { 0.0 };
+    let lattice = *surface.lattice();
     RoughnessReport {
         title: "a <rough> surface".to_owned(),
         spectrum: RadialSpectrum::of(&surface, Window::None),
@@ -40,6 +42,7 @@ fn report() -> RoughnessReport {
         hardness: f64::INFINITY,
         result,
         spots: Some(Spots {
+            lattice,
             mean_pressure: 1e9,
             pressure: (0..64 * 64).map(share).collect(),
             gap: vec![0.0; 64 * 64],
@@ -66,6 +69,30 @@ fn the_table_has_every_point_and_reads_back() {
     assert_eq!(rows[7][..4], [4e8, point.displacement, point.traction, point.normalised_traction]);
     let fit = report.result.stiffness.fits[0].stiffness;
     assert!((rows[7][8] - (1.0 - (-fit * point.displacement).exp())).abs() < 1e-12);
+}
+
+/// All cells with their places, those that do not touch without pressure; nothing unless the spots
+/// were asked for.
+#[test]
+fn the_spots_are_a_table_of_cells() {
+    let mut report = report();
+    let columns = |report: &RoughnessReport| {
+        let mut tables = report.tables().into_iter();
+        tables.find(|(name, _)| *name == "spots").map(|(_, columns)| columns)
+    };
+    let of = |name: &str| {
+        let columns = columns(&report).unwrap();
+        let column = columns.into_iter().find(|column| column.name == name).unwrap();
+        let Values::Numbers(numbers) = column.values else { panic!("{name}") };
+        numbers
+    };
+    let (x, y, pressure) = (of("x"), of("y"), of("pressure"));
+    assert_eq!([x.len(), of("gap").len()], [64 * 64; 2]);
+    let spacing = 4e-4 / 64.0;
+    assert_eq!([x[65], y[65]], [spacing; 2]);
+    assert_eq!(pressure.iter().filter(|p| **p > 0.0).count(), (64_usize * 64).div_ceil(5));
+    report.spots = None;
+    assert!(columns(&report).is_none());
 }
 
 #[test]
