@@ -111,8 +111,8 @@ fn is_optional(field: &fields::Field) -> bool {
         || pairs.any(|paths| paths.contains(&field.path))
 }
 
-/// A field of a request: name, kind, how often it is given, whether without its name, default as text, SI unit, choices,
-/// columns of tables with their units, meaning.
+/// A field of a request: name, kind, how often it is given, whether without its name, default as
+/// text, SI unit, choices, columns of tables with their units, meaning.
 fn of_request(field: &Field) -> Value {
     let tables = field.form.tables();
     json!({

@@ -393,8 +393,6 @@ mod tests {
         assert!(!asked("direct").has("direct"));
         assert!((task.read)(&asked("direct")).is_ok());
         let refused = (task.read)(&asked("cells")).err().unwrap().to_string();
-        assert!(
-            refused.contains("cells must be a whole number between 10 and 80, but is false")
-        );
+        assert!(refused.contains("cells must be a whole number between 10 and 80, but is false"));
     }
 }

@@ -17,7 +17,8 @@ request! {
         x: Option<f64> = Kind::position();
         /// Position across rolling; by default that of the hottest point.
         y: Option<f64> = Kind::position();
-        /// Depths of the profile, such as "0..2 mm" or "0,0.1,2 mm"; by default as far as heat has penetrated.
+        /// Depths of the profile, such as "0..2 mm" or "0,0.1,2 mm"; by default as far as heat has
+        /// penetrated.
         depth: Option<Points> = Kind::depths();
         /// Length of the wake; by default twice the length of the contact.
         wake: Option<f64> = Kind::length();
