@@ -75,8 +75,10 @@ class Profilometry(Protocol):
     def step_y(self) -> Any: ...
 
 
-#: Heights, or levels of their spectrum.
-Surface = Data | Topography | Profilometry
+#: Heights.
+Heights = Array | Topography | Profilometry
+#: Heights, or a table of them or of levels of their spectrum.
+Surface = Heights | Data
 
 
 def refused(field: str, message: str) -> CaseError:

@@ -64,6 +64,11 @@ def files_may_be_arrays(case: Case) -> None:
     schlupf.roughness({"wavelength": [1e-5], "level": [0.0]}, case, second="other.sur")
     schlupf.roughness(surfalize.Surface(np.zeros((8, 8)), 1.0, 1.0))
     schlupf.roughness(SurfaceTopography.Topography(np.zeros((8, 8)), (1.0, 1.0), unit="m"))
+    measured = surfalize.Surface(np.zeros((8, 8)), 1.0, 1.0)
+    Case(contact_law={"roughness": measured})
+    Case(contact_law={"roughness": {"file": measured}})
+    Case(contact_law={"roughness": {"file": 1.0}})  # type: ignore[arg-type]
+    Case(contact_law={"roughness": 1.0})  # type: ignore[arg-type]
     curve = case.curve(creepage_x=[0.0, 0.001, 0.01], over={"normal.load": [60e3]})
     assert_type(curve, schlupf.Curve)
     case.curve(creepage_x=0.01)  # type: ignore[arg-type]
