@@ -101,7 +101,8 @@ impl Evaluation {
         let rows =
             if self.rates.is_empty() { outputs } else { self.outputs.len() + self.rates.len() };
         let derivatives = (rows * self.columns).min(self.derivatives.len());
-        let all: [&[f64]; 3] = [&self.outputs[..outputs], &self.rates, &self.derivatives[..derivatives]];
+        let all: [&[f64]; 3] =
+            [&self.outputs[..outputs], &self.rates, &self.derivatives[..derivatives]];
         all.into_iter().all(|part| are_finite(part))
     }
 
@@ -121,6 +122,15 @@ impl Evaluation {
         self.outputs[row] = value;
         if !self.derivatives.is_empty() {
             self.derivatives[row * self.columns..][..self.columns].copy_from_slice(slopes);
+        }
+    }
+
+    /// Outputs from a row on are zero.
+    pub(super) fn clear(&mut self, row: usize) {
+        self.outputs[row..].fill(0.0);
+        if !self.derivatives.is_empty() {
+            let end = self.outputs.len() * self.columns;
+            self.derivatives[row * self.columns..end].fill(0.0);
         }
     }
 
