@@ -61,8 +61,8 @@ pub(crate) fn round_powers(low: f64, high: f64, about: usize) -> Vec<Tick> {
         .collect()
 }
 
-/// Ticks for a range of logarithms to base ten, of any length: at powers of ten, or at round numbers
-/// where fewer than two of those lie within.
+/// Ticks for a range of logarithms to base ten, of any length: at powers of ten, or at round
+/// numbers where fewer than two of those lie within.
 pub(crate) fn logarithmic_ticks(low: f64, high: f64, about: usize) -> Vec<Tick> {
     let [from, to] = [low, high].map(|exponent| 10_f64.powf(exponent));
     let even = round_ticks(from, to, about).into_iter();
