@@ -45,12 +45,11 @@ from ._report import (
 )
 from ._report_plots import RoughContactPlots
 from ._result import Result, open_result
-from ._roughness import roughness
 from ._section import Section
 from ._status import Status
 from ._study import Study, Sweep, merge, open_table, read_table, study, sweep
 from ._surfaces import open_surface
-from ._tasks import damage
+from ._tasks import damage, roughness
 
 __all__ = [
     "BulkTemperature",

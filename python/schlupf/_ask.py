@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 
 from . import _core
-from ._errors import quoted
+from ._errors import described
 from ._fields import CATALOGUE
-from ._files import in_place
+from ._files import are_rows, in_place
 from ._units import Number, Series, plain, refused
 from .sections import FieldPath
 
@@ -24,8 +24,8 @@ R = TypeVar("R", bound="Report")
 
 #: A number, or several.
 Numbers = Number | Series
-#: Start and end, or all places of a curve.
-Range = tuple[Number, Number] | str | Series
+#: Start and end, or each point.
+Points = tuple[Number, Number] | str | Series
 #: Text, or several that belong together.
 Texts = str | Sequence[str]
 #: A field of the case by its dotted path, and its values.
@@ -40,13 +40,12 @@ class Argument:
     kind: str = "number"
     #: Columns of the tables that it may be, with their units.
     tables: tuple[dict[str, str], ...] = ()
-    default: str | None = None
 
     @classmethod
     def of(cls, entry: dict[str, Any]) -> Argument:
         """That of a field as the library describes it."""
         tables = tuple(dict(table) for table in entry["columns"])
-        return cls(entry["units"], entry["kind"], tables, entry["default"])
+        return cls(entry["units"], entry["kind"], tables)
 
 
 #: By task and name.
@@ -60,44 +59,16 @@ def _converted(argument: Argument, name: str, value: Any, folder: Path) -> Any:
     """A value without quantities of pint, data frames and mappings."""
     if value is None:
         return value
-    if isinstance(value, (list, tuple)):
+    if isinstance(value, (list, tuple)) and not (argument.tables and are_rows(value)):
         return [_converted(argument, name, part, folder) for part in value]
     if argument.tables:
         return in_place(value, argument.tables, name, folder)
     if isinstance(value, (str, os.PathLike)):
         return value
+    if argument.kind == "file":
+        raise refused(name, f"{name} must be the path of a file, but is {described(value)}")
     value = plain(value, argument, name)
-    return value.tolist() if hasattr(value, "tolist") else value
-
-
-def _spaced(arguments: dict[str, Argument], request: dict[str, Any]) -> dict[str, Any]:
-    """The ends of arrays in place of ranges, with the number of their points."""
-    found: dict[str, Any] = {}
-    for name, argument in arguments.items():
-        value = request[name]
-        if argument.kind != "range" or isinstance(value, str) or np.size(value) <= 2:
-            continue
-        places = np.asarray(_converted(argument, name, value, Path()))
-        if places.ndim != 1 or places.dtype.kind not in "iuf":
-            raise refused(name, f"{name} must be numbers or two ends, but is {quoted(value)}")
-        if found.setdefault("points", places.size) != places.size:
-            which = f"{found['points']} places, as the one before"
-            raise refused(name, f"{name} must have {which}, but has {places.size}")
-        ends = (float(places[0]), float(places[-1]))
-        if not np.allclose(places, np.linspace(*ends, places.size), 0, 1e-9 * np.ptp(places)):
-            advice = "schlupf.forces takes any array"
-            raise refused(name, f"{name} must have even steps, but has not ({advice})")
-        found[name] = ends
-    if not found:
-        return found
-    if request["points"] not in (int(arguments["points"].default or 0), found["points"]):
-        text = f"points must be left out where an array has the places, but is {request['points']}"
-        raise refused("points", text)
-    if "spacing" in arguments:
-        if request["spacing"] not in (None, "even"):
-            raise refused("spacing", "spacing must be left out where an array has the places")
-        found["spacing"] = "even"
-    return found
+    return np.asarray(value).tolist() if hasattr(value, "shape") else value
 
 
 def ask(
@@ -105,8 +76,6 @@ def ask(
 ) -> R:
     """What a task finds for what it is asked of a case (`None`: that of the task)."""
     arguments = ARGUMENTS[name]
-    if "points" in arguments:
-        request |= _spaced(arguments, request)
     families = {
         key: [case._family(*entry) for entry in (request[key] or {}).items()]
         for key, argument in arguments.items()

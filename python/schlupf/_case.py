@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from warnings import warn
 
 from . import _core
-from ._errors import CaseError, SchlupfWarning, UnknownName, quoted
+from ._errors import CaseError, SchlupfWarning, UnknownName, described, quoted
 from ._fields import FIELDS, SECTIONS, Field, no_field
 from ._files import each_in_place, in_place, label, shown
 from ._laws import LARGEST, Law, checked, sampled
@@ -80,9 +80,8 @@ def _check_one(field: Field, value: Any) -> None:
     wanted = isinstance(value, bool) if field.kind == "flag" else is_text
     # A wrong text has a better message of the library.
     if not wanted and not is_text:
-        found = f"an array of shape {value.shape}" if hasattr(value, "shape") else repr(value)
         expected = ONE_VALUE[field.kind]
-        raise refused(field.path, f"{field.path} must be {expected}, but is {found}")
+        raise refused(field.path, f"{field.path} must be {expected}, but is {described(value)}")
 
 
 def assignments(values: Mapping[str, Any], folder: Path, parent: str = "") -> Iterator[str]:

@@ -19,6 +19,11 @@ def quoted(value: object) -> str:
     return text if len(text) <= 60 else f"{text[:60]}…"
 
 
+def described(value: Any) -> str:
+    """What a value of a wrong kind is."""
+    return f"an array of shape {value.shape}" if hasattr(value, "shape") else quoted(value)
+
+
 class CaseError(ValueError):
     """Something is wrong with a case.
 

@@ -89,6 +89,8 @@ def column(name: str) -> str:
 
 def no_field(path: object) -> str:
     """That there is no such field or section."""
+    if path in SECTIONS:
+        return f"{path} is a section: name its fields, such as {SECTIONS[str(path)].fields[0].path}"
     section, _, _ = str(path).rpartition(".")
     inside = [known for known in FIELDS if section and known.startswith(f"{section}.")]
     if not inside:

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
+from ._errors import quoted
 from ._surfaces import OWN, as_array, open_surface, without_mask
 from ._units import is_quantity, magnitude, plain, refused
 
@@ -33,6 +34,11 @@ def in_place(value: Any, tables: Sequence[Table], name: str, folder: Path) -> An
     if is_path and not (is_surface and is_foreign(value)):
         return value
     return data_url(open_surface(folder / value) if is_path else value, tables, name)
+
+
+def are_rows(values: Sequence[Any]) -> bool:
+    """Whether they are the rows of one table."""
+    return all(isinstance(row, (list, tuple, np.ndarray)) and np.ndim(row) == 1 for row in values)
 
 
 def each_in_place(values: Any, tables: Sequence[Table], name: str, folder: Path) -> Any:
@@ -89,7 +95,10 @@ def data_url(value: Any, tables: Sequence[Table], name: str) -> str:
     if is_quantity(value):
         (unit, *others) = dict.fromkeys(units.values())
         value = value if others else magnitude(value, unit, name)
-    array = without_mask(value)
+    try:
+        array = without_mask(value)
+    except (TypeError, ValueError):
+        raise refused(name, f"{name} must be numbers, but is {quoted(value)}") from None
     is_table = len(tables) == 1 and "height" not in units
     if array.ndim == 2 and is_table and array.shape[1] == len(units):
         columns = dict(zip(units, array.T, strict=True))
@@ -153,7 +162,7 @@ def _text(columns: dict[str, Any], labels: Iterable[Any], units: Table, name: st
     # Row by row: a million of them are no lists of text.
     text = io.StringIO()
     text.write(f"data:text/csv;name={name},{','.join(['index', *heads])}".replace("%", "%25"))
-    cells = (map(_cell, array.ravel()) for array in arrays)
+    cells = (map(_cell, array.ravel().tolist()) for array in arrays)
     for row in zip(map(_label, labels), *cells, strict=True):
         text.write("\n" + ",".join(row).replace("%", "%25"))
     return text.getvalue()
@@ -165,8 +174,12 @@ def _cell(value: Any) -> str:
     return repr(int(value) if isinstance(value, (int, np.integer)) else float(value))
 
 
+#: Signs that a label in a table cannot have.
+_SIGNS = str.maketrans(dict.fromkeys(',"\n\r#', " "))
+
+
 def _label(value: Any) -> str:
-    return str(value).translate({ord(sign): " " for sign in ',"\n\r#'})
+    return str(value).translate(_SIGNS)
 
 
 def _map(

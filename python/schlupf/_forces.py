@@ -196,7 +196,11 @@ def _broadcast(given: dict[str, Any]) -> tuple[dict[str, xr.DataArray], dict[str
     A dimension is named after the condition that alone varies along it.
     """
     plain = {k: np.asarray(v, float) for k, v in given.items() if not isinstance(v, xr.DataArray)}
-    shape = np.broadcast_shapes(*(array.shape for array in plain.values()))
+    try:
+        shape = np.broadcast_shapes(*(array.shape for array in plain.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in plain.items() if array.ndim)
+        raise ValueError(f"arrays must be of shapes that broadcast, but are {shapes}") from None
     names = [_dimension(plain, k - len(shape)) for k in range(len(shape))]
     named = {}
     dims = {}

@@ -499,6 +499,10 @@ class RoughContact(Report, task="roughness"):
     >>> rough = schlupf.examples.measured_surface.roughness(warn=False)
     >>> rough.fields["height"].dims
     ('y', 'x')
+    >>> heights = np.random.default_rng(1).normal(scale=1e-6, size=(64, 64))
+    >>> rough = schlupf.roughness(heights, spacing=1e-5, pressure=[0.4e9, 0.8e9], warn=False)
+    >>> round(rough.surface.root_mean_square_height * 1e6)
+    1
     """
 
     @cached_property

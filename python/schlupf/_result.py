@@ -267,9 +267,16 @@ def open_result(path: str | PathLike[str], **options: Any) -> Result:
         with xr.open_dataset(path, group=group, **options) as dataset:
             return dataset.load()
 
-    fields = part(None)
+    refused = f"{path} must be a result that schlupf has written, but is not"
+    try:
+        fields = part(None)
+    except (ImportError, PermissionError):
+        raise
+    # Whatever engines raise for what they do not read.
+    except Exception as error:
+        raise ValueError(f"{refused}: {' '.join(str(error).split())}") from error
     if "groups" not in fields.attrs:
-        raise ValueError(f"{path} must be a result that schlupf has written, but is not")
+        raise ValueError(refused)
     scalars = fields.attrs.pop("result")
     parts = {name: part(name) for name in fields.attrs.pop("groups").split()}
     files = {str(name): data.values.tobytes() for name, data in parts.pop("files").items()}

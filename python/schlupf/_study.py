@@ -11,6 +11,7 @@ import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from importlib import import_module
+from io import StringIO
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -20,14 +21,14 @@ import xarray as xr
 
 from . import _core
 from ._case import Case, toml_value
-from ._errors import CaseError, SchlupfWarning, UnknownName, quoted
+from ._errors import CaseError, SchlupfWarning, UnknownName, described, quoted
 from ._fields import CONDITIONS, FIELDS, no_field, quantity
 from ._files import data_url, each_in_place
 from ._forces import NUMBERS
 from ._result import with_folder
 from ._status import numbered
 from ._tables import along
-from ._units import Data, plain
+from ._units import Data, plain, refused
 from .sections import FieldPath
 from .warnings import emit
 
@@ -164,27 +165,54 @@ def study(
         raise TypeError(f"a study takes no functions, but there are {', '.join(case._laws)}")
     if sum(design is not None for design in (vary, sample, states)) != 1:
         raise TypeError("a study takes one of vary, sample and states")
-    lines = [] if batch is None else [f"batch = {toml_value(None, batch)}"]
-    if vary is not None:
-        lines += ["[vary]", *_listed(vary, case._folder)]
-    if sample is not None:
-        given = {name: value for name, value in sample.items() if name != "range"}
-        lines += [
-            "[sample]",
-            *(f"{_key(name)} = {toml_value(None, given[name])}" for name in given),
-        ]
-        lines += ["[sample.range]", *_listed(sample.get("range", {}), case._folder)]
-    if states is not None:
-        lines += ["[states]", f"file = {json.dumps(_states(states), ensure_ascii=False)}"]
-    if fields is not False:
-        lines += ["[fields]", *([] if fields is True else [f"columns = {json.dumps([*fields])}"])]
+    if vary is not None and _is_long(vary):
+        # A row for each value, which needs no list of values.
+        vary, states = None, vary
+    designs = {"vary": vary, "sample": sample, "states": states}
+    text = "\n".join(_lines(designs, fields, batch, case._folder))
     try:
-        return Study._of(case._toml(), case._folder, "\n".join(lines))
+        return Study._of(case._toml(), case._folder, text)
     except CaseError as error:
         # Nobody has seen the text.
         places = [re.sub(r"^study(:.*)?$", "", each["place"]) for each in error.errors]
         told = zip(error.errors, places, strict=True)
         raise type(error)([{**each, "place": place} for each, place in told]) from None
+
+
+#: Values of a field that are a list in the text of a study.
+MOST_LISTED = 10_000
+
+
+def _is_long(vary: Mapping[Any, Any]) -> bool:
+    """Whether one field alone varies, over an array of many numbers."""
+    arrays = [each for path, each in vary.items() if path in FIELDS and hasattr(each, "dtype")]
+    is_alone = len(arrays) == len(vary) == 1
+    return is_alone and arrays[0].size > MOST_LISTED and arrays[0].dtype.kind in "iuf"
+
+
+def _lines(
+    designs: Mapping[str, Any], fields: Sequence[str] | bool, batch: int | None, folder: Path
+) -> Iterator[str]:
+    """The text of a study."""
+    vary, sample, states = (designs[name] for name in ("vary", "sample", "states"))
+    if batch is not None:
+        yield f"batch = {toml_value(None, batch)}"
+    if vary is not None:
+        yield "[vary]"
+        yield from _listed(vary, folder)
+    if sample is not None:
+        yield "[sample]"
+        given = (name for name in sample if name != "range")
+        yield from (f"{_key(name)} = {toml_value(None, sample[name])}" for name in given)
+        yield "[sample.range]"
+        yield from _listed(sample.get("range", {}), folder)
+    if states is not None:
+        yield "[states]"
+        yield f"file = {json.dumps(_states(states), ensure_ascii=False)}"
+    if fields is not False:
+        yield "[fields]"
+        if fields is not True:
+            yield f"columns = {json.dumps([*fields])}"
 
 
 def _key(name: str) -> str:
@@ -201,8 +229,12 @@ def _listed(values: Mapping[Any, Any], folder: Path) -> Iterator[str]:
         if isinstance(given, str) or not np.iterable(given):
             raise TypeError(f"{path} must be a sequence of values, but is {quoted(each)}")
         given = each_in_place(given, field.columns, path, folder)
-        texts = (toml_value(field, getattr(value, "values", value)) for value in given)
-        yield f"{_key(path)} = [{', '.join(texts)}]"
+        given = np.asarray(given).tolist() if hasattr(given, "shape") else given
+        # A million of them are no list of texts.
+        text = StringIO()
+        for k, value in enumerate(given):
+            text.write((", " if k else "") + toml_value(field, getattr(value, "values", value)))
+        yield f"{_key(path)} = [{text.getvalue()}]"
 
 
 #: Columns of states besides fields, which come back in the table.
@@ -213,6 +245,9 @@ def _states(states: Any) -> str:
     """A file of states, or data in its place."""
     if isinstance(states, (str, PathLike)):
         return os.fspath(Path(states).absolute())
+    if not hasattr(states, "keys"):
+        expected = "a path or columns named as fields"
+        raise refused("states", f"states must be {expected}, but is {described(states)}")
     if hasattr(states, "rename"):
         states = states.rename(**_renaming(states))
     else:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Literal
 
-from ._ask import Family, Numbers, Range, Texts, ask
+from ._ask import Family, Numbers, Points, Texts, ask
 from ._report import (
     BulkTemperature,
     Calibration,
@@ -22,7 +22,7 @@ from ._report import (
     Wear,
     Wheelset,
 )
-from ._units import Data, File, Number
+from ._units import Data, File, Number, Surface
 
 if TYPE_CHECKING:
     from ._case import Case
@@ -64,17 +64,17 @@ class Tasks:
     def curve(
         self,
         *,
-        creepage_x: Range | None = None,
-        creepage_y: Range | None = None,
-        spin: Range | None = None,
-        creepage: Range | None = None,
+        creepage_x: Points | None = None,
+        creepage_y: Points | None = None,
+        spin: Points | None = None,
+        creepage: Points | None = None,
         direction: Number | None = None,
-        force_x: Range | None = None,
-        traction_coefficient: Range | None = None,
-        force_y: Range | None = None,
-        moment_z: Range | None = None,
+        force_x: Points | None = None,
+        traction_coefficient: Points | None = None,
+        force_y: Points | None = None,
+        moment_z: Points | None = None,
         over: Family | None = None,
-        points: int = 41,
+        points: int | None = None,
         spacing: Literal["refined", "even"] | None = None,
         strict: bool = False,
         warn: bool = True,
@@ -84,7 +84,8 @@ class Tasks:
         Parameters
         ----------
         creepage_x : (float, float), array or str, optional
-            Vary the longitudinal creepage, such as 0..0.05; several creepages vary together.
+            Vary the longitudinal creepage, such as 0..0.05 or 0,0.001,0.05; several creepages vary
+            together, each linearly with the others.
         creepage_y : (float, float), array or str, optional
             Vary the lateral creepage.
         spin : (float, float), array or str, optional
@@ -107,11 +108,11 @@ class Tasks:
             Draw one curve for each value of a field, such as 10, 20 and 30 m/s of
             kinematics.speed. At least three numbers make a map over the creepage and the field,
             two fields one of the largest force over both.
-        points : int, default 41
-            Number of points of each curve.
+        points : int, optional
+            Number of points of each curve over a range; by default 41.
         spacing : {"refined", "even"}, optional
-            Spacing of the points; by default refined over a creepage and even over a force
-            ("refined": finer near zero creepage; "even": equal steps).
+            Spacing of the points over a range; by default refined over a creepage and even over a
+            force ("refined": finer near zero creepage; "even": equal steps).
         strict : bool, default False
             Whether to raise `NotConverged`; else look at ``converged``.
         warn : bool, default True
@@ -150,8 +151,8 @@ class Tasks:
     def roughness(
         self,
         *,
-        surface: Data | None = None,
-        second: Data | None = None,
+        surface: Surface | None = None,
+        second: Surface | None = None,
         synthetic: Texts | None = None,
         form: Literal["plane", "cylinder", "sphere", "none"] | None = None,
         cutoff: Number | None = None,
@@ -171,12 +172,14 @@ class Tasks:
 
         Parameters
         ----------
-        surface : path or mapping, optional
-            Surface or profile of one body, or of both together (.csv, .npy, .x3p, .xyz). Columns
-            of a mapping without a unit: x in m, y in m, height in m, wavelength in m, level in dB.
-        second : path or mapping, optional
-            Surface of the other body, on the same lattice: their heights are added. Columns of a
-            mapping without a unit: x in m, y in m, height in m, wavelength in m, level in dB.
+        surface : path, array, mapping, or surface of SurfaceTopography or surfalize, optional
+            Surface or profile of one body, or of both together (.csv, .npy, .x3p, .xyz). Files of
+            instruments are read by `open_surface`. Columns of a mapping without a unit: x in m, y
+            in m, height in m, wavelength in m, level in dB.
+        second : path, array, mapping, or surface of SurfaceTopography or surfalize, optional
+            Surface of the other body, on the same lattice: their heights are added. Files of
+            instruments are read by `open_surface`. Columns of a mapping without a unit: x in m, y
+            in m, height in m, wavelength in m, level in dB.
         synthetic : str or sequence of str, optional
             Make a self-affine surface, such as rms_height="1 um",hurst=0.8,longest="100 um",
             shortest="5 um",seed=1; also rms_slope and roll_off.
@@ -279,7 +282,7 @@ class Tasks:
         *,
         x: Number | None = None,
         y: Number | None = None,
-        depth: Range | None = None,
+        depth: Points | None = None,
         wake: Number | None = None,
         points: int = 201,
         strict: bool = True,
@@ -295,12 +298,12 @@ class Tasks:
         y : float or str, optional
             Position across rolling; by default that of the hottest point. Numbers are in m.
         depth : (float, float), array or str, optional
-            Depths of the profile, such as "0..2 mm"; by default as far as heat has penetrated.
-            Numbers are in m.
+            Depths of the profile, such as "0..2 mm" or "0,0.1,2 mm"; by default as far as heat has
+            penetrated. Numbers are in m.
         wake : float or str, optional
             Length of the wake; by default twice the length of the contact. Numbers are in m.
         points : int, default 201
-            Number of points of each line.
+            Number of points of each line that is a range.
         strict : bool, default True
             Whether to raise `NotConverged`; else look at ``converged``.
         warn : bool, default True
@@ -557,8 +560,8 @@ class Tasks:
     def wheelset(
         self,
         *,
-        lateral_position: Range = "-8..8 mm",
-        points: int = 33,
+        lateral_position: Points = "-8..8 mm",
+        points: int | None = None,
         strict: bool = True,
         warn: bool = True,
     ) -> Wheelset:
@@ -567,9 +570,10 @@ class Tasks:
         Parameters
         ----------
         lateral_position : (float, float), array or str, default "-8..8 mm"
-            First and last lateral position of the wheelset. Numbers are in m.
-        points : int, default 33
-            Number of positions.
+            Lateral positions of the wheelset: the first and the last, or each of them. Numbers are
+            in m.
+        points : int, optional
+            Number of positions in a range; by default 33.
         strict : bool, default True
             Whether to raise `NotConverged`; else look at ``converged``.
         warn : bool, default True
@@ -593,6 +597,107 @@ class Tasks:
             "points": points,
         }
         return ask(Wheelset, "wheelset", self, request, strict=strict, warn=warn)
+
+
+def roughness(
+    surface: Surface | None = None,
+    case: Case | None = None,
+    *,
+    second: Surface | None = None,
+    synthetic: Texts | None = None,
+    form: Literal["plane", "cylinder", "sphere", "none"] | None = None,
+    cutoff: Number | None = None,
+    unit: str | None = None,
+    spacing: Number | None = None,
+    fill_holes: bool = False,
+    square_cells: bool = False,
+    cells: int | None = None,
+    seed: int | None = None,
+    pressure: Numbers | None = None,
+    friction: Number | None = None,
+    hardness: Number | None = None,
+    strict: bool = False,
+    warn: bool = True,
+) -> RoughContact:
+    """Compute k_c from rough surfaces, with statistics, contact area and tangential curves.
+
+    Parameters
+    ----------
+    surface : path, array, mapping, or surface of SurfaceTopography or surfalize, optional
+        Surface or profile of one body, or of both together (.csv, .npy, .x3p, .xyz). Files of
+        instruments are read by `open_surface`. Columns of a mapping without a unit: x in m, y
+        in m, height in m, wavelength in m, level in dB.
+    second : path, array, mapping, or surface of SurfaceTopography or surfalize, optional
+        Surface of the other body, on the same lattice: their heights are added. Files of
+        instruments are read by `open_surface`. Columns of a mapping without a unit: x in m, y
+        in m, height in m, wavelength in m, level in dB.
+    synthetic : str or sequence of str, optional
+        Make a self-affine surface, such as rms_height="1 um",hurst=0.8,longest="100 um",
+        shortest="5 um",seed=1; also rms_slope and roll_off.
+    form : {"plane", "cylinder", "sphere", "none"}, optional
+        Form to remove from a measured surface; by default a plane ("plane": a tilted plane;
+        "cylinder": a circular cylinder in any direction; "sphere": a sphere; "none": nothing).
+    cutoff : float or str, optional
+        Remove waves longer than this from a measured surface, such as "0.8 mm" (λc of the
+        Gaussian filter, ISO 16610). Numbers are in m.
+    unit : str, optional
+        Unit of the heights of an .npy file, of all lengths of an .xyz file, such as um.
+    spacing : float or str, optional
+        Spacing of the points of an .npy file or of heights alone, such as "1 um". Numbers are
+        in m.
+    fill_holes : bool, default False
+        Fill points without a height smoothly.
+    square_cells : bool, default False
+        Resample a surface whose cells are not square.
+    cells : int, optional
+        Cells along x of the resampled or synthetic surface.
+    seed : int, optional
+        Seed of a surface generated from a profile.
+    pressure : float or str, or several, optional
+        Mean pressures: a range (six pressures) or a list; by default those of the case, of a
+        surface given here without a case 0.2..1.2 GPa. Numbers are in Pa.
+    friction : float or str, optional
+        Coefficient of friction; by default that of the case.
+    hardness : float or str, optional
+        Hardness of the softer body, such as "2.5 GPa"; by default the bodies are elastic.
+        Numbers are in Pa.
+    case : Case, optional
+        The case of the bodies; by default steel wheel and rail.
+    strict : bool, default False
+        Whether to raise `NotConverged`; else look at ``converged``.
+    warn : bool, default True
+        Whether to issue the warnings of the result.
+
+    Returns
+    -------
+    RoughContact
+        A rough surface, its contact and its k_c. With ``fields`` over x and y, ``spectrum``,
+        ``loads`` and ``curves``.
+
+    Raises
+    ------
+    CaseError
+        If something is wrong with the case or an argument.
+    NotConverged
+        If the result has not converged; it has the result.
+    """
+    request: dict[str, object] = {
+        "surface": surface,
+        "second": second,
+        "synthetic": synthetic,
+        "form": form,
+        "cutoff": cutoff,
+        "unit": unit,
+        "spacing": spacing,
+        "fill_holes": fill_holes,
+        "square_cells": square_cells,
+        "cells": cells,
+        "seed": seed,
+        "pressure": pressure,
+        "friction": friction,
+        "hardness": hardness,
+    }
+    return ask(RoughContact, "roughness", case, request, strict=strict, warn=warn)
 
 
 def damage(

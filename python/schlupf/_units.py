@@ -51,10 +51,34 @@ class Columns(Protocol):
 
 #: A file, or an array in its place.
 Array = File | xr.DataArray | NDArray[Any]
-#: Heights: the same, or an object of SurfaceTopography or surfalize.
-Surface = Array | Any
 #: The same, or a table.
 Data = Array | Columns | Sequence[Sequence[float]]
+
+
+class Topography(Protocol):
+    """A surface of SurfaceTopography."""
+
+    @property
+    def physical_sizes(self) -> Any: ...
+    @property
+    def heights(self) -> Any: ...
+
+
+class Profilometry(Protocol):
+    """A surface of surfalize."""
+
+    @property
+    def data(self) -> Any: ...
+    @property
+    def step_x(self) -> Any: ...
+    @property
+    def step_y(self) -> Any: ...
+
+
+#: Heights.
+Heights = Array | Topography | Profilometry
+#: Heights, or a table of them or of levels of their spectrum.
+Surface = Heights | Data
 
 
 def refused(field: str, message: str) -> CaseError:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from ._case import Case
+from ._errors import no_such
 
 _CASES = {path.stem: path for path in sorted((Path(__file__).parent / "cases").glob("*.toml"))}
 
@@ -18,7 +19,7 @@ __all__ = list(_CASES)
 
 def __getattr__(name: str) -> Case:
     if name not in _CASES:
-        raise AttributeError(f"no example {name}; there are {', '.join(_CASES)}")
+        raise AttributeError(no_such("example", name, _CASES))
     return Case.from_file(_CASES[name])
 
 

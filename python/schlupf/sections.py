@@ -16,7 +16,7 @@ from typing import Generic, Literal, TypeVar
 from ._preset import Preset
 from ._section import Entry, Section, SolverSection
 from ._typing import TypedDict
-from ._units import Array, Count, Data, File, Flag, Number, Plain, Series
+from ._units import Count, Data, File, Flag, Heights, Number, Plain, Series, Surface
 
 V = TypeVar("V")
 
@@ -1457,7 +1457,7 @@ class ContactLawFields(TypedDict, total=False):
     stiffness: Number | None
     """k_c, rate at which traction approaches the friction limit (1/m); default: 5e6 1/m where
     there is no roughness."""
-    roughness: Array | RoughnessFields | Roughness | Preset[RoughnessFields] | None
+    roughness: Heights | RoughnessFields | Roughness | Preset[RoughnessFields] | None
     """Roughness from which k_c follows, in place of stiffness: heights, a spectrum or files."""
 
 
@@ -1473,7 +1473,7 @@ class ContactLaw(Section, path="contact_law"):
     """k_c, rate at which traction approaches the friction limit (1/m); default: 5e6 1/m where
     there is no roughness."""
     roughness: Entry[
-        Roughness, Array | RoughnessFields | Roughness | Preset[RoughnessFields] | None
+        Roughness, Heights | RoughnessFields | Roughness | Preset[RoughnessFields] | None
     ] = Entry()
     """Roughness from which k_c follows, in place of stiffness: heights, a spectrum or files."""
 
@@ -1500,10 +1500,10 @@ class RoughnessFields(TypedDict, total=False):
     """its shortest wave (m)."""
     hurst: Plain | None
     """H, its Hurst exponent; default: 0.8."""
-    file: Data | None
+    file: Surface | None
     """a measured surface, profile or spectrum for the micro model: .csv, .npy, .x3p or .xyz; or a
     table of x (m), y (m), height (m) or wavelength (m), level (dB)."""
-    second_file: Data | None
+    second_file: Surface | None
     """the surface of the other body, on the same lattice; or a table of x (m), y (m), height (m)
     or wavelength (m), level (dB)."""
     unit: str | None
@@ -1555,10 +1555,10 @@ class Roughness(Section, path="contact_law.roughness"):
     """its shortest wave (m)."""
     hurst: Entry[float | None, Plain | None] = Entry()
     """H, its Hurst exponent; default: 0.8."""
-    file: Entry[str | None, Data | None] = Entry()
+    file: Entry[str | None, Surface | None] = Entry()
     """a measured surface, profile or spectrum for the micro model: .csv, .npy, .x3p or .xyz; or a
     table of x (m), y (m), height (m) or wavelength (m), level (dB)."""
-    second_file: Entry[str | None, Data | None] = Entry()
+    second_file: Entry[str | None, Surface | None] = Entry()
     """the surface of the other body, on the same lattice; or a table of x (m), y (m), height (m)
     or wavelength (m), level (dB)."""
     unit: Entry[str | None, str | None] = Entry()

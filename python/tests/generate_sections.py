@@ -33,7 +33,7 @@ from typing import Generic, Literal, TypeVar
 from ._preset import Preset
 from ._section import Entry, Section, SolverSection
 from ._typing import TypedDict
-from ._units import Array, Count, Data, File, Flag, Number, Plain, Series
+from ._units import Count, Data, File, Flag, Heights, Number, Plain, Series, Surface
 
 V = TypeVar("V")
 '''
@@ -92,7 +92,8 @@ def name_of(section: str) -> str:
 def types(field: Field) -> tuple[str, str]:
     """What its value is, and what may be given."""
     value, given = TYPES.get(field.kind, ("", ""))
-    given = "Data" if field.columns else given
+    if field.columns:
+        given = "Surface" if any("height" in table for table in field.columns) else "Data"
     if field.choices:
         names = camel(field.path)
         value, given = (f"{kind} | {names}" if kind else names for kind in (value, given))
@@ -129,7 +130,9 @@ def inner(section: str) -> list[str]:
 
 def given_for(path: str) -> str:
     name = name_of(path)
-    text = "Array | " if "." in path and f"{path}.file" in FIELDS else ""
+    # A table would be a mapping, as its fields are.
+    is_file = "." in path and f"{path}.file" in FIELDS
+    text = "Heights | " if is_file else ""
     return f"{text}{name}Fields | {name} | Preset[{name}Fields] | None"
 
 

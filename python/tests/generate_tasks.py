@@ -45,19 +45,28 @@ TYPES = {
     "count": ("int", "int"),
     "number": ("Number", "float or str"),
     "numbers": ("Numbers", "float or str, or several"),
-    "range": ("Range", "(float, float), array or str"),
+    "points": ("Points", "(float, float), array or str"),
     "family": ("Family", "mapping of fields to their values"),
     "file": ("File", "path"),
     "table": ("Data", "path or mapping"),
+    "surface": ("Surface", "path, array, mapping, or surface of SurfaceTopography or surfalize"),
     "list": ("Texts", "str or sequence of str"),
     "text": ("str", "str"),
 }
 
 
+def is_surface(field: dict[str, Any]) -> bool:
+    return any(name == "height" for table in field["columns"] for name, _ in table)
+
+
+def types(field: dict[str, Any]) -> tuple[str, str]:
+    return TYPES["surface" if is_surface(field) else field["kind"]]
+
+
 def annotation(field: dict[str, Any]) -> str:
     if field["kind"] == "choice":
         return f"Literal[{', '.join(json.dumps(name) for name, _ in field['choices'])}]"
-    kind, _ = TYPES[field["kind"]]
+    kind, _ = types(field)
     return f"{kind} | list[{kind}]" if is_list(field) else kind
 
 
@@ -96,13 +105,14 @@ def parameter(field: dict[str, Any]) -> list[str]:
     columns = (column for table in field["columns"] for column in table)
     columns = ", ".join(f"{name} in {unit}" for name, unit in columns if unit)
     columns = f" Columns of a mapping without a unit: {columns}." if columns else ""
+    columns = " Files of instruments are read by `open_surface`." * is_surface(field) + columns
     choices = "; ".join(f'"{name}": {doc}' for name, doc in field["choices"])
     choices = f" ({choices})" if choices else ""
     doc = field["doc"].removesuffix(".") + choices + "." + unit + columns
     if field["kind"] == "choice":
         kind = "{" + ", ".join(f'"{name}"' for name, _ in field["choices"]) + "}"
     else:
-        kind = TYPES[field["kind"]][1] + (", or several" if is_list(field) else "")
+        kind = types(field)[1] + (", or several" if is_list(field) else "")
     value = default(field)
     kind += "" if value is None else ", optional" if value == "None" else f", default {value}"
     return [f"{field['name']} : {kind}", paragraph(doc, 4)]
@@ -121,6 +131,11 @@ CaseError
     If something is wrong with the case or an argument.
 NotConverged
     If the result has not converged; it has the result."""
+
+
+def alone(task: dict[str, Any]) -> dict[str, Any]:
+    """A task as a function about what stands without its name."""
+    return task | {"is_of_argument": True}
 
 
 def documentation(task: dict[str, Any], fields: list[dict[str, Any]]) -> list[str]:
@@ -144,9 +159,10 @@ def result_of(task: dict[str, Any]) -> type[Report]:
 
 def function(task: dict[str, Any]) -> list[str]:
     """A method of a case, or a function for a task that is about an argument."""
-    fields = sorted(task["fields"], key=lambda field: not field["is_needed"])
-    needed = [argument(field) for field in fields if field["is_needed"]]
-    others = [argument(field) for field in fields if not field["is_needed"]]
+    leads = "is_positional" if task["is_of_argument"] else "is_needed"
+    fields = sorted(task["fields"], key=lambda field: not field[leads])
+    needed = [argument(field) for field in fields if field[leads]]
+    others = [argument(field) for field in fields if not field[leads]]
     others += [f"strict: bool = {not task['has_several']}", "warn: bool = True"]
     result, case = result_of(task).__name__, "case" if task["is_of_argument"] else "self"
     first = [*needed, "case: Case | None = None"] if task["is_of_argument"] else ["self", *needed]
@@ -175,8 +191,8 @@ def source() -> str:
     unknown = set(Report.OF_TASKS) - {task["name"] for task in tasks}
     assert not unknown, f"there are no tasks {unknown}"
     text = "\n".join(indented(function(t), "    ") for t in tasks if not t["is_of_argument"])
-    alone = [function(task) for task in tasks if task["is_of_argument"]]
-    text += "".join("\n\n" + indented(lines, "") for lines in alone)
+    about = [task for task in tasks if any(field["is_positional"] for field in task["fields"])]
+    text += "".join("\n\n" + indented(function(alone(task)), "") for task in about)
     results = sorted({result_of(task).__name__ for task in tasks})
     types = sorted({kind for kind, _ in TYPES.values() if re.search(rf"\b{kind}\b", text)})
     types = [kind for kind in types if kind[0].isupper()]

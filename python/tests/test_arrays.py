@@ -191,6 +191,15 @@ def test_arrays_that_vary_have_short_names(tmp_path):
     assert "variation_file[1]" in curve.summary() and "data:" not in curve.summary()
 
 
+def test_points_below_the_surface_may_be_rows():
+    rows = [[0.0, 0.0, 1e-3], [0.0, 0.0, 2e-3]]
+    case = schlupf.Case(grid=COARSE)
+    expected = case.subsurface(points=np.array(rows)).points
+    columns = {"x": [0.0, 0.0], "y": 0.0, "depth": [1e-3, 2e-3]}
+    for points in (rows, [tuple(row) for row in rows], columns):
+        assert case.subsurface(points=points).points == expected
+
+
 def test_no_digit_is_lost():
     numbers = np.random.default_rng(1).standard_normal((50, 2)) * 1e-3
     text = data_url(numbers, [{"y": "m", "z": "m"}], "wheel.profile").partition(",")[2]

@@ -17,7 +17,7 @@ import numpy as np
 import schlupf
 
 warnings.simplefilter("ignore")
-field, start, end, few, many, method = sys.argv[1:]
+kind, field, start, end, few, many, method = sys.argv[1:]
 grid = {"cells_x": 4, "cells_y": 4}
 case = schlupf.Case(friction={"model": "constant"}, solver={"method": method}, grid=grid)
 
@@ -28,7 +28,11 @@ def peak():
 
 
 def run(count):
-    schlupf.forces(case, **{field: np.linspace(float(start), float(end), int(count))})
+    values = np.linspace(float(start), float(end), int(count))
+    if kind == "forces":
+        schlupf.forces(case, **{field: values})
+    else:
+        schlupf.study(case, **{kind: {field: values}})
 
 
 run(few)
@@ -52,8 +56,20 @@ print(peak() - before)
     ],
 )
 def test_a_million_values_of_a_field_take_little(field, ends, counts, method):
-    arguments = [field, *map(str, ends), *map(str, counts), method]
+    assert growth("forces", field, ends, counts, method) * 1e6 / (counts[1] - counts[0]) < MOST
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the peak is that of Linux")
+@pytest.mark.parametrize("design", ["vary", "states"])
+def test_a_study_of_a_million_rows_takes_little(design):
+    counts = (1000, 1_000_000)
+    assert growth(design, "kinematics.creepage_x", (0.0, 0.01), counts, "polach") < MOST
+
+
+def growth(kind, field, ends, counts, method):
+    """How much more memory (in bytes) the second number of values takes than the first."""
+    arguments = [kind, field, *map(str, ends), *map(str, counts), method]
     found = subprocess.run(
         [sys.executable, "-c", SCRIPT, *arguments], capture_output=True, text=True, check=True
     )
-    assert int(found.stdout) * 1e6 / (counts[1] - counts[0]) < MOST
+    return int(found.stdout)

@@ -41,6 +41,12 @@ def test_fields_are_told_by_those_like_them(case):
             KeyError,
             "speed",
         ),
+        (
+            lambda: schlupf.study(case, vary={"normal": {"load": [1e3]}}),
+            KeyError,
+            "normal is a section: name its fields, such as normal.model",
+        ),
+        (lambda: schlupf.examples.half_spac, AttributeError, "did you mean half_space"),
         (lambda: schlupf.materials["stel"], KeyError, "no preset stel; "),
         (lambda: schlupf.materials.stel, AttributeError, "no preset stel; "),
     ]
@@ -97,6 +103,40 @@ def test_values_of_a_wrong_kind_are_named(section, value, told):
     assert re.search(".*".join(parts), str(caught.value)), str(caught.value)
 
 
+@pytest.mark.parametrize(
+    ("ask", "told"),
+    [
+        (
+            lambda: schlupf.damage(np.zeros((2, 2))),
+            "run must be the path of a file, but is an array of shape (2, 2)",
+        ),
+        (
+            lambda: schlupf.study(schlupf.Case(), states=np.zeros((2, 3))),
+            "states must be a path or columns named as fields, but is an array of shape (2, 3)",
+        ),
+        (
+            lambda: schlupf.roughness(np.array([["a", "b"]]), spacing=1e-6),
+            "surface must be numbers, but is array([['a', 'b']]",
+        ),
+        (
+            lambda: schlupf.roughness(np.eye(8)),
+            "surface: spacing must be given",
+        ),
+        (
+            lambda: schlupf.forces(schlupf.Case(), creepage_x=[0, 0.01], load=[1e4, 2e4, 3e4]),
+            "arrays must be of shapes that broadcast, but are creepage_x (2,), normal_load (3,)",
+        ),
+        (
+            lambda: schlupf.Case().curve(creepage_x=0.01),
+            "creepage_x must be a range, such as 0..0.05, or several values, but is 0.01",
+        ),
+    ],
+)
+def test_arguments_of_a_wrong_kind_are_named(ask, told):
+    with pytest.raises(ValueError, match=re.escape(told)):
+        ask()
+
+
 def test_a_flag_may_be_one_of_numpy():
     case = schlupf.Case(solver={"extrapolate": np.bool_(True)})
     assert case.solver.extrapolate is True
@@ -132,6 +172,7 @@ def test_a_missing_file_is_told_as_python_tells_it(tmp_path, what):
         MISSING[what](path)
     assert caught.value.errno == errno.ENOENT
     assert caught.value.filename == str(path) and str(path) in str(caught.value)
+    assert "os error" not in str(caught.value)
     again = pickle.loads(pickle.dumps(caught.value))
     assert (again.errno, again.filename, str(again)) == (
         errno.ENOENT,

@@ -241,5 +241,7 @@ def test_what_is_no_result_is_told(tmp_path):
         schlupf.open_result(tmp_path / "missing.nc")
     assert caught.value.filename == str(tmp_path / "missing.nc")
     xr.Dataset({"a": 1.0}).to_netcdf(tmp_path / "other.nc", engine="h5netcdf")
-    with pytest.raises(ValueError, match="must be a result that schlupf has written"):
-        schlupf.open_result(tmp_path / "other.nc")
+    (tmp_path / "table.csv").write_text("a,b")
+    for name in ("other.nc", "table.csv", "."):
+        with pytest.raises(ValueError, match="must be a result that schlupf has written"):
+            schlupf.open_result(tmp_path / name)

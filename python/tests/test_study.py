@@ -233,6 +233,15 @@ def test_states_of_a_study_may_be_a_data_frame(tmp_path):
         schlupf.study(POLACH, states=frame.assign(load=["60e3", "x"]))
 
 
+def test_many_numbers_of_one_field_are_states():
+    loads = np.linspace(60e3, 80e3, 10_001)
+    for vary in (loads, xr.DataArray(loads, dims="load", attrs={"units": "N"}), pd.Series(loads)):
+        study = schlupf.study(POLACH, vary={"normal.load": vary})
+        assert study.rows == 10_001 and study.to_toml().startswith("[states]")
+    listed = schlupf.study(POLACH, vary={"normal.load": loads[1:]})
+    assert listed.rows == 10_000 and listed.to_toml().startswith("[vary]")
+
+
 def test_wrong_studies_are_told():
     asked = [
         ({"vary": {"normal.lod": [1]}}, KeyError, "did you mean normal.load"),

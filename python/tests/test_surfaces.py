@@ -1,5 +1,7 @@
 """Surfaces of instruments: what other packages read is a surface as any other."""
 
+import re
+
 import numpy as np
 import pandas as pd
 import pytest
@@ -39,6 +41,11 @@ def alike(found, expected, tolerance):
 def test_a_tilt_is_removed(heights, expected):
     assert expected.surface.root_mean_square_height == pytest.approx(0.5e-6, rel=0.2)
     assert heights.std() > 0.6e-6
+    (remark,) = expected.remarks
+    assert re.fullmatch(r"surface: a tilt of 1\.\d+ deg was taken off", remark)
+    plane = np.stack([np.ones(heights.shape), *np.indices(heights.shape)], -1).reshape(-1, 3)
+    level = heights - (plane @ np.linalg.lstsq(plane, heights.ravel())[0]).reshape(heights.shape)
+    assert not schlupf.roughness(level, spacing=1e-6, **OPTIONS).remarks
 
 
 # In single precision, or in steps of the range of heights.

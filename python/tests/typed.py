@@ -6,6 +6,8 @@ Nothing of it runs: an error that is expected is ignored, and an error that is l
 from typing import Literal
 
 import numpy as np
+import SurfaceTopography
+import surfalize
 import xarray as xr
 from typing_extensions import assert_type
 
@@ -55,6 +57,21 @@ def files_may_be_arrays(case: Case) -> None:
     Case(wheel={"profile": 3.0})  # type: ignore[arg-type]
     Case(solver={"table": np.zeros(3)})  # type: ignore[arg-type]
     case.roughness(surface=np.zeros((8, 8)), spacing="1 um")
+    case.roughness(surface=np.zeros((8, 8)), spacin="1 um")  # type: ignore[call-arg]
+    schlupf.roughness(np.zeros((8, 8)), spacin=1e-6)  # type: ignore[call-arg]
+    schlupf.roughness(np.zeros((8, 8)), form="cone")  # type: ignore[arg-type]
+    schlupf.roughness(1e-6)  # type: ignore[arg-type]
+    schlupf.roughness({"wavelength": [1e-5], "level": [0.0]}, case, second="other.sur")
+    schlupf.roughness(surfalize.Surface(np.zeros((8, 8)), 1.0, 1.0))
+    schlupf.roughness(SurfaceTopography.Topography(np.zeros((8, 8)), (1.0, 1.0), unit="m"))
+    measured = surfalize.Surface(np.zeros((8, 8)), 1.0, 1.0)
+    Case(contact_law={"roughness": measured})
+    Case(contact_law={"roughness": {"file": measured}})
+    Case(contact_law={"roughness": {"file": 1.0}})  # type: ignore[arg-type]
+    Case(contact_law={"roughness": 1.0})  # type: ignore[arg-type]
+    curve = case.curve(creepage_x=[0.0, 0.001, 0.01], over={"normal.load": [60e3]})
+    assert_type(curve, schlupf.Curve)
+    case.curve(creepage_x=0.01)  # type: ignore[arg-type]
     assert_type(schlupf.roughness(np.zeros((8, 8)), spacing=1e-6), schlupf.RoughContact)
     assert_type(schlupf.open_surface("rail.sur"), xr.DataArray)
 

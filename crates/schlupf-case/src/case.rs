@@ -130,7 +130,8 @@ impl CaseFile {
         let Posed { problem, stiffness: law_stiffness, motion, wheel } =
             self.parts.pose(&self.settings, solved, watch)?;
         let (wheel, wheel_solver) = wheel.unzip();
-        let caveats = law_stiffness.caveats().into_iter();
+        let waviness = law_stiffness.waviness(&problem).map_err(|error| self.explain(&error))?;
+        let caveats = law_stiffness.caveats().into_iter().chain(waviness);
         let caveats = caveats.map(|notice| Message::from(notice).about("contact_law.roughness"));
         Ok(Case {
             title: self.title()?,

@@ -3,7 +3,9 @@
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
+use schlupf::Problem;
 use schlupf::interface::roughness::MicroModelResult;
+use schlupf::surface::spectrum::RadialSpectrum;
 
 use crate::notice::Notice;
 use crate::surface::SurfaceSource;
@@ -44,6 +46,8 @@ pub struct MicroContact {
     pub result: MicroModelResult,
     /// Number of its cells.
     pub cells: usize,
+    /// Spectrum of the surface.
+    pub spectrum: Arc<RadialSpectrum>,
     /// What the reader should know about the surface.
     pub notices: Vec<Notice>,
 }
@@ -71,6 +75,10 @@ const NOTICEABLE_SPREAD: f64 = 0.2;
 const FEWEST_CELLS: f64 = 200.0;
 const FEWEST_CELLS_AT_LEAST: f64 = 30.0;
 
+/// Notices where more than this part of the variance lies in waves longer than the contact: k_c is
+/// some 5 % too small; dimensionless.
+const MOST_IN_WAVINESS: f64 = 0.1;
+
 /// Heights of rough surfaces in contact, in m; others are in a wrong unit.
 const USUAL_HEIGHTS: RangeInclusive<f64> = 1e-9..=1e-4;
 
@@ -94,6 +102,15 @@ impl LawStiffness {
                 vec![Notice::UnusualHeight { rms_height: *rms_height }]
             }
         }
+    }
+
+    /// Whether the surface is rather wavy than rough to the contact of a problem.
+    pub fn waviness(&self, problem: &Problem) -> Result<Option<Notice>, schlupf::Error> {
+        let StiffnessOrigin::MicroModel(micro) = &self.origin else { return Ok(None) };
+        let contact = problem.normal.normal_contact(None)?.summary;
+        let diameter = 2.0 * contact.semi_axis_x.max(contact.semi_axis_y);
+        let share = micro.spectrum.share_of_longer(diameter);
+        Ok((share > MOST_IN_WAVINESS).then_some(Notice::LongWaves { share, diameter }))
     }
 }
 

@@ -55,7 +55,7 @@ pub use notice::Notice;
 pub use place::{Place, Source};
 pub use presets::{Preset, conditions, presets};
 pub use profiles::ProfileReading;
-pub use range::{depths, direction, length, position, pressures, range};
+pub use range::{Points, depths, direction, length, points, position, pressures};
 pub use roughness_request::{GivenByOption, RoughnessRequest};
 pub use schema::schema;
 pub use setting::{Refusal, Setting};

@@ -145,6 +145,19 @@ messages! {
         1e2 * share
     );
 
+    /// Much of the roughness lies in waves longer than the contact.
+    "long-waves" LongWaves {
+        /// Part of the variance in them, dimensionless.
+        share: f64,
+        /// Diameter of the contact, the larger one, in m.
+        diameter: f64,
+    } ROUGHNESS, |subject, words| format!(
+        "{:.0} % of the variance of the heights lies in waves longer than the contact, {:.3} mm: that \
+         is waviness, which the contact follows, and k_c without it is larger; take it off",
+        1e2 * share,
+        1e3 * diameter
+    );
+
     /// Waves of a profile or a spectrum shorter than two cells are omitted.
     "waves-left-out" WavesLeftOut {
         /// The longest of them, in m.

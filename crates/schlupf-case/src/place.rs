@@ -95,7 +95,10 @@ impl fmt::Display for Place {
                 write!(f, "{}:{line}:{column}", source.name)
             }
             Self::File { name } => f.write_str(name),
-            Self::Override { option, text } if text.is_empty() => f.write_str(option),
+            // Data in place of a file are called as what names them.
+            Self::Override { option, text } if text.is_empty() || **option == **text => {
+                f.write_str(option)
+            }
             Self::Override { option, text } => write!(f, "{option} {}", shortened(text)),
             Self::Default => f.write_str("default value"),
         }

@@ -11,18 +11,51 @@ use crate::setting::{Refusal, Setting};
 use crate::units::Measure;
 use schlupf::reporting::quoted;
 
-/// The ends of a range `START..END` of a field, in SI units. A start without unit has that of the
-/// end.
-pub fn range(option: &str, path: FieldPath, text: &str) -> Result<[f64; 2], CaseError> {
-    range_of(option, &path.field().allowed(), text)
+/// Where along a quantity something is computed, in its SI unit.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Points {
+    /// Between these two ends, which differ.
+    Range([f64; 2]),
+    /// At each of these, two at least, which increase or decrease from one to the next.
+    Each(Vec<f64>),
 }
 
-/// The ends of a range of lengths (in m) that increases from zero or above.
-pub fn depths(option: &str, text: &str) -> Result<[f64; 2], CaseError> {
+impl Points {
+    /// The first and the last.
+    pub fn ends(&self) -> [f64; 2] {
+        match self {
+            Self::Range(ends) => *ends,
+            Self::Each(values) => [values[0], values[values.len() - 1]],
+        }
+    }
+
+    /// Each, or so many (two at least) at even steps over a range: exact at its ends, and in the
+    /// middle of one that is symmetric about zero.
+    pub fn evenly(&self, count: usize) -> Vec<f64> {
+        match self {
+            Self::Range([start, end]) => {
+                let last = count.max(2) - 1;
+                let share = |k: usize| k as f64 / last as f64;
+                (0..=last).map(|k| start * (1.0 - share(k)) + end * share(k)).collect()
+            }
+            Self::Each(values) => values.clone(),
+        }
+    }
+}
+
+/// Points of a field: a range `START..END`, or each of them, `V1,V2,…`. What has no unit has that
+/// of the last.
+pub fn points(option: &str, path: FieldPath, text: &str) -> Result<Points, CaseError> {
+    points_of(option, &path.field().allowed(), text)
+}
+
+/// Lengths (in m) that increase from zero or above: a range, or each of them.
+pub fn depths(option: &str, text: &str) -> Result<Points, CaseError> {
     let field = length_field(Requirement::Between(0.0, LONGEST));
-    let [start, end] = range_of(option, &field, text)?;
+    let points = points_of(option, &field, text)?;
+    let [start, end] = points.ends();
     if start < end {
-        return Ok([start, end]);
+        return Ok(points);
     }
     let place = Place::Override { option: option.into(), text: text.to_owned() };
     let message = format!(
@@ -54,12 +87,18 @@ pub fn pressures(option: &str, text: &str) -> Result<Vec<f64>, CaseError> {
         let step = (end - start) / f64::from(STEPS);
         return Ok((0..=STEPS).map(|k| start + f64::from(k) * step).collect());
     }
+    each(option, &field, text)
+}
+
+/// Values of a list `V1,V2,…`. One without unit has that of the last.
+fn each(option: &str, field: &Allowed, text: &str) -> Result<Vec<f64>, CaseError> {
     let parts: Vec<&str> = text.split(',').map(str::trim).collect();
     let unit = parts.last().map_or("", |last| unit_of(last));
+    let what = format!("each value of {option}");
     let read = |part: &&str| {
         let with_unit = format!("{part} {unit}");
         let text = if part.parse::<f64>().is_ok() { with_unit.trim_end() } else { part };
-        single(option, &format!("each value of {option}"), text, &field)
+        single(option, &what, text, field)
     };
     parts.iter().map(read).collect()
 }
@@ -85,6 +124,25 @@ fn single(option: &str, what: &str, text: &str, field: &Allowed) -> Result<f64, 
     })
 }
 
+/// A range or a list.
+fn points_of(option: &str, field: &Allowed, text: &str) -> Result<Points, CaseError> {
+    if text.contains("..") || !text.contains(',') {
+        return range_of(option, field, text).map(Points::Range);
+    }
+    let values = each(option, field, text)?;
+    let is_up = values[0] < values[1];
+    // Neither is a number that is none.
+    let turn = values.windows(2).find(|two| (two[0] < two[1]) != is_up || two[0] == two[1]);
+    let Some(turn) = turn else { return Ok(Points::Each(values)) };
+    let [before, after] = [turn[0], turn[1]].map(fields::readable);
+    let message = format!(
+        "the values of {option} must increase or decrease from each to the next, but {after} \
+         follows {before}"
+    );
+    let place = Place::Override { option: option.into(), text: text.to_owned() };
+    Err(CaseError::new(field.name, message, place))
+}
+
 fn range_of(option: &str, field: &Allowed, text: &str) -> Result<[f64; 2], CaseError> {
     let path = field.name;
     let place = Place::Override { option: option.into(), text: text.to_owned() };
@@ -92,7 +150,10 @@ fn range_of(option: &str, field: &Allowed, text: &str) -> Result<[f64; 2], CaseE
     let example = format!("\"0..2 {}\"", field.units_of(2.0).first().unwrap_or(&unit));
     let example = if unit.is_empty() { "0..0.05".to_owned() } else { example };
     let form = || {
-        format!("{option} must be a range START..END, such as {example}, but is {}", quoted(text))
+        format!(
+            "{option} must be a range, such as {example}, or several values, but is {}",
+            quoted(text)
+        )
     };
     let ends = text.split_once("..").map(|(start, end)| (start.trim(), end.trim()));
     let Some((start, end)) = ends.filter(|(start, end)| !start.is_empty() && !end.is_empty())
@@ -210,11 +271,11 @@ mod tests {
     use super::*;
 
     fn creepage(text: &str) -> Result<[f64; 2], CaseError> {
-        range("--creepage-x", field!("kinematics.creepage_x"), text)
+        points("--creepage-x", field!("kinematics.creepage_x"), text).map(|points| points.ends())
     }
 
     fn spin(text: &str) -> Result<[f64; 2], CaseError> {
-        range("--spin", field!("kinematics.spin"), text)
+        points("--spin", field!("kinematics.spin"), text).map(|points| points.ends())
     }
 
     #[test]
@@ -233,8 +294,8 @@ mod tests {
         let message = |text| creepage(text).unwrap_err().to_string();
         assert_eq!(
             message("0.05"),
-            "--creepage-x 0.05: --creepage-x must be a range START..END, such as 0..0.05, but is \
-             \"0.05\""
+            "--creepage-x 0.05: --creepage-x must be a range, such as 0..0.05, or several values, \
+             but is \"0.05\""
         );
         assert!(message("0..").contains("must be a range"));
         assert!(message("0..fast").contains("the end of the range must be a number without unit"));
@@ -244,18 +305,40 @@ mod tests {
         assert!(message("0..2 1/m").contains("write the number alone"));
         let message = |text| spin(text).unwrap_err().to_string();
         assert!(message("0..2").contains("the unit is missing"), "{}", message("0..2"));
-        let help = range("--force-x", field!("kinematics.force_x"), "0..-20").unwrap_err().help;
+        let help = points("--force-x", field!("kinematics.force_x"), "0..-20").unwrap_err().help;
         assert_eq!(help.as_deref(), Some("such as \"0..-20 N\" or \"0..-20 kN\""));
         assert!(message("0 1/m..2 m").contains("`m` is the unit of a length"));
         assert!(message("1 m..2 1/m").contains("the start of the range must be an inverse length"));
     }
 
     #[test]
+    fn points_are_each_given_in_order() {
+        let read = |text| points("--spin", field!("kinematics.spin"), text);
+        assert_eq!(read("0, 0.5, 2 1/m"), Ok(Points::Each(vec![0.0, 0.5, 2.0])));
+        assert_eq!(read("2 1/m,-1 1/m"), Ok(Points::Each(vec![2.0, -1.0])));
+        assert_eq!(read("-1..1 1/m").unwrap().evenly(3), [-1.0, 0.0, 1.0]);
+        assert_eq!(read("0,0.5,2 1/m").unwrap().evenly(7), [0.0, 0.5, 2.0]);
+        let message = |text| read(text).unwrap_err().to_string();
+        for (text, told) in [
+            ("0,1,0.5 1/m", "from each to the next, but 0.5 follows 1"),
+            ("0,-1,-1 1/m", "from each to the next, but -1 follows -1"),
+            ("0,1", "each value of --spin must be an inverse length"),
+            ("0,nan 1/m", "must be finite"),
+        ] {
+            assert!(message(text).contains(told), "{}", message(text));
+        }
+        let deep = |text| depths("--depth", text);
+        assert_eq!(deep("0,1,5 mm"), Ok(Points::Each(vec![0.0, 1e-3, 5e-3])));
+        let told = deep("2,1 mm").unwrap_err().to_string();
+        assert!(told.contains("must be larger than its start"), "{told}");
+    }
+
+    #[test]
     fn lengths_and_depths_have_units_and_signs() {
         assert_relative_eq!(position("--x", "-3 mm").unwrap(), -3e-3);
         assert_relative_eq!(length("--wake", "5 cm").unwrap(), 0.05);
-        assert_eq!(depths("--depth", "0..2mm"), Ok([0.0, 2e-3]));
-        assert_eq!(depths("--depth", "0.25 mm..0.5 mm"), Ok([0.25e-3, 0.5e-3]));
+        assert_eq!(depths("--depth", "0..2mm"), Ok(Points::Range([0.0, 2e-3])));
+        assert_eq!(depths("--depth", "0.25 mm..0.5 mm"), Ok(Points::Range([0.25e-3, 0.5e-3])));
         let message = |text| depths("--depth", text).unwrap_err().to_string();
         assert!(message("2mm..0mm").contains("larger than its start, but is 0 m after 2e-3 m"));
         assert!(message("-1mm..1mm").contains("between 0 and 1000 m"), "{}", message("-1mm..1mm"));

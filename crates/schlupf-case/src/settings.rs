@@ -92,7 +92,7 @@ impl Settings {
                 quoted_path(&name)
             );
             let error = self.error(path, message).of_file(&name, &error);
-            error.help("paths are relative to the case file".to_owned())
+            error.help("relative paths start in the folder of the case".to_owned())
         })?;
         Ok((name, bytes))
     }

@@ -278,9 +278,11 @@ impl Rows<'_> {
     fn set(&mut self, row: usize, acting: &Acting) {
         let moment = acting.force.moment_z.unwrap_or(f64::NAN);
         let coefficient = acting.force.tangential() / acting.load;
-        let values = [acting.force.x, acting.force.y, moment, coefficient];
-        for (column, value) in self.columns.iter_mut().zip(values) {
-            column[row] = value;
+        if let [x, y, moment_z, traction_coefficient, ..] = &mut self.columns[..] {
+            x[row] = acting.force.x;
+            y[row] = acting.force.y;
+            moment_z[row] = moment;
+            traction_coefficient[row] = coefficient;
         }
         if let Some(wheel) = acting.wheel {
             let (of_wheel, of_contacts) =

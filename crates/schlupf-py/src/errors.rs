@@ -23,9 +23,18 @@ pub fn of_case(py: Python<'_>, errors: &CaseErrors) -> PyErr {
 /// An exception for a file that cannot be read or written, of the class that its reason has.
 pub fn of_file(py: Python<'_>, path: &Path, cause: &io::Error) -> PyErr {
     let reason = errno(cause.kind(), cause.raw_os_error());
-    let arguments = (reason, cause.to_string(), path.as_os_str());
+    let text = without_number(&cause.to_string(), cause.raw_os_error());
+    let arguments = (reason, text, path.as_os_str());
     let made = py.get_type::<PyOSError>().call1(arguments);
     made.map_or_else(|error| error, PyErr::from_value)
+}
+
+/// A message without the number of its reason, which is an attribute of the exception.
+fn without_number(message: &str, code: Option<i32>) -> String {
+    code.map_or_else(
+        || message.to_owned(),
+        |code| message.replace(&format!(" (os error {code})"), ""),
+    )
 }
 
 /// The number of C for a reason.
@@ -53,7 +62,8 @@ fn raised(py: Python<'_>, class: &str, errors: &CaseErrors) -> PyErr {
 fn entry<'py>(py: Python<'py>, error: &CaseError) -> PyResult<Bound<'py, PyDict>> {
     let entry = PyDict::new(py);
     entry.set_item("field", &error.field)?;
-    entry.set_item("message", &error.message)?;
+    let code = error.unread.as_deref().and_then(|unread| unread.code);
+    entry.set_item("message", without_number(&error.message, code))?;
     entry.set_item("place", error.place.to_string())?;
     if let Some(Unread { path, kind, code }) = error.unread.as_deref() {
         entry.set_item("filename", path.as_os_str())?;

@@ -112,14 +112,15 @@ fn is_optional(field: &fields::Field) -> bool {
         || pairs.any(|paths| paths.contains(&field.path))
 }
 
-/// A field of a request: name, kind, how often it is given, default as text, SI unit, choices,
-/// columns of tables with their units, meaning.
+/// A field of a request: name, kind, how often it is given, whether without its name, default as
+/// text, SI unit, choices, columns of tables with their units, meaning.
 fn of_request(field: &Field) -> Value {
     let tables = field.form.tables();
     json!({
         "name": field.name,
         "is_several": field.need == Need::Several,
         "is_needed": field.is_needed(),
+        "is_positional": field.is_positional,
         "default": field.default,
         "units": field.form.unit(),
         "choices": choices(field.form.choices()),
@@ -158,7 +159,7 @@ fn kind_of_request(form: Form) -> &'static str {
         Form::Flag => "flag",
         Form::Count(_) => "count",
         Form::Number(_) | Form::Position | Form::Length | Form::Angle => "number",
-        Form::Depths | Form::Range(_) => "range",
+        Form::Depths | Form::Points(_) => "points",
         Form::Choice(_) => "choice",
         Form::Family => "family",
         Form::File(_) => "file",

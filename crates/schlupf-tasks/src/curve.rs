@@ -4,12 +4,13 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::output::creep_curve::{CurveFamily, FieldValue, Member};
 use schlupf::analysis::creep_curve::{
-    self, CreepCurve, Creepages, MAX_POINTS, Path, Sampling, Spacing, VariedForce,
+    self, CreepCurve, Creepages, MAX_POINTS, Path, Sampling, VariedForce,
 };
 use schlupf::numerics::parallel;
 use schlupf::{Problem, Quantity, Watch};
 use schlupf_case::fields::Choice;
-use schlupf_case::{Case, DataUrl, Family, FieldNames, FieldPath, field, fields, quantity_field};
+use schlupf_case::quantity_field;
+use schlupf_case::{Case, DataUrl, Family, FieldNames, FieldPath, Points, field, fields};
 
 use crate::TaskError;
 use crate::request::{Kind, Rule, request};
@@ -18,43 +19,62 @@ use crate::task::{Found, Given, Task, Wanted};
 request! {
     /// Which curves: what varies along each, what is another for each, and where the points are.
     Request {
-        /// Vary the longitudinal creepage, such as 0..0.05; several creepages vary together.
-        creepage_x: Option<[f64; 2]> = Kind::range(field!("kinematics.creepage_x"));
+        /// Vary the longitudinal creepage, such as 0..0.05 or 0,0.001,0.05; several creepages vary
+        /// together, each linearly with the others.
+        creepage_x: Option<Points> = Kind::points(field!("kinematics.creepage_x"));
         /// Vary the lateral creepage.
-        creepage_y: Option<[f64; 2]> = Kind::range(field!("kinematics.creepage_y"));
+        creepage_y: Option<Points> = Kind::points(field!("kinematics.creepage_y"));
         /// Vary the spin creepage, such as "0..2 1/m".
-        spin: Option<[f64; 2]> = Kind::range(field!("kinematics.spin"));
+        spin: Option<Points> = Kind::points(field!("kinematics.spin"));
         /// Vary the total creepage in a direction, in place of both creepages.
-        creepage: Option<[f64; 2]> = Kind::range(field!("kinematics.creepage_x"));
+        creepage: Option<Points> = Kind::points(field!("kinematics.creepage_x"));
         /// Direction of the total creepage, from longitudinal (0 deg) to lateral (90 deg).
         direction: Option<f64> = Kind::angle();
         /// Vary the longitudinal force on the wheel, such as "0..-20 kN" (negative in braking), in
         /// place of all creepages: its creepage is found.
-        force_x: Option<[f64; 2]> = Kind::range(field!("kinematics.force_x"));
+        force_x: Option<Points> = Kind::points(field!("kinematics.force_x"));
         /// Vary the same over the load, such as 0..0.25 (positive in braking).
-        traction_coefficient: Option<[f64; 2]> = Kind::range(field!("kinematics.traction_coefficient"));
+        traction_coefficient: Option<Points> = Kind::points(field!("kinematics.traction_coefficient"));
         /// Vary the lateral force on the wheel.
-        force_y: Option<[f64; 2]> = Kind::range(field!("kinematics.force_y"));
+        force_y: Option<Points> = Kind::points(field!("kinematics.force_y"));
         /// Vary the spin moment on the wheel, such as "0..20 N m".
-        moment_z: Option<[f64; 2]> = Kind::range(field!("kinematics.moment_z"));
+        moment_z: Option<Points> = Kind::points(field!("kinematics.moment_z"));
         /// Draw one curve for each value of a field, such as 10, 20 and 30 m/s of kinematics.speed.
         /// At least three numbers make a map over the creepage and the field, two fields one of
         /// the largest force over both.
         over: Vec<Family> = Kind::family();
-        /// Number of points of each curve.
-        points: usize = Kind::count(2, MAX_POINTS), default(Sampling::default().points);
-        /// Spacing of the points; by default refined over a creepage and even over a force.
+        /// Number of points of each curve over a range; by default 41.
+        points: Option<usize> = Kind::count(2, MAX_POINTS);
+        /// Spacing of the points over a range; by default refined over a creepage and even over a
+        /// force.
         spacing: Option<&'static str> = Kind::choice(&SPACINGS);
         => RULES
     }
 }
 
 const REFINED: &str = "refined";
+const EVEN: &str = "even";
+/// Each is given.
+const GIVEN: &str = "given";
+
+/// Shares of the way that agree with a straight line.
+const STRAIGHT: f64 = 1e-9;
+
+/// What lies at a share of the way.
+fn mix([from, to]: [f64; 2], share: f64) -> f64 {
+    from * (1.0 - share) + to * share
+}
+
+/// The share of the way from the first value to the last at which each is.
+fn shares(values: &[f64]) -> impl Fn(usize) -> f64 {
+    let (from, to) = (values[0], values[values.len() - 1]);
+    move |k| (values[k] - from) / (to - from)
+}
 
 /// How the points of a curve are spaced.
 const SPACINGS: [Choice; 2] = [
     Choice { name: REFINED, doc: "finer near zero creepage" },
-    Choice { name: "even", doc: "equal steps" },
+    Choice { name: EVEN, doc: "equal steps" },
 ];
 
 /// What may vary along a curve: creepages, then forces.
@@ -121,6 +141,7 @@ struct Planned {
     values: Vec<FieldValue>,
     case: Case,
     path: Path,
+    sampling: Sampling,
 }
 
 impl Request {
@@ -131,12 +152,11 @@ impl Request {
         members: &[Planned],
         watch: Watch,
     ) -> Result<CurveFamily, TaskError> {
-        let sampling = self.sampling();
         let done: Vec<AtomicUsize> = members.iter().map(|_| AtomicUsize::new(0)).collect();
-        let total = members.len() * sampling.points;
+        let total = members.iter().map(|member| member.sampling.points()).sum();
         let each = members.iter().zip(&done).collect();
         let found = parallel::try_map(each, |(member, own): (&Planned, &AtomicUsize)| {
-            let traced = member.member(&sampling, &|progress| {
+            let traced = member.member(&|progress| {
                 own.store(progress.done, Ordering::Relaxed);
                 let done = done.iter().map(|done| done.load(Ordering::Relaxed)).sum();
                 watch(progress.of(done, total))
@@ -144,35 +164,94 @@ impl Request {
             traced.map_err(|error| self.failure(&member.case, &member.values, &error))
         })?;
         let over = self.over.iter().map(|family| family.field.to_string()).collect();
-        Ok(CurveFamily::new(title, over, sampling, found))
+        Ok(CurveFamily::new(title, over, self.spacing(), found))
     }
 
     /// The force that varies, with its name and its range.
     fn force(&self) -> Option<(&'static str, VariedForce, [f64; 2])> {
-        let ranges = [
-            (VariedForce::X, self.force_x),
-            (VariedForce::OverLoad, self.traction_coefficient),
-            (VariedForce::Y, self.force_y),
-            (VariedForce::MomentZ, self.moment_z),
+        let points = [
+            (VariedForce::X, &self.force_x),
+            (VariedForce::OverLoad, &self.traction_coefficient),
+            (VariedForce::Y, &self.force_y),
+            (VariedForce::MomentZ, &self.moment_z),
         ];
-        let mut forces = FORCES.iter().zip(ranges);
-        forces.find_map(|(name, (force, range))| Some((*name, force, range?)))
+        let mut forces = FORCES.iter().zip(points);
+        forces.find_map(|(name, (force, points))| Some((*name, force, points.as_ref()?.ends())))
     }
 
     /// The total creepage and its direction, if it varies.
     fn total(&self) -> Option<([f64; 2], f64)> {
-        self.creepage.zip(self.direction)
+        Some((self.creepage.as_ref()?.ends(), self.direction?))
     }
 
-    /// The creepage changes fastest with a force where that is largest.
-    fn sampling(&self) -> Sampling {
-        let is_refined = self.spacing.map_or(self.force().is_none(), |name| name == REFINED);
-        let spacing = if is_refined { Spacing::Refined } else { Spacing::Even };
-        Sampling { points: self.points, spacing }
+    /// What is given point by point, with its name.
+    fn each(&self) -> impl Iterator<Item = (&'static str, &[f64])> {
+        let points = [
+            &self.creepage_x,
+            &self.creepage_y,
+            &self.spin,
+            &self.creepage,
+            &self.force_x,
+            &self.traction_coefficient,
+            &self.force_y,
+            &self.moment_z,
+        ];
+        VARIED.iter().zip(points).filter_map(|(name, points)| match points {
+            Some(Points::Each(values)) => Some((*name, &values[..])),
+            _ => None,
+        })
+    }
+
+    /// How the points are spaced. The creepage changes fastest with a force where that is largest.
+    fn spacing(&self) -> &'static str {
+        let by_default = if self.force().is_some() { EVEN } else { REFINED };
+        let given = self.each().next().map(|_| GIVEN);
+        given.or(self.spacing).unwrap_or(by_default)
+    }
+
+    /// The points along a path.
+    fn sampling(&self, path: &Path) -> Sampling {
+        let ends = |values: &[f64]| [values[0], values[values.len() - 1]];
+        // Those of the abscissa itself are exact.
+        let own = self.each().find(|(_, values)| ends(values) == path.range());
+        if let Some((_, values)) = own.or_else(|| self.each().next()) {
+            let share = shares(values);
+            let at = |k: usize| if own.is_some() { values[k] } else { mix(path.range(), share(k)) };
+            return Sampling::At((0..values.len()).map(at).collect());
+        }
+        let points = self.points.unwrap_or(Sampling::default().points());
+        if self.spacing() == REFINED { Sampling::Refined(points) } else { Sampling::Even(points) }
+    }
+
+    /// Refuses points that are given twice: by others, or by number and spacing.
+    fn check_points(&self) -> Result<(), TaskError> {
+        let Some((first, values)) = self.each().next() else { return Ok(()) };
+        self.asked.check_range(first, &["points", "spacing"])?;
+        let share = shares(values);
+        for (other, others) in self.each().skip(1) {
+            let [own, name] = [first, other].map(|name| self.asked.name(name));
+            if others.len() != values.len() {
+                let (count, points) = (others.len(), values.len());
+                let reason = format!("{name} must have {points} points, as {own}, but has {count}");
+                return Err(TaskError::Request(reason));
+            }
+            let of_others = shares(others);
+            let off = (0..values.len()).find(|k| (of_others(*k) - share(*k)).abs() > STRAIGHT);
+            if let Some(k) = off {
+                let wanted = mix([others[0], others[others.len() - 1]], share(k));
+                return Err(TaskError::Request(format!(
+                    "{name} must vary linearly with {own}, but is {} in place of {wanted:.6} where \
+                     that is {}",
+                    others[k], values[k]
+                )));
+            }
+        }
+        Ok(())
     }
 
     /// One, or one for each value of the family, or for each pair of values of two.
     fn members(&self, case: &Case, watch: Watch) -> Result<Vec<Planned>, TaskError> {
+        self.check_points()?;
         self.check_fields()?;
         let mut cases = vec![(Vec::new(), case.clone())];
         for family in &self.over {
@@ -191,7 +270,7 @@ impl Request {
             let path = self.path(&case);
             let path = path.map_err(|error| self.failure(&case, &values, &error))?;
             let case = self.in_place_of_forces(case);
-            Ok(Planned { values, case, path })
+            Ok(Planned { values, case, sampling: self.sampling(&path), path })
         };
         let members = cases.into_iter().map(member).collect::<Result<Vec<_>, TaskError>>()?;
         self.check_map(&members)?;
@@ -256,7 +335,7 @@ impl Request {
     }
 
     fn check(&self, member: &Planned) -> Result<(), TaskError> {
-        let Planned { values, case, path } = member;
+        let Planned { values, case, path, sampling } = member;
         case.require_steady("a creep curve is")?;
         let force = self.force().filter(|(_, force, _)| force.creepage() != Quantity::CreepageX);
         let creepage = CREEPAGES[1..].iter().copied().find(|name| self.asked.has(name));
@@ -269,7 +348,7 @@ impl Request {
                  {creepage_x}"
             )));
         }
-        creep_curve::check(&case.problem, path, &self.sampling())
+        creep_curve::check(&case.problem, path, sampling)
             .map_err(|error| self.failure(case, values, &error))
     }
 
@@ -315,10 +394,10 @@ impl Request {
     /// The case without the forces of the creepages that vary in their place.
     fn in_place_of_forces(&self, mut case: Case) -> Case {
         let forces = &mut case.problem.prescribed;
-        if self.creepage_x.or(self.creepage).is_some() {
+        if self.creepage_x.is_some() || self.creepage.is_some() {
             forces.x = None;
         }
-        if self.creepage_y.or(self.creepage).is_some() {
+        if self.creepage_y.is_some() || self.creepage.is_some() {
             forces.y = None;
         }
         if self.spin.is_some() {
@@ -333,27 +412,28 @@ impl Request {
         if let Some((_, force, range)) = self.force() {
             return Path::over_force(force, range, own);
         }
-        let spin = self.spin.unwrap_or([own.spin; 2]);
+        let ends = |points: &Option<Points>, own| points.as_ref().map_or([own; 2], Points::ends);
+        let spin = ends(&self.spin, own.spin);
         if let Some((range, direction)) = self.total() {
             return Path::in_direction(range, direction, spin);
         }
-        let x = self.creepage_x.unwrap_or([own.x; 2]);
-        let y = self.creepage_y.unwrap_or([own.y; 2]);
+        let x = ends(&self.creepage_x, own.x);
+        let y = ends(&self.creepage_y, own.y);
         let [start, end] = [0, 1].map(|k| Creepages { x: x[k], y: y[k], spin: spin[k] });
         Path::new(start, end)
     }
 }
 
 impl Planned {
-    fn member(&self, sampling: &Sampling, watch: Watch) -> Result<Member, schlupf::Error> {
-        let curve = self.trace(sampling, watch)?;
+    fn member(&self, watch: Watch) -> Result<Member, schlupf::Error> {
+        let curve = self.trace(watch)?;
         let of_curve = curve.warnings.iter().map(|w| w.message(&FieldNames::CASE));
         let warnings = self.case.notices.iter().cloned().chain(of_curve).collect();
         Ok(Member { values: self.values.clone(), warnings, curve })
     }
 
-    fn trace(&self, sampling: &Sampling, watch: Watch) -> Result<CreepCurve, schlupf::Error> {
-        let Self { case, path, .. } = self;
+    fn trace(&self, watch: Watch) -> Result<CreepCurve, schlupf::Error> {
+        let Self { case, path, sampling, .. } = self;
         let problem = Problem { kinematics: case.motion, ..case.problem.clone() };
         let mut solver = case.solver_of_motion();
         let mut curve = creep_curve::trace(&mut *solver, &problem, path, sampling, watch)?;

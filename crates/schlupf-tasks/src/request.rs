@@ -175,6 +175,18 @@ impl Asked {
         CaseError::new("", message, Place::Override { option, text })
     }
 
+    /// Refuses what divides a range where a field gives each point.
+    ///
+    /// # Errors
+    /// The first of `others` that is given.
+    pub fn check_range(&self, each: &str, others: &[&str]) -> Result<(), CaseError> {
+        others.iter().find(|other| self.has(other)).map_or(Ok(()), |other| {
+            let [each, own] = [each, other].map(|name| self.name(name));
+            let message = format!("{own} must be left out where {each} gives each point");
+            Err(self.refuse(other, message))
+        })
+    }
+
     /// Requires the rules to hold.
     ///
     /// # Errors
@@ -381,8 +393,6 @@ mod tests {
         assert!(!asked("direct").has("direct"));
         assert!((task.read)(&asked("direct")).is_ok());
         let refused = (task.read)(&asked("cells")).err().unwrap().to_string();
-        assert!(
-            refused.contains("cells must be a whole number between 10 and 80, but is \"false\"")
-        );
+        assert!(refused.contains("cells must be a whole number between 10 and 80, but is false"));
     }
 }

@@ -163,6 +163,9 @@ struct Posed {
     /// Which of the fields a solver takes without another case.
     conditions: Vec<Option<Quantity>>,
     case: Case,
+    /// The motion of the latest state, and its load if that varies.
+    motion: Kinematics,
+    load: Option<f64>,
     solver: Box<dyn Solver>,
     /// The normal contact under the load of the latest state.
     loaded: Option<(f64, Arc<dyn PressureSource>)>,
@@ -201,6 +204,8 @@ impl StateSolver {
                 entries: posed.entries.clone(),
                 conditions: posed.conditions.clone(),
                 case: posed.case.clone(),
+                motion: posed.motion,
+                load: posed.load,
                 solver: solver(&posed.case, self.as_asked),
                 loaded: None,
                 of_forces: posed.of_forces.clone(),
@@ -258,7 +263,7 @@ impl StateSolver {
         watch: Watch,
     ) -> Result<(&Case, Solution), NoState> {
         let posed = self.pose(entries, || name.to_owned(), watch)?;
-        let solution = posed.solve(entries, watch)?;
+        let solution = posed.solve(watch)?;
         Ok((&posed.case, solution))
     }
 
@@ -275,14 +280,14 @@ impl StateSolver {
         watch: Watch,
     ) -> Result<Acting<'_>, NoState> {
         let posed = self.pose(entries, name, watch)?;
-        match posed.force(entries, warn) {
+        match posed.force(warn) {
             Ok(Some((force, load))) => {
                 return Ok(Acting { force, load, status: Status::Converged, wheel: None });
             }
             Ok(None) => {}
             Err(error) => return Err(CaseErrors::from(posed.case.explain(&error)).into()),
         }
-        let solution = posed.solve(entries, watch)?;
+        let solution = posed.solve(watch)?;
         let wheel = posed.case.wheel.as_deref();
         let further = wheel.map(WheelSolution::further_warnings).unwrap_or_default();
         solution.warnings.iter().chain(&further).for_each(warn);
@@ -304,13 +309,15 @@ impl StateSolver {
         if self.load.and_then(|load| entries[load].number()) == Some(0.0) {
             return Err(NoState::NoContact);
         }
-        let posed = match self.posed.take() {
-            Some(posed) if posed.takes(&self.fields, entries) => posed,
-            before => match self.posed_anew(entries, name(), watch) {
+        let mut before = self.posed.take();
+        let posed = match before.take_if(|posed| posed.takes(&self.fields, entries)) {
+            Some(posed) => posed,
+            None => match self.posed_anew(entries, name(), watch) {
                 Ok(mut posed) => {
                     if let Some(before) = before {
                         posed.take_over(*before, &self.fields);
                     }
+                    posed.takes(&self.fields, entries);
                     posed
                 }
                 Err(failure) => {
@@ -346,6 +353,8 @@ impl StateSolver {
         Ok(Box::new(Posed {
             entries,
             conditions,
+            motion: case.problem.kinematics,
+            load: None,
             case,
             solver,
             loaded: None,
@@ -367,14 +376,30 @@ fn solver(case: &Case, as_asked: bool) -> Box<dyn Solver> {
 const LOAD: FieldPath = field!("normal.load");
 
 impl Posed {
-    /// Whether its solvers take other values without another case.
+    /// Takes the values of a state, unless they need another case: whether it has. What does not
+    /// vary is that of the case.
     #[inline]
-    fn takes(&self, fields: &[&'static Field], entries: &[Entry]) -> bool {
-        let each = self.entries.iter().zip(entries).zip(&self.conditions).zip(fields);
-        each.into_iter().all(|(((own, other), condition), field)| match (condition, other) {
-            (Some(_), Entry::Number(number)) => field.requirement.holds(*number),
-            _ => own.is(other),
-        })
+    fn takes(&mut self, fields: &[&'static Field], entries: &[Entry]) -> bool {
+        (self.motion, self.load) = (self.case.problem.kinematics, None);
+        for (k, entry) in entries.iter().enumerate() {
+            let (Some(quantity), Entry::Number(number)) = (self.conditions[k], entry) else {
+                if self.entries[k].is(entry) {
+                    continue;
+                }
+                return false;
+            };
+            if !fields[k].requirement.holds(*number) {
+                return false;
+            }
+            match quantity {
+                Quantity::CreepageX => self.motion.creepage_x = *number,
+                Quantity::CreepageY => self.motion.creepage_y = *number,
+                Quantity::Spin => self.motion.spin = *number,
+                Quantity::Load => self.load = Some(*number),
+                _ => self.motion.speed = *number,
+            }
+        }
+        true
     }
 
     /// Keeps what a solver has set up where only fields differ that do not shape the contact.
@@ -393,34 +418,15 @@ impl Posed {
         }
     }
 
-    /// The motion and the load of a state; what does not vary is that of the case.
-    #[inline]
-    fn motion(&self, entries: &[Entry]) -> (Kinematics, Option<f64>) {
-        let mut motion = self.case.problem.kinematics;
-        let mut load = None;
-        for (condition, entry) in self.conditions.iter().zip(entries) {
-            let (Some(quantity), Some(number)) = (condition, entry.number()) else { continue };
-            match quantity {
-                Quantity::CreepageX => motion.creepage_x = number,
-                Quantity::CreepageY => motion.creepage_y = number,
-                Quantity::Spin => motion.spin = number,
-                Quantity::Load => load = Some(number),
-                _ => motion.speed = number,
-            }
-        }
-        (motion, load)
-    }
-
-    fn solve(&mut self, entries: &[Entry], watch: Watch) -> Result<Solution, NoState> {
+    fn solve(&mut self, watch: Watch) -> Result<Solution, NoState> {
         let wheel = self.case.wheel.as_ref().and_then(|wheel| wheel.contacts.first());
         if let Some(main) = wheel {
             return Ok(main.solution.clone());
         }
-        let (kinematics, load) = self.motion(entries);
-        let Self { case, solver, loaded, .. } = self;
+        let Self { case, motion: kinematics, load, solver, loaded, .. } = self;
         let own = &case.problem.normal;
         let mut found = || -> Result<Solution, Error> {
-            let normal = match (load, &*loaded) {
+            let normal = match (*load, &*loaded) {
                 (None, _) => Arc::clone(own),
                 (Some(load), Some((of, normal))) if of.to_bits() == load.to_bits() => {
                     Arc::clone(normal)
@@ -433,26 +439,23 @@ impl Posed {
                     normal
                 }
             };
-            solver.solve(&Problem { kinematics, normal, ..case.problem.clone() }, watch)
+            let problem = Problem { kinematics: *kinematics, normal, ..case.problem.clone() };
+            solver.solve(&problem, watch)
         };
         found().map_err(|error| CaseErrors::from(case.explain(&error)).into())
     }
 
     /// By a fast method that finds forces alone, if there is one.
-    fn force(
-        &mut self,
-        entries: &[Entry],
-        warn: &mut dyn FnMut(&Warning),
-    ) -> Result<Option<(Resultant, f64)>, Error> {
-        let (motion, load) = self.motion(entries);
+    #[inline]
+    fn force(&mut self, warn: &mut dyn FnMut(&Warning)) -> Result<Option<(Resultant, f64)>, Error> {
         if self.fast.is_none() {
             self.fast = self.set_up()?;
         }
         let Some(fast) = &mut self.fast else { return Ok(None) };
-        if let Some(load) = load.filter(|load| *load != fast.load) {
+        if let Some(load) = self.load.filter(|load| *load != fast.load) {
             fast.set_load(load, &self.case.problem)?;
         }
-        let force = fast.contact.force(&motion)?;
+        let force = fast.contact.force(&self.motion)?;
         fast.warnings.iter().for_each(&mut *warn);
         if fast.contact.is_beyond_friction(&force) {
             fast.contact.beyond_friction(&force).iter().for_each(warn);

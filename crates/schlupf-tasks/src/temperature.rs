@@ -4,7 +4,7 @@ use crate::output::temperature::{Positions, Temperatures};
 use schlupf::analysis::creep_curve::MAX_POINTS;
 use schlupf::analysis::temperature_field::{Side, TemperatureField};
 use schlupf::{Error, Problem, Solution, Watch};
-use schlupf_case::CaseErrors;
+use schlupf_case::{CaseErrors, Points};
 
 use crate::request::{Kind, request};
 use crate::task::{Found, Given, Task, Wanted};
@@ -17,11 +17,12 @@ request! {
         x: Option<f64> = Kind::position();
         /// Position across rolling; by default that of the hottest point.
         y: Option<f64> = Kind::position();
-        /// Depths of the profile, such as "0..2 mm"; by default as far as heat has penetrated.
-        depth: Option<[f64; 2]> = Kind::depths();
+        /// Depths of the profile, such as "0..2 mm" or "0,0.1,2 mm"; by default as far as heat has
+        /// penetrated.
+        depth: Option<Points> = Kind::depths();
         /// Length of the wake; by default twice the length of the contact.
         wake: Option<f64> = Kind::length();
-        /// Number of points of each line.
+        /// Number of points of each line that is a range.
         points: usize = Kind::count(2, MAX_POINTS), default(201);
     }
 }
@@ -99,11 +100,12 @@ impl Request {
             .diffusivity()
             .max(problem.interface.rail.material.diffusivity());
         let reach = |way: f64| (diffusivity * way / speed).sqrt();
-        let depth = self.depth.unwrap_or([0.0, DEEPEST * reach(entry - x.min(exit))]);
+        let deep = || Points::Range([0.0, DEEPEST * reach(entry - x.min(exit))]);
+        let depths = self.depth.clone().unwrap_or_else(deep).evenly(self.points);
         let wake = self.wake.unwrap_or(WAKE * (entry - exit)).max(exit - x);
         let row_depths = ROW_DEPTHS.map(|part| part * reach(entry - exit));
         let (point, passage, points) = ([x, y], [entry, exit], self.points);
-        Ok(Positions { point, passage, depth, wake, row_depths, points })
+        Ok(Positions { point, passage, depths, wake, row_depths, points })
     }
 
     fn outside(&self, field: &TemperatureField, y: f64) -> TaskError {

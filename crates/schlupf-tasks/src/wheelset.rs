@@ -6,7 +6,9 @@ use schlupf::analysis::creep_curve::MAX_POINTS;
 use schlupf::numerics::parallel;
 use schlupf::reporting::{Message, Tallied, Tally};
 use schlupf::wheel_rail::{Roll, RollingRadiusDifference, Support, WheelSolution};
-use schlupf_case::{CaseError, CaseErrors, CaseFile, Cause, FieldNames, FieldPath, Place, field};
+use schlupf_case::{
+    CaseError, CaseErrors, CaseFile, Cause, FieldNames, FieldPath, Place, Points, field,
+};
 
 use crate::notice::{Notice, millimetres};
 use crate::request::{Kind, request};
@@ -20,6 +22,9 @@ const FIRST_AMPLITUDE: f64 = 1e-3;
 const LAST_AMPLITUDE: f64 = 6e-3;
 const AMPLITUDES: f64 = 1e4;
 
+/// Number of positions in a range.
+const POINTS: usize = 33;
+
 const LATERAL: FieldPath = field!("wheelset.lateral_position");
 
 /// Step of the positions from which it is found, in m.
@@ -28,10 +33,10 @@ const RADIUS_STEP: f64 = 2e-5;
 request! {
     /// Where to put the wheelset.
     Request {
-        /// First and last lateral position of the wheelset.
-        lateral_position: [f64; 2] = Kind::range(LATERAL), default("-8..8 mm");
-        /// Number of positions.
-        points: usize = Kind::count(2, MAX_POINTS), default(33);
+        /// Lateral positions of the wheelset: the first and the last, or each of them.
+        lateral_position: Points = Kind::points(LATERAL), default("-8..8 mm");
+        /// Number of positions in a range; by default 33.
+        points: Option<usize> = Kind::count(2, MAX_POINTS);
     }
 }
 
@@ -54,6 +59,9 @@ impl Task for Wheelset {
         _wanted: &Wanted,
         watch: Watch,
     ) -> Result<Found<WheelsetReport>, TaskError> {
+        if let Points::Each(_) = request.lateral_position {
+            request.asked.check_range("lateral_position", &["points"])?;
+        }
         let Support::Force(load) = of.case.wheel()?.support else {
             return Err(TaskError::Request(
                 "wheelset.height must be left out for the contacts of a wheelset that rests on both \
@@ -79,12 +87,9 @@ fn report(
     load: f64,
     watch: Watch,
 ) -> Result<WheelsetReport, TaskError> {
-    let [from, to] = request.lateral_position;
-    let last = request.points.max(2) - 1;
+    let [from, to] = request.lateral_position.ends();
     let (radii, conicity, mut notices) = rigid(file, from.abs().max(to.abs()), watch)?;
-    // Exact at both ends, and in the middle of a symmetric range.
-    let between = |share: f64| from * (1.0 - share) + to * share;
-    let lateral: Vec<f64> = (0..=last).map(|k| between(k as f64 / last as f64)).collect();
+    let lateral = request.lateral_position.evenly(request.points.unwrap_or(POINTS));
     let found = parallel::try_map(lateral, |lateral| match wheels(file, lateral, watch) {
         Err(error) if is_stopped(&error) => Err(error),
         wheels => Ok((lateral, wheels)),

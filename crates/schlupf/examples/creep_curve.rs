@@ -1,6 +1,6 @@
 //! Creep curves at several speeds, each on a thread of its own with the feature `rayon`.
 
-use schlupf::analysis::creep_curve::{Creepages, Path, Sampling, Spacing, trace};
+use schlupf::analysis::creep_curve::{Creepages, Path, Sampling, trace};
 use schlupf::numerics::parallel;
 use schlupf::solver::SteadySolver;
 use schlupf::{Error, Options, Problem, unwatched};
@@ -8,7 +8,7 @@ use schlupf::{Error, Options, Problem, unwatched};
 fn main() -> Result<(), Error> {
     let standstill = Creepages { x: 0.0, y: 0.0, spin: 0.0 };
     let path = Path::new(standstill, Creepages { x: 0.05, ..standstill })?;
-    let sampling = Sampling { points: 11, spacing: Spacing::Refined };
+    let sampling = Sampling::Refined(11);
     let options = Options { cells_x: 16, cells_y: 16, ..Options::default() };
 
     let speeds = [10.0, 20.0, 40.0];

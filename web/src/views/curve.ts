@@ -32,7 +32,7 @@ export function varied(name: string): string {
 /** What can be varied along a curve. */
 function abscissae(catalogue: Catalogue): RequestField[] {
   const fields = catalogue.task('curve')?.fields ?? [];
-  return fields.filter(({ kind, name }) => kind === 'range' && catalogue.field(varied(name)));
+  return fields.filter(({ kind, name }) => kind === 'points' && catalogue.field(varied(name)));
 }
 
 /** The present value of a column of curves, at a contact. */
@@ -170,7 +170,7 @@ export class CurveView {
       all.find(({ name }) => name === this.abscissa.value) ?? {
         name: 'creepage_x',
         doc: '',
-        kind: 'range',
+        kind: 'points',
         units: '',
       }
     );

@@ -12,6 +12,7 @@ use schlupf::interface::roughness::{
 use schlupf::normal::NormalContact;
 use schlupf::surface::Holes;
 use schlupf::surface::form::Form;
+use schlupf::surface::spectrum::{RadialSpectrum, Window};
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
 
 use crate::error::CaseError;
@@ -270,10 +271,12 @@ fn micro_contact(
         let (statistics, normal) = (solved.result.statistics, solved.result.normal.clone());
         let result = MicroModelResult::new(statistics, normal, &bodies, &mean_pressures);
         let (result, notices) = (result.map_err(explain)?, solved.notices.clone());
-        return Ok(MicroContact { key, result, cells: solved.cells, notices });
+        let (cells, spectrum) = (solved.cells, Arc::clone(&solved.spectrum));
+        return Ok(MicroContact { key, result, cells, spectrum, notices });
     }
     let rough = load(settings, &key.source)?;
     let cells = rough.surface.lattice().len();
+    let spectrum = RadialSpectrum::of(&rough.surface, Window::of(&rough.surface));
     let model = MicroModel {
         surface: rough.surface,
         contact_modulus: key.contact_modulus,
@@ -282,7 +285,7 @@ fn micro_contact(
         mean_pressures,
     };
     let result = model.solve(&LoadCurveOptions::default(), watch).map_err(explain)?;
-    Ok(MicroContact { key, result, cells, notices: rough.notices })
+    Ok(MicroContact { key, result, cells, spectrum: Arc::new(spectrum), notices: rough.notices })
 }
 
 /// Reads or makes the surface.

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use schlupf::Error;
-use schlupf::surface::form::Form;
+use schlupf::surface::form::{Form, FormRemoval};
 use schlupf::surface::spectrum::{RadialSpectrum, Window, spectral_gradient};
 use schlupf::surface::synthesis::{Roughness, SelfAffine};
 use schlupf::surface::{HeightMap, Lattice, LineSpectrum};
@@ -83,6 +83,9 @@ const DOUBTFUL_FILLING: f64 = 0.05;
 /// dimensionless.
 const WAVES_ACROSS: f64 = 5.0;
 const MOST_IN_LONG_WAVES: f64 = 0.5;
+
+/// Range of heights of a tilt that is told, over that of the surface without it.
+const VISIBLE_TILT: f64 = 0.1;
 
 const NO_FORM: &str = "is a spectrum, which has no cylinder or sphere to remove";
 
@@ -240,7 +243,9 @@ impl SurfaceSource {
             }
             (SurfaceData::Map(map), Some(form)) => {
                 let removal = map.without_form(form).map_err(|error| how.of_file(file, &error))?;
-                if form != Form::Plane {
+                if form == Form::Plane {
+                    said.tilt(file, &removal);
+                } else {
                     said.form(file, removal.radius);
                 }
                 SurfaceData::Map(removal.surface)
@@ -318,6 +323,17 @@ impl Said {
     fn line(&mut self, file: &Path, what: &str, line: &Line) {
         let height = readable(1e6 * line.spectrum.root_mean_square_height());
         self.remarks.push(format!("{}: from {what} with Rq = {height} µm", file.display()));
+    }
+
+    /// Of a tilt that was taken off, if it is seen beside the roughness.
+    fn tilt(&mut self, file: &Path, FormRemoval { surface, slope: [x, y], .. }: &FormRemoval) {
+        let lattice = surface.lattice();
+        let range = (x * lattice.length_x()).abs() + (y * lattice.length_y()).abs();
+        let [low, high] = surface.range();
+        if range > VISIBLE_TILT * (high - low) {
+            let (name, angle) = (file.display(), x.hypot(*y).atan().to_degrees());
+            self.remarks.push(format!("{name}: a tilt of {angle:.3} deg was taken off"));
+        }
     }
 
     /// Of a form of a radius (in m) that was taken off.

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use schlupf::bodies::Kinematics;
 use schlupf::unwatched;
 use schlupf_case::{
-    CaseFile, Family, InputFile, Overrides, field, range, read_displacements, read_points,
+    CaseFile, Family, InputFile, Overrides, field, points, read_displacements, read_points,
 };
 
 use crate::support::read;
@@ -71,7 +71,7 @@ fn long_values_keys_and_units_are_quoted_short() {
         assert_short(what, &error.unwrap_or_default());
     }
     let error =
-        range("--speed", field!("kinematics.speed"), &long).err().map(|error| error.to_string());
+        points("--speed", field!("kinematics.speed"), &long).err().map(|error| error.to_string());
     assert_short("a range", &error.unwrap_or_default());
 }
 

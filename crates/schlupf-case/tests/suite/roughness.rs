@@ -159,6 +159,18 @@ fn a_doubtful_surface_is_mentioned() {
     assert_eq!(texts(&smooth.notices), [""; 0]);
 }
 
+/// Waves longer than the contact are waviness: here all but those below 40 µm.
+#[test]
+fn waviness_is_mentioned() {
+    let large = with_samples(SPECTRUM, &[]).unwrap();
+    assert!(!texts(&large.notices).join("").contains("waviness"), "{:?}", large.notices);
+    let small = "[normal]\nmodel = \"ellipse\"\nsemi_axis_x = \"20 um\"\n\
+                 semi_axis_y = \"15 um\"\nload = \"1 N\"\n";
+    let small = with_samples(&format!("{small}{SPECTRUM}"), &[]).unwrap();
+    let notices = texts(&small.notices).join("\n");
+    assert!(notices.contains("waves longer than the contact, 0.040 mm"), "{notices}");
+}
+
 /// Heights in a wrong unit are noticed, also where k_c has a closed form; steep surfaces, too.
 #[test]
 fn wrong_units_are_mentioned() {

@@ -87,6 +87,32 @@ fn creepage_over_force() {
     assert!(!bench.path("f/creep_map.svg").exists());
 }
 
+/// Points of any distance, in either direction, of one creepage or of two in a straight line.
+#[test]
+fn points_are_each_given() {
+    let bench = bench();
+    let document = |arguments: &[&str]| {
+        let run = bench.run(&[&["curve", "case.toml", "--json", "-"], arguments].concat());
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        serde_json::from_str::<Value>(&run.stdout).unwrap()
+    };
+    let result = document(&["--creepage-x", "0.02,0.003,0,-0.001"]);
+    assert_eq!(result["path"]["spacing"], "given");
+    assert_eq!((&result["path"]["points"], &result["path"]["end"]), (&4.into(), &(-0.001).into()));
+    let points = &result["curves"][0]["points"];
+    assert_eq!(points["creepage_x"], serde_json::json!([0.02, 0.003, 0.0, -0.001]));
+    assert!(points["force_x"][0].as_f64() < points["force_x"][1].as_f64());
+    let result = document(&["--spin", "0,0.1,1 1/m", "--creepage-x", "0..0.01"]);
+    let points = &result["curves"][0]["points"];
+    let near = |name: &str, expected: f64| (points[name][1].as_f64().unwrap() - expected).abs();
+    assert!(near("creepage_x", 0.001) < 1e-15 && near("spin", 0.1) < 1e-15);
+    let lines = ["--creepage-x", "0,0.001,0.01", "--creepage-y", "0,0.002,0.02"];
+    let points = &document(&lines)["curves"][0]["points"];
+    assert!((points["creepage_y"][1].as_f64().unwrap() - 0.002).abs() < 1e-15);
+    let forces = document(&["--force-x", "0,-1,-10 kN"]);
+    assert_eq!(forces["curves"][0]["points"]["abscissa"][1], -1e3);
+}
+
 /// Whatever the case says of the direction of the force counts for nothing.
 #[test]
 fn a_force_varies_in_place_of_the_motion_of_the_case() {
@@ -166,8 +192,13 @@ fn what_did_not_converge_is_written_and_marked() {
 
 /// Arguments after `curve case.toml`, parts of the report.
 const BAD: &[(&[&str], &[&str])] = &[
-    (&[], &["required", "<--creepage-x <START..END>|--creepage-y <START..END>|"]),
-    (&["--creepage-x", "0.05"], &["--creepage-x must be a range START..END", "\"0.05\""]),
+    (&[], &["required", "<--creepage-x <START..END|VALUE,…>|--creepage-y <START"]),
+    (&["--creepage-x", "0.05"], &["--creepage-x must be a range, such as 0..0.05,", "\"0.05\""]),
+    (&["--creepage-x", "0,0.2,0.1"], &["from each to the next, but 0.1 follows 0.2"]),
+    (
+        &["--creepage-x", "0,0.1", "--points", "9"],
+        &["--points must be left out where --creepage-x gives each point"],
+    ),
     (&["--creepage-x", "0.05..0.05"], &["must differ from its start, but both are 0.05"]),
     (&["--creepage-x", "0..nan"], &["--creepage-x 0..nan: the end", "finite", "NaN"]),
     (&["--creepage-x", "0..1 m"], &["a number without unit", "\"1 m\""]),
@@ -182,7 +213,10 @@ const BAD: &[(&[&str], &[&str])] = &[
         &["--creepage 0..2 --direction 0 deg", "does not at creepage = 1"],
     ),
     (&["--creepage", "0..0.1"], &["required", "--direction <ANGLE>"]),
-    (&["--creepage-x", "0..0.1", "--direction", "3 deg"], &["required", "--creepage <START..END>"]),
+    (
+        &["--creepage-x", "0..0.1", "--direction", "3 deg"],
+        &["required", "--creepage <START..END|VALUE,…>"],
+    ),
     (
         &["--force-x", "0..-40 kN", "--over", "normal.load=60 kN,70 kN"],
         &["--force-x 0..-40 kN with normal.load = 60 kN: kinematics.force_x cannot be"],

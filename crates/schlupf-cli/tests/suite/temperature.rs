@@ -108,6 +108,12 @@ fn places_depths_and_wakes_are_taken() {
 }
 
 #[test]
+fn depths_are_each_given() {
+    let document = document(&bench(), &["--depth", "0,0.1,2 mm"]);
+    assert_eq!(column(&document["profile"]["depth"]), [0.0, 1e-4, 2e-3]);
+}
+
+#[test]
 fn the_heat_model_of_the_paper_is_mentioned() {
     let document = document(&bench(), &["--set", "heat.model=constant-source"]);
     let warning = document["warnings"][0]["text"].as_str().unwrap();
@@ -135,7 +141,8 @@ const BAD: &[(&[&str], &[&str])] = &[
         &["--x", "7 mm"],
         &["--x must not lie ahead of the contact, which begins at x = 5.", "y = 0 mm, but is 7 mm"],
     ),
-    (&["--depth", "2 mm"], &["--depth must be a range START..END", "\"2 mm\""]),
+    (&["--depth", "2 mm"], &["--depth must be a range, such as \"0..2 mm\",", "\"2 mm\""]),
+    (&["--depth", "2,1 mm"], &["must be larger than its start"]),
     (&["--depth", "-1mm..1mm"], &["the start of the range must be between 0 and 1000 m"]),
     (&["--depth", "2mm..1mm"], &["must be larger than its start, but is 1e-3 m after 2e-3 m"]),
     (&["--depth", "0..2"], &["the unit is missing"]),

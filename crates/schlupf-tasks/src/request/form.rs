@@ -16,12 +16,12 @@ pub enum Form {
     Position,
     /// A length that is not negative.
     Length,
-    /// Start and end of lengths that increase from zero or above.
+    /// Lengths that increase from zero or above: two ends, or each of them.
     Depths,
     /// An angle.
     Angle,
-    /// Start and end of what may stand in a field of the case.
-    Range(FieldPath),
+    /// Two ends of what may stand in a field of the case, or each value.
+    Points(FieldPath),
     /// One of several names.
     Choice(&'static [Choice]),
     /// A field of the case with values, `section.field=value,…`.
@@ -62,7 +62,7 @@ impl Form {
 
     /// Whether it begins with a number that may have a sign, if a wrong one.
     pub fn is_signed(self) -> bool {
-        matches!(self, Self::Range(_)) || !self.unit().is_empty()
+        matches!(self, Self::Points(_)) || !self.unit().is_empty()
     }
 
     /// The names that may stand there, where it is one of several.
@@ -78,7 +78,7 @@ impl Form {
         match self {
             Self::Position | Self::Length | Self::Depths => "m",
             Self::Angle => "rad",
-            Self::Range(path) => path.field().kind.unit(),
+            Self::Points(path) => path.field().kind.unit(),
             other => other.of_case().map_or("", fields::Kind::unit),
         }
     }
@@ -90,7 +90,7 @@ impl Form {
             Self::Count(_) => "N",
             Self::Number(_) => "NUMBER",
             Self::Position | Self::Length => "LENGTH",
-            Self::Depths | Self::Range(_) => "START..END",
+            Self::Depths | Self::Points(_) => "START..END|VALUE,…",
             Self::Angle => "ANGLE",
             Self::Choice(_) => "NAME",
             Self::Family => "SECTION.FIELD=VALUE,…",
@@ -131,7 +131,7 @@ pub enum Value {
     Number(f64),
     /// Whether or not.
     Flag(bool),
-    /// Several values: start and end, or those of a field that is given several times.
+    /// Several values: two ends, or those of a list or of a field that is given several times.
     List(Vec<Value>),
     /// A file.
     File(InputFile),
@@ -148,7 +148,7 @@ impl Value {
             Self::File(file) => file.path().display().to_string(),
             Self::List(parts) => {
                 let parts: Vec<String> = parts.iter().map(|part| part.text(form)).collect();
-                let is_range = matches!(form, Form::Depths | Form::Range(_));
+                let is_range = parts.len() == 2 && matches!(form, Form::Depths | Form::Points(_));
                 parts.join(if is_range { ".." } else { "," })
             }
         }

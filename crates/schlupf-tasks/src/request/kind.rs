@@ -2,8 +2,8 @@
 
 use schlupf::reporting::quoted;
 use schlupf_case::fields::Choice;
-use schlupf_case::{CaseError, Family, FieldPath, InputFile, Place, TableColumn};
-use schlupf_case::{depths, direction, length, position, range};
+use schlupf_case::{CaseError, Family, FieldPath, InputFile, Place, Points, TableColumn};
+use schlupf_case::{depths, direction, length, points, position};
 
 use super::form::{Form, Value};
 
@@ -22,7 +22,17 @@ type Read<T> = Box<dyn Fn(&str, &Value) -> Result<T, CaseError>>;
 impl<T> Kind<T> {
     /// Reads text; numbers have their units in it.
     fn of_text(form: Form, read: impl Fn(&str, &str) -> Result<T, CaseError> + 'static) -> Self {
-        Self { form, read: Box::new(move |name, value| read(name, &value.text(form))) }
+        let read = move |name: &str, value: &Value| {
+            let text = value.text(form);
+            read(name, &text).map_err(|mut error| {
+                // A number needs no quotes.
+                if !matches!(value, Value::Text(_)) {
+                    error.message = error.message.replace(&quoted(&text), &text);
+                }
+                error
+            })
+        };
+        Self { form, read: Box::new(read) }
     }
 }
 
@@ -74,15 +84,15 @@ impl Kind<f64> {
     }
 }
 
-impl Kind<[f64; 2]> {
-    /// Start and end of lengths that increase from zero or above.
+impl Kind<Points> {
+    /// Lengths that increase from zero or above: two ends, or each of them.
     pub fn depths() -> Self {
         Self::of_text(Form::Depths, depths)
     }
 
-    /// Start and end of what may stand in a field of the case.
-    pub fn range(path: FieldPath) -> Self {
-        Self::of_text(Form::Range(path), move |name, text| range(name, path, text))
+    /// Two ends of what may stand in a field of the case, or each value.
+    pub fn points(path: FieldPath) -> Self {
+        Self::of_text(Form::Points(path), move |name, text| points(name, path, text))
     }
 }
 
@@ -192,7 +202,7 @@ macro_rules! once {
     };
 }
 
-once!(bool, usize, f64, [f64; 2], &'static str, String, InputFile, Family);
+once!(bool, usize, f64, Points, &'static str, String, InputFile, Family);
 
 /// How often a field is given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -250,19 +250,19 @@ impl StudyReader<'_> {
         }
         let field = self.field(&path, &key.span())?;
         self.once(field, varied.iter().map(|varied| varied.field), &key.span())?;
-        let Content::Array(entries) = Content::of(value.get_ref()) else {
+        let DeValue::Array(entries) = value.get_ref() else {
             let message = format!("{path} must be a list of values, such as [1, 2]");
             return Err(self.error(&value.span(), message));
         };
         if entries.is_empty() {
             return Err(self.error(&value.span(), format!("{path} must have values, but has none")));
         }
-        let values = self.values(field, &entries)?;
+        let values = self.values(field, entries)?;
         if let Some(twice) = values.repeated() {
-            let span = &entries[twice].span;
-            let shown = entries[twice].content.shown();
+            let Value { content, span } = value_of(&entries[twice]);
+            let shown = content.shown();
             let message = format!("the values of {path} must differ, but {shown} is repeated");
-            return Err(self.error(span, message));
+            return Err(self.error(&span, message));
         }
         varied.push(Varied { field, values });
         Ok(())
@@ -281,28 +281,32 @@ impl StudyReader<'_> {
         Ok(())
     }
 
-    fn values(&self, field: &'static Field, entries: &[Value]) -> Result<Values, CaseError> {
-        let mut numbers = Vec::new();
-        let mut texts = Vec::new();
-        for entry in entries {
-            match self.setting(field, entry)? {
-                Setting::Number(number) if !matches!(field.kind, Kind::Count) => {
-                    numbers.push(number);
-                    texts.push(format!("{number:?}"));
-                }
-                Setting::Number(number) => texts.push(format!("{number}")),
-                Setting::Text(text) => texts.push(text),
-                Setting::Flag(flag) => texts.push(flag.to_string()),
-                Setting::Choice(name) => texts.push(name.to_owned()),
-                Setting::Series(_) => {
-                    let message = format!("{} is a list and cannot vary", field.path);
-                    return Err(self.error(&entry.span, message));
-                }
-            }
+    fn values(
+        &self,
+        field: &'static Field,
+        entries: &[Spanned<DeValue<'_>>],
+    ) -> Result<Values, CaseError> {
+        let number = |entry| match self.setting(field, &value_of(entry))? {
+            Setting::Number(number) if !matches!(field.kind, Kind::Count) => Ok(Some(number)),
+            _ => Ok(None),
+        };
+        // A number or one of several names: a million numbers are no texts besides.
+        let numbers: Option<Vec<f64>> = entries.iter().map(number).collect::<Result<_, _>>()?;
+        if let Some(numbers) = numbers {
+            return Ok(Values::Numbers(numbers));
         }
-        // A number or one of several names.
-        let are_numbers = numbers.len() == entries.len();
-        Ok(if are_numbers { Values::Numbers(numbers) } else { Values::Texts(texts) })
+        let text = |entry| match self.setting(field, &value_of(entry))? {
+            Setting::Number(number) if matches!(field.kind, Kind::Count) => Ok(number.to_string()),
+            Setting::Number(number) => Ok(format!("{number:?}")),
+            Setting::Text(text) => Ok(text),
+            Setting::Flag(flag) => Ok(flag.to_string()),
+            Setting::Choice(name) => Ok(name.to_owned()),
+            Setting::Series(_) => {
+                let message = format!("{} is a list and cannot vary", field.path);
+                Err(self.error(&entry.span(), message))
+            }
+        };
+        entries.iter().map(text).collect::<Result<_, _>>().map(Values::Texts)
     }
 
     fn setting(&self, field: &'static Field, value: &Value) -> Result<Setting, CaseError> {
@@ -369,8 +373,8 @@ impl StudyReader<'_> {
         }
         let field = self.field(&path, &key.span())?;
         self.once(field, ranges.iter().map(|(field, _)| *field), &key.span())?;
-        let ends = match Content::of(value.get_ref()) {
-            Content::Array(ends) if ends.len() == 2 => self.values(field, &ends)?,
+        let ends = match value.get_ref() {
+            DeValue::Array(ends) if ends.len() == 2 => self.values(field, ends)?,
             _ => Values::Texts(Vec::new()),
         };
         let (Values::Numbers(ends), Kind::Quantity(_) | Kind::Number | Kind::NumberOr(_)) =
@@ -572,6 +576,11 @@ const METHOD: FieldPath = field!("solver.method");
 
 /// What messages call the values of the first row.
 const FIRST_ROW: &str = "row 0";
+
+/// A value of a list.
+fn value_of(entry: &Spanned<DeValue<'_>>) -> Value {
+    Value { content: Content::of(entry.get_ref()), span: entry.span() }
+}
 
 /// The entries of a table as they stand in the text.
 fn in_order<'t, 'i>(table: &'t Table<'i>) -> Vec<(&'t Key<'i>, &'t Spanned<DeValue<'i>>)> {

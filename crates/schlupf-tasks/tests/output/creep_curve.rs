@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::common::{RECIPE, solution};
 use schlupf::analysis::creep_curve::{
-    CreepCurve, Creepages, InitialSlope, Maximum, Path, Point, Sampling, Spacing,
+    CreepCurve, Creepages, InitialSlope, Maximum, Path, Point, Sampling,
 };
 use schlupf::bodies::ReferencePoint;
 use schlupf::normal::NormalSummary;
@@ -19,7 +19,7 @@ const LOAD: f64 = 80e3;
 
 /// A curve that rises like a hyperbola to the bound, and falls with the temperature.
 fn made_up(path: Path, bound: f64) -> CreepCurve {
-    let sampling = Sampling { points: 21, spacing: Spacing::Refined };
+    let sampling = Sampling::Refined(21);
     let point = |abscissa: f64| {
         let kinematics = path.at(abscissa).at_speed(30.0);
         let slip = 200.0 * abscissa;
@@ -99,9 +99,8 @@ fn family_of(path: Path, values: &[&str]) -> CurveFamily {
     let values: Vec<Option<&str>> =
         if values.is_empty() { vec![None] } else { values.iter().map(|v| Some(*v)).collect() };
     let over = values[0].map(|_| "kinematics.speed".to_owned()).into_iter().collect();
-    let sampling = Sampling { points: 21, spacing: Spacing::Refined };
     let members = values.into_iter().enumerate().map(member).collect();
-    CurveFamily::new("steel wheel".to_owned(), over, sampling, members)
+    CurveFamily::new("steel wheel".to_owned(), over, "refined", members)
 }
 
 fn keys(value: &serde_json::Value) -> BTreeSet<&str> {
@@ -273,8 +272,8 @@ fn warnings_name_their_curve_unless_they_are_common() {
     let mut family = family_of(over_x(0.0, 0.05), &["10 m/s", "20 m/s"]);
     family.members[1].warnings.push(Message::new("other", "spin", "another"));
     family.members[0].warnings.push(Message::new("no-effect", "spin", "no effect"));
-    let CurveFamily { title, over, sampling, members, .. } = family;
-    let family = CurveFamily::new(title, over, sampling, members);
+    let CurveFamily { title, over, spacing, members, .. } = family;
+    let family = CurveFamily::new(title, over, spacing, members);
     let expected =
         ["a warning", "kinematics.speed = 10 m/s: no effect", "kinematics.speed = 20 m/s: another"];
     let texts: Vec<&str> = family.warnings.iter().map(|message| &*message.text).collect();
@@ -497,7 +496,7 @@ fn family_of_speeds_and_loads() -> CurveFamily {
     };
     let pairs = |member: &Member| [8e4, 6e4].map(|load| with_load(member, load));
     let members = family.members.iter().flat_map(pairs).collect();
-    CurveFamily::new(std::mem::take(&mut family.title), over, family.sampling, members)
+    CurveFamily::new(std::mem::take(&mut family.title), over, family.spacing, members)
 }
 
 #[test]

@@ -24,7 +24,7 @@ fn made_up(points: u32) -> Temperatures {
         request: Positions {
             point: [-3e-3, 0.0],
             passage: [6e-3, -6e-3],
-            depth: [0.0, 1e-3],
+            depths: vec![0.0, 1e-3],
             wake: 14e-3,
             row_depths: [40e-6, 80e-6],
             points: points as usize,

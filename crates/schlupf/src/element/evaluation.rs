@@ -2,6 +2,19 @@
 
 use crate::numerics::dual::Dual;
 
+/// Whether all numbers are finite: 0 times them is 0, for several at once, where a branch for each
+/// would take a quarter of a fast evaluation.
+fn are_finite(numbers: &[f64]) -> bool {
+    let (chunks, rest) = numbers.as_chunks::<4>();
+    let mut zeros = [0.0; 4];
+    for chunk in chunks {
+        for (zero, number) in zeros.iter_mut().zip(chunk) {
+            *zero += 0.0 * number;
+        }
+    }
+    zeros.iter().chain(rest).all(|number| number.is_finite())
+}
+
 /// What became of an evaluation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Status {
@@ -88,8 +101,9 @@ impl Evaluation {
         let rows =
             if self.rates.is_empty() { outputs } else { self.outputs.len() + self.rates.len() };
         let derivatives = (rows * self.columns).min(self.derivatives.len());
-        let all = [&self.outputs[..outputs], &self.rates, &self.derivatives[..derivatives]];
-        all.iter().all(|part| part.iter().all(|number| number.is_finite()))
+        let all: [&[f64]; 3] =
+            [&self.outputs[..outputs], &self.rates, &self.derivatives[..derivatives]];
+        all.into_iter().all(|part| are_finite(part))
     }
 
     pub(super) fn without_derivatives(self) -> Self {
@@ -108,6 +122,15 @@ impl Evaluation {
         self.outputs[row] = value;
         if !self.derivatives.is_empty() {
             self.derivatives[row * self.columns..][..self.columns].copy_from_slice(slopes);
+        }
+    }
+
+    /// Outputs from a row on are zero.
+    pub(super) fn clear(&mut self, row: usize) {
+        self.outputs[row..].fill(0.0);
+        if !self.derivatives.is_empty() {
+            let end = self.outputs.len() * self.columns;
+            self.derivatives[row * self.columns..end].fill(0.0);
         }
     }
 

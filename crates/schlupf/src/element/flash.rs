@@ -37,7 +37,7 @@ impl Flash {
         if power.value() <= 0.0 {
             return T::from(0.0);
         }
-        let flux = power * (1.5 / PI) / (a * b);
-        flux * (a / (speed * PI)).sqrt() * (LARGEST * self.factor)
+        let heated = b * (a * speed).sqrt();
+        power / heated * (1.5 * LARGEST / (PI * PI.sqrt()) * self.factor)
     }
 }

@@ -244,26 +244,26 @@ impl Wheel {
             along: (speed, curvature),
         };
         let mut of_wheel = [Dual::<N>::from(0.0); OF_WHEEL.len()];
+        let signs = self.signs();
+        let of_contact = (found.outputs.len() - OF_WHEEL.len()) / CONTACTS;
         let mut row = OF_WHEEL.len();
-        let none = [Dual::from(0.0); OF_CONTACT.len()];
-        let mut acting = [none; CONTACTS];
         let mut is_found = false;
         for (place, contact) in contacts.by_place().enumerate() {
-            let found = self.acting(&wheelset, contact, &own);
-            let parts = found.force.into_iter().chain(found.moment).chain([found.power]);
+            let acting = self.acting(&wheelset, contact, &own);
+            let parts = acting.force.into_iter().chain(acting.moment).chain([acting.power]);
             of_wheel.iter_mut().zip(parts).for_each(|(sum, part)| *sum = *sum + part);
             is_found |= contact.load.value > 0.0;
             // Of more contacts than that the last one stays that at the flange.
-            acting[place.min(CONTACTS - 1)] = found.values;
-        }
-        for values in &acting {
-            for (of, value) in OF_CONTACT.into_iter().zip(values).filter(|(of, _)| self.has(*of)) {
-                self.put(found, row, (of, value));
+            row = OF_WHEEL.len() + place.min(CONTACTS - 1) * of_contact;
+            let values = OF_CONTACT.into_iter().zip(&acting.values);
+            for value in values.filter(|(of, _)| self.has(*of)) {
+                self.put(found, row, (value, &signs));
                 row += 1;
             }
         }
-        for (row, (of, value)) in OF_WHEEL.iter().zip(&of_wheel).enumerate() {
-            self.put(found, row, (*of, value));
+        found.clear(row);
+        for (row, value) in OF_WHEEL.into_iter().zip(&of_wheel).enumerate() {
+            self.put(found, row, (value, &signs));
         }
         if !found.is_finite(OF_WHEEL.len()) {
             found.fill(f64::NAN);
@@ -281,10 +281,9 @@ impl Wheel {
         &self,
         found: &mut Evaluation,
         row: usize,
-        (of, value): (Quantity, &Dual<N>),
+        ((of, value), signs): ((Quantity, &Dual<N>), &[f64; VARIABLES]),
     ) {
         let sign = if OPPOSITE_OUTPUTS.contains(&of) { self.side.outwards() } else { 1.0 };
-        let signs = self.signs();
         let mut slopes = [0.0; INPUTS.len()];
         for (k, slope) in value.slopes.iter().enumerate() {
             slopes[k] = sign * signs[k] * slope;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::common::{cells, half_space, layer, problem, rolling};
 use approx::assert_relative_eq;
-use schlupf::analysis::creep_curve::{Creepages, Path, Sampling, Spacing, trace};
+use schlupf::analysis::creep_curve::{Creepages, Path, Sampling, trace};
 use schlupf::bodies::Material;
 use schlupf::elasticity::{Rigid, Winkler};
 use schlupf::interface::friction::{
@@ -246,7 +246,7 @@ fn kalker_1967_initial_slope() {
     base.normal = Arc::new(Ellipse::from_peak_pressure(5e-3, 5e-3, 1e9).unwrap());
     let start = Creepages::default();
     let path = Path::new(start, Creepages { x: 0.02, ..start }).unwrap();
-    let sampling = Sampling { points: 10, spacing: Spacing::Refined };
+    let sampling = Sampling::Refined(10);
     let slope_on = |across: usize| {
         let mut solver = SteadySolver::new(&cells(across));
         let curve = trace(&mut solver, &base, &path, &sampling, &unwatched).unwrap();

@@ -3,7 +3,7 @@
 use crate::common::{self, cells, problem, rolling};
 use approx::assert_relative_eq;
 use schlupf::analysis::creep_curve::{
-    Abscissa, CreepCurve, Creepages, PLATEAU, Path, Sampling, Spacing, VariedForce, trace,
+    Abscissa, CreepCurve, Creepages, PLATEAU, Path, Sampling, VariedForce, trace,
 };
 use schlupf::bodies::Material;
 use schlupf::elasticity::{HalfSpace, Winkler};
@@ -49,7 +49,7 @@ fn curve(problem: &Problem, options: &Options, path: &Path, points: usize) -> Cr
 }
 
 fn curve_by(solver: &mut dyn Solver, problem: &Problem, path: &Path, points: usize) -> CreepCurve {
-    let sampling = Sampling { points, spacing: Spacing::Refined };
+    let sampling = Sampling::Refined(points);
     let done = AtomicUsize::new(0);
     let curve = trace(solver, problem, path, &sampling, &|progress| {
         let before = done.swap(progress.done, Ordering::Relaxed);
@@ -153,7 +153,7 @@ fn the_slope_is_that_of_the_curve() {
 #[test]
 fn the_maximum_is_where_dense_sampling_has_it() {
     let (hot, options) = (hot(), cells(12));
-    let even = Sampling { points: 1001, spacing: Spacing::Even };
+    let even = Sampling::Even(1001);
     let (mut solver, path) = (SteadySolver::new(&options), over_x(&hot, [0.004, 0.014]));
     let dense = trace(&mut solver, &hot, &path, &even, &unwatched).unwrap();
     let higher = |i: &&schlupf::analysis::creep_curve::Point,
@@ -235,7 +235,7 @@ fn creepages_over_a_force_are_those_that_cause_it() {
     let (options, own) = (cells(12), Creepages::of(&problem.kinematics));
     let end = Creepages { x: 0.002, ..own };
     let path = Path::new(Creepages { x: 0.0005, ..own }, end).unwrap();
-    let sampling = Sampling { points: 4, spacing: Spacing::Even };
+    let sampling = Sampling::Even(4);
     let mut solver = SteadySolver::new(&options);
     let given = trace(&mut solver, &problem, &path, &sampling, &unwatched).unwrap();
     let load = given.normal.load;
@@ -246,7 +246,7 @@ fn creepages_over_a_force_are_those_that_cause_it() {
             [(VariedForce::X, prescribed), (VariedForce::OverLoad, -prescribed / load)]
         {
             let path = Path::over_force(varied, [0.5 * value, value], own).unwrap();
-            let sampling = Sampling { points: 2, spacing: Spacing::Even };
+            let sampling = Sampling::Even(2);
             let found = trace(&mut *solver, &problem, &path, &sampling, &unwatched).unwrap();
             assert!(found.is_converged() && found.maxima.is_empty());
             assert!(found.initial_slope.is_none());
@@ -335,6 +335,6 @@ fn what_is_no_curve_of_steady_rolling_is_refused() {
     assert!(locked.contains("does not at creepage_x = 1"), "{locked}");
     let slow = problem(schlupf::bodies::Kinematics { speed: -1.0, ..rolling(0.0, 0.0, 0.0) });
     assert!(refused(&slow, &path).quantity() == Quantity::Speed);
-    let one = Sampling { points: 1, spacing: Spacing::Even };
+    let one = Sampling::Even(1);
     assert!(trace(&mut SteadySolver::new(&cells(8)), &still, &path, &one, &unwatched).is_err());
 }

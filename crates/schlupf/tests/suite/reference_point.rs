@@ -4,7 +4,7 @@
 use crate::common::{self, cells, half_space, problem, rolling, solve_over};
 use approx::assert_relative_eq;
 use schlupf::analysis::bulk_temperature::{Cooling, bulk_temperature};
-use schlupf::analysis::creep_curve::{Creepages, Path, Sampling, Spacing, trace};
+use schlupf::analysis::creep_curve::{Creepages, Path, Sampling, trace};
 use schlupf::bodies::{Kinematics, ReferencePoint};
 use schlupf::interface::InterfaceConstant;
 use schlupf::interface::heat::{Duhamel, Heat, Partition};
@@ -270,7 +270,7 @@ fn bulk_temperature_is_that_of_the_same_contact() {
 #[test]
 fn creep_curves_are_over_the_creepages_of_the_file() {
     let [patch, file] = both([0.0; 3]);
-    let sampling = Sampling { points: 4, spacing: Spacing::Even };
+    let sampling = Sampling::Even(4);
     let over = |problem: &Problem, end: Creepages| {
         let path = Path::new(Creepages::default(), end).unwrap();
         trace(&mut SteadySolver::new(&exact()), problem, &path, &sampling, &unwatched).unwrap()

@@ -4,7 +4,7 @@ use crate::common::{cells, problem, rolling};
 use approx::assert_relative_eq;
 use schlupf::analysis::bulk_temperature::{Cooling, bulk_temperature};
 use schlupf::analysis::calibration::{CalibrationOptions, calibrate};
-use schlupf::analysis::creep_curve::{Creepages, Path, Sampling, Spacing, trace};
+use schlupf::analysis::creep_curve::{Creepages, Path, Sampling, trace};
 use schlupf::analysis::identification::roughness::DEFAULT_GAMMA;
 use schlupf::analysis::identification::{
     Component, Condition, DataPoint, Parameter, PolachModel, RollingContactModel, fit,
@@ -91,7 +91,7 @@ fn whatever_solves_again_and_again_stops() {
     let (hot, options) = (hot(), cells(8));
     let own = Creepages::of(&hot.kinematics);
     let path = Path::new(Creepages { x: 0.0, ..own }, Creepages { x: 0.02, ..own }).unwrap();
-    let sampling = Sampling { points: 5, spacing: Spacing::Even };
+    let sampling = Sampling::Even(5);
     stops("creep curve", |watch| {
         trace(&mut SteadySolver::new(&options), &hot, &path, &sampling, watch)
     });

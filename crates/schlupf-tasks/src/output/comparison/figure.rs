@@ -9,7 +9,7 @@ use crate::output::figures::frame::{LABEL_SIZE, TICK_SIZE, outline, tick_line};
 use crate::output::figures::label::{Anchor, TextStyle};
 use crate::output::figures::marks::{self, HEADING, Heading, short};
 use crate::output::figures::svg::{Drawing, GRID_LINE, ZERO};
-use crate::output::figures::ticks::{powers_of_ten, round_ticks};
+use crate::output::figures::ticks::{logarithmic_ticks, round_ticks};
 use crate::output::report::Report;
 
 const NAMES: f64 = 204.0;
@@ -286,7 +286,7 @@ fn draw_times(drawing: &mut Drawing, [left, top]: [f64; 2], answers: &[&Answer])
         .filter_map(|time| Some((COLUMN - space(&text(time[0])) - SPACE) / (last(time)? - low)))
         .fold(COLUMN, f64::min);
     let at = |logarithm: f64| left + unit * (logarithm - low);
-    for tick in powers_of_ten(low, low + COLUMN / unit, 5) {
+    for tick in logarithmic_ticks(low, low + COLUMN / unit, 5) {
         draw_tick(drawing, [at(tick.value), top], height, &tick.label);
     }
     for (k, time) in times.iter().enumerate() {

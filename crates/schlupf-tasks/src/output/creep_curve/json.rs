@@ -3,9 +3,7 @@
 use serde::Serialize;
 
 use schlupf::Method;
-use schlupf::analysis::creep_curve::{
-    Abscissa, CreepCurve, Creepages, InitialSlope, Maximum, Path, Spacing,
-};
+use schlupf::analysis::creep_curve::{Abscissa, CreepCurve, Creepages, InitialSlope, Maximum};
 use schlupf::bodies::ReferencePoint;
 use schlupf::normal::NormalSummary;
 use schlupf::reporting::Message;
@@ -21,7 +19,7 @@ pub fn document(family: &CurveFamily) -> String {
     text(&Document {
         program: PROGRAM,
         title: &family.title,
-        path: family.members.first().map(|member| PathEntry::new(&member.curve.path, family)),
+        path: family.members.first().map(|member| PathEntry::new(&member.curve, family.spacing)),
         over: OneOrMore::of(
             family
                 .over
@@ -61,7 +59,8 @@ struct PathEntry {
 }
 
 impl PathEntry {
-    fn new(path: &Path, family: &CurveFamily) -> Self {
+    fn new(curve: &CreepCurve, spacing: &'static str) -> Self {
+        let path = &curve.path;
         let [start, end] = path.range();
         let varied = |component: fn(&Creepages) -> f64| {
             let ends = [path.start(), path.end()].map(|creepages| component(&creepages));
@@ -78,11 +77,8 @@ impl PathEntry {
                 Some(Abscissa::Total { direction }) => Some(direction),
                 _ => None,
             },
-            points: family.sampling.points,
-            spacing: match family.sampling.spacing {
-                Spacing::Refined => "refined",
-                Spacing::Even => "even",
-            },
+            points: curve.points.len(),
+            spacing,
         }
     }
 }

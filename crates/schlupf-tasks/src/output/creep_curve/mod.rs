@@ -7,7 +7,7 @@ mod map_figure;
 mod summary;
 
 use schlupf::Status;
-use schlupf::analysis::creep_curve::{Abscissa, CreepCurve, Sampling, VariedForce};
+use schlupf::analysis::creep_curve::{Abscissa, CreepCurve, VariedForce};
 use schlupf::reporting::{Column, Message, Record};
 
 use crate::output::figures::{Drawing, FigureError, marks};
@@ -31,7 +31,7 @@ pub struct CurveFamily {
     /// curve.
     pub over: Vec<String>,
     /// Spacing of the points.
-    pub sampling: Sampling,
+    pub spacing: &'static str,
     /// At least one curve.
     pub members: Vec<Member>,
     /// Warnings for whoever uses the results.
@@ -62,8 +62,13 @@ pub struct FieldValue {
 impl CurveFamily {
     /// Curves with their warnings: a warning common to all is listed once, the others with the name
     /// of their curve.
-    pub fn new(title: String, over: Vec<String>, sampling: Sampling, members: Vec<Member>) -> Self {
-        let mut family = Self { title, over, sampling, members, warnings: Vec::new() };
+    pub fn new(
+        title: String,
+        over: Vec<String>,
+        spacing: &'static str,
+        members: Vec<Member>,
+    ) -> Self {
+        let mut family = Self { title, over, spacing, members, warnings: Vec::new() };
         family.warnings = family.all_warnings();
         family
     }

@@ -3,7 +3,7 @@
 use super::color::INK;
 use super::label::{Anchor, TextStyle};
 use super::svg::{Drawing, GRID_LINE, ZERO};
-use super::ticks::{Tick, powers_of_ten, round_ticks};
+use super::ticks::{Tick, logarithmic_ticks, round_ticks};
 
 /// Font size of tick labels.
 pub(crate) const TICK_SIZE: f64 = 13.0;
@@ -121,7 +121,7 @@ impl Frame {
 
     fn ticks(&self, range: [f64; 2], about: usize) -> Vec<Tick> {
         if self.powers {
-            powers_of_ten(range[0], range[1], about)
+            logarithmic_ticks(range[0], range[1], about)
         } else {
             enough_ticks(range, about)
         }

@@ -61,6 +61,16 @@ pub(crate) fn round_powers(low: f64, high: f64, about: usize) -> Vec<Tick> {
         .collect()
 }
 
+/// Ticks for a range of logarithms to base ten, of any length: at powers of ten, or at round
+/// numbers where fewer than two of those lie within.
+pub(crate) fn logarithmic_ticks(low: f64, high: f64, about: usize) -> Vec<Tick> {
+    let [from, to] = [low, high].map(|exponent| 10_f64.powf(exponent));
+    let even = round_ticks(from, to, about).into_iter();
+    let even = even.map(|tick| Tick { value: tick.value.log10(), ..tick }).collect();
+    let mut ticks = [powers_of_ten(low, high, about), round_powers(low, high, about)].into_iter();
+    ticks.find(|ticks| ticks.len() >= 2).unwrap_or(even)
+}
+
 /// An integer power of ten, in the markup of labels.
 pub(crate) fn power_of_ten(exponent: f64) -> String {
     format!("10^{{{exponent:.0}}}").replace('-', "\u{2212}")
@@ -137,6 +147,22 @@ mod tests {
         };
         assert_eq!(labels(-1.0, 0.4), ["0.1", "0.2", "0.5", "1", "2"]);
         assert_eq!(labels(-6.0, -0.5).len(), 6);
+    }
+
+    #[test]
+    fn short_logarithmic_axes_have_numbers() {
+        let labels = |low: f64, high: f64| -> Vec<String> {
+            let ticks = logarithmic_ticks(low.log10(), high.log10(), 5).into_iter();
+            ticks
+                .inspect(|tick| assert!((low.log10()..=high.log10()).contains(&tick.value)))
+                .map(|tick| tick.label)
+                .collect()
+        };
+        assert_eq!(labels(0.05, 300.0), ["10^{−1}", "10^{0}", "10^{1}", "10^{2}"]);
+        assert_eq!(labels(0.9, 6.0), ["1", "2", "5"]);
+        assert_eq!(labels(2.1, 4.2), ["2.5", "3.0", "3.5", "4.0"]);
+        assert!(logarithmic_ticks(f64::NAN, 1.0, 5).is_empty());
+        assert!(logarithmic_ticks(1.0, 1.0, 5).is_empty());
     }
 
     #[test]

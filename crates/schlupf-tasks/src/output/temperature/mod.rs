@@ -9,6 +9,7 @@ use schlupf::Quantity;
 use schlupf::analysis::temperature_field::{Side, TemperatureField};
 use schlupf::reporting::{Column, Message, Record, columns};
 use schlupf::solution::Status;
+use schlupf_case::Points;
 
 use crate::output::figures::{Drawing, FigureError};
 use crate::output::report::Report;
@@ -19,19 +20,19 @@ use crate::output::table::{self, ColumnValues, Table, Values, entries, entry};
 const FIGURE: &str = "temperature";
 
 /// Positions at which temperatures are requested.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Positions {
     /// The point (x, y), in m.
     pub point: [f64; 2],
     /// Positions where its row enters and leaves the contact, x in m.
     pub passage: [f64; 2],
-    /// Range of depths of the profile below the point, in m.
-    pub depth: [f64; 2],
+    /// Depths of the profile below the point, in m.
+    pub depths: Vec<f64>,
     /// Length of the row behind the contact, in m.
     pub wake: f64,
     /// Depths of the row below the surface, in m; the surface is always included.
     pub row_depths: [f64; 2],
-    /// Number of points of every line, at least two.
+    /// Number of points of a row, at least two.
     pub points: usize,
 }
 
@@ -105,8 +106,8 @@ const AHEAD: f64 = 0.08;
 impl Temperatures {
     /// The profile below the point and the rows, from a field.
     pub fn sample(field: &TemperatureField, request: &Positions) -> (Line, Vec<Row>) {
-        let Positions { point: [x, y], passage: [entry, exit], depth, wake, points, .. } = *request;
-        let profile = Line::sample(field, evenly(depth, points), |z| [x, y, z]);
+        let Positions { point: [x, y], passage: [entry, exit], wake, points, .. } = *request;
+        let profile = Line::sample(field, request.depths.clone(), |z| [x, y, z]);
         let range = [exit - wake, entry + AHEAD * (entry - exit)];
         let row = |depth: f64| Row {
             depth,
@@ -119,15 +120,9 @@ impl Temperatures {
     }
 }
 
-/// Equidistant from one end to the other.
-fn evenly([start, end]: [f64; 2], points: usize) -> Vec<f64> {
-    let last = points.max(2) - 1;
-    (0..=last).map(|k| start + (end - start) * k as f64 / last as f64).collect()
-}
-
 /// Equidistant, plus points on both sides of the edges, where the temperature has a kink or a jump.
 fn row_positions(range: [f64; 2], edges: [f64; 2], points: usize) -> Vec<f64> {
-    let mut positions = evenly(range, points);
+    let mut positions = Points::Range(range).evenly(points);
     let nearby = 1e-9 * (range[1] - range[0]);
     for edge in edges.into_iter().filter(|edge| (range[0]..range[1]).contains(edge)) {
         positions.extend([edge - nearby, edge + nearby]);

@@ -4,8 +4,6 @@ mod sample;
 mod sobol;
 mod states;
 
-use std::collections::BTreeSet;
-
 pub use sample::{Method, Sample};
 
 pub(crate) use states::read as read_states;
@@ -52,14 +50,18 @@ impl Values {
 
     /// The place of a value that stands before it, too.
     pub fn repeated(&self) -> Option<usize> {
-        let mut seen = BTreeSet::new();
-        (0..self.len()).find(|k| {
-            !seen.insert(match self.entry(*k) {
-                // Zero has two signs, but is one value.
-                Entry::Number(number) => ((number + 0.0).to_bits(), String::new()),
-                Entry::Text(text) => (0, text),
-            })
-        })
+        /// The first place of a value that an earlier place has.
+        fn repeated<T: Ord>(values: impl Iterator<Item = T>) -> Option<usize> {
+            let mut places: Vec<(T, usize)> = values.zip(0..).collect();
+            places.sort_unstable();
+            let twice = places.windows(2).filter(|two| two[0].0 == two[1].0);
+            twice.map(|two| two[1].1).min()
+        }
+        match self {
+            // Zero has two signs, but is one value.
+            Self::Numbers(values) => repeated(values.iter().map(|value| (value + 0.0).to_bits())),
+            Self::Texts(values) => repeated(values.iter()),
+        }
     }
 
     /// Whether they are numbers.

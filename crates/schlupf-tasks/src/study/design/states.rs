@@ -199,11 +199,13 @@ fn from_csv(file: &InputFile) -> Result<Vec<(Head, Cells)>, StudyError> {
     let path = &*file.path();
     let bytes = file.read().map_err(|cause| StudyError::file(path, cause))?;
     let name = path.display().to_string();
-    let text = String::from_utf8(bytes).map_err(|_| {
+    let mut text = String::from_utf8(bytes).map_err(|_| {
         let place = Place::File { name: name.clone() };
         CaseError::new("", "states must be text in UTF-8, but are not", place)
     })?;
-    let text = text.trim_start_matches('\u{feff}').to_owned();
+    if text.starts_with('\u{feff}') {
+        text.remove(0);
+    }
     let source = Arc::new(Source { name, text });
     let at_line = |line: usize| Place::line(&source, line);
     let mut records = Records::new(&source.text);

@@ -23,7 +23,7 @@ use crate::solver::Solver;
 pub use initial_slope::InitialSlope;
 pub use maximum::{Maximum, PLATEAU};
 pub use path::{Abscissa, Creepages, Path, VariedForce};
-pub use sampling::{MAX_POINTS, Sampling, Spacing};
+pub use sampling::{MAX_POINTS, Sampling};
 
 pub use warnings::CurveWarning;
 use warnings::Warnings;
@@ -134,13 +134,13 @@ impl Point {
 /// warning names them.
 ///
 /// ```
-/// use schlupf::analysis::creep_curve::{Creepages, Path, Sampling, Spacing, trace};
+/// use schlupf::analysis::creep_curve::{Creepages, Path, Sampling, trace};
 /// use schlupf::solver::SteadySolver;
 /// use schlupf::{Options, Problem, unwatched};
 ///
 /// let start = Creepages { x: 0.0, y: 0.0, spin: 0.0 };
 /// let path = Path::new(start, Creepages { x: 0.02, ..start })?;
-/// let sampling = Sampling { points: 4, spacing: Spacing::Even };
+/// let sampling = Sampling::Even(4);
 /// let options = Options { cells_x: 10, cells_y: 10, ..Options::default() };
 /// let problem = Problem::builder().build()?;
 /// let curve =
@@ -172,7 +172,7 @@ pub fn trace(
         path,
         solver,
         watch,
-        progress: Progress { total: Some(sampling.points), ..Progress::count(Stage::Curve, 0) },
+        progress: Progress { total: Some(abscissae.len()), ..Progress::count(Stage::Curve, 0) },
         work: Work::default(),
     };
     let mut warnings = Warnings::default();

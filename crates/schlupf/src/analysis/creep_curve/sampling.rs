@@ -2,24 +2,18 @@
 
 use crate::reporting::{Error, Quantity, Requirement, require};
 
-/// Number and spacing of the points of a curve.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Sampling {
-    /// Number of points, at least two.
-    pub points: usize,
-    /// Their spacing.
-    pub spacing: Spacing,
-}
-
-/// Spacing of the points of a curve.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Spacing {
-    /// Uniform in u with an abscissa ∝ sinh 5u, |u| ≤ 1: steps grow from zero outwards, almost
-    /// constant near zero and by a constant factor far from it. Starting from zero, the last of 41
-    /// steps is some 70 times the first.
-    Refined,
-    /// Uniform in the abscissa.
-    Even,
+/// The points of a curve, at least two.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Sampling {
+    /// So many, uniform in u with an abscissa ∝ sinh 5u, |u| ≤ 1: steps grow from zero outwards,
+    /// almost constant near zero and by a constant factor far from it. Starting from zero, the last
+    /// of 41 steps is some 70 times the first.
+    Refined(usize),
+    /// So many, uniform in the abscissa.
+    Even(usize),
+    /// At these abscissae (each in the unit of the path: dimensionless, in 1/m, N or N m). The
+    /// curve runs from the first towards the last, in the order of their values.
+    At(Vec<f64>),
 }
 
 /// Maximum number of points of a curve.
@@ -27,7 +21,7 @@ pub const MAX_POINTS: usize = 10_000;
 
 impl Default for Sampling {
     fn default() -> Self {
-        Self { points: 41, spacing: Spacing::Refined }
+        Self::Refined(41)
     }
 }
 
@@ -35,16 +29,25 @@ impl Sampling {
     /// Checks that there are at least two points and not too many.
     pub fn check(&self) -> Result<(), Error> {
         let requirement = Requirement::Between(2.0, MAX_POINTS as f64);
-        require(Quantity::CurvePoints, requirement, self.points as f64)
+        require(Quantity::CurvePoints, requirement, self.points() as f64)
     }
 
-    /// Abscissae from `from` to `to`, monotonic (each in the unit of the ends: dimensionless, or in
-    /// 1/m). A refined range that contains zero has a point there.
+    /// Number of points.
+    pub fn points(&self) -> usize {
+        match self {
+            Self::Refined(points) | Self::Even(points) => *points,
+            Self::At(abscissae) => abscissae.len(),
+        }
+    }
+
+    /// Abscissae from `from` to `to` (each in the unit of the ends: dimensionless, in 1/m, N or
+    /// N m). A refined range that contains zero has a point there.
     pub fn abscissae(&self, [from, to]: [f64; 2]) -> Vec<f64> {
-        let steps = self.points - 1;
-        match self.spacing {
-            Spacing::Even => (0..=steps).map(|k| between([from, to], k, steps)).collect(),
-            Spacing::Refined => {
+        let steps = self.points() - 1;
+        match self {
+            Self::At(abscissae) => abscissae.clone(),
+            Self::Even(_) => (0..=steps).map(|k| between([from, to], k, steps)).collect(),
+            Self::Refined(_) => {
                 let largest = from.abs().max(to.abs());
                 let scale = largest / STRENGTH.sinh();
                 let [start, end] = [from, to].map(|end| (end / scale).asinh());
@@ -85,7 +88,7 @@ mod tests {
     use super::*;
 
     fn refined(points: usize, range: [f64; 2]) -> Vec<f64> {
-        Sampling { points, spacing: Spacing::Refined }.abscissae(range)
+        Sampling::Refined(points).abscissae(range)
     }
 
     #[test]
@@ -116,12 +119,12 @@ mod tests {
 
     #[test]
     fn even_steps_are_even() {
-        let even = Sampling { points: 5, spacing: Spacing::Even };
-        assert_eq!(even.abscissae([-0.5, 0.5]), [-0.5, -0.25, 0.0, 0.25, 0.5]);
-        let values = Sampling { points: 7, ..even }.abscissae([-0.03, 0.03]);
+        assert_eq!(Sampling::Even(5).abscissae([-0.5, 0.5]), [-0.5, -0.25, 0.0, 0.25, 0.5]);
+        let values = Sampling::Even(7).abscissae([-0.03, 0.03]);
         assert_eq!(values[3], 0.0);
-        assert!(Sampling { points: 1, ..even }.check().is_err());
-        assert!(Sampling { points: MAX_POINTS + 1, ..even }.check().is_err());
+        assert!(Sampling::Even(1).check().is_err());
+        assert!(Sampling::Even(MAX_POINTS + 1).check().is_err());
+        assert!(Sampling::At(vec![0.0]).check().is_err());
         assert_eq!(Sampling::default().check(), Ok(()));
     }
 }

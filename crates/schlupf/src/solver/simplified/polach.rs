@@ -49,7 +49,7 @@ pub fn force(
     limit: f64,
     reduction: AreaReduction,
 ) -> Resultant {
-    let ellipse = contact.ellipse(contact.normal.semi_axes());
+    let ellipse = contact.present_ellipse();
     let AreaReduction { area_adhesion, area_slip } = reduction;
     let [x, y] = limited(&ellipse, kinematics.creepages(), limit, [area_adhesion, area_slip]);
     Resultant { x, y, moment_z: None }

@@ -161,6 +161,10 @@ impl Search<'_> {
 
     /// Ends the region that is open, for which there may be no room.
     fn close(&mut self) {
+        // Most parts end no region; to take one copies its integrals, even if there is none.
+        if self.open.is_none() {
+            return;
+        }
         let Some(open) = self.open.take() else { return };
         self.found.is_whole &= self.outlines.rail(open.ends[1][0] + open.width).is_some();
         match self.found.regions.get_mut(self.found.count) {
