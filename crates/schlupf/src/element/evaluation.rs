@@ -103,7 +103,7 @@ impl Evaluation {
         let derivatives = (rows * self.columns).min(self.derivatives.len());
         let all: [&[f64]; 3] =
             [&self.outputs[..outputs], &self.rates, &self.derivatives[..derivatives]];
-        all.into_iter().all(|part| are_finite(part))
+        all.into_iter().all(are_finite)
     }
 
     pub(super) fn without_derivatives(self) -> Self {
