@@ -16,13 +16,13 @@ from warnings import warn
 from . import _core
 from ._errors import CaseError, SchlupfWarning, UnknownName, described, quoted
 from ._fields import FIELDS, SECTIONS, Field, no_field
-from ._files import each_in_place, in_place, label, shown
+from ._files import Unit, each_in_place, in_place, label, shown
 from ._laws import LARGEST, Law, checked, sampled
 from ._result import Result
 from ._section import Section
 from ._tasks import Tasks
 from ._typing import Unpack
-from ._units import is_quantity, magnitude, plain, refused
+from ._units import plain, refused
 from .sections import CaseFields, SectionFields, Sections
 
 #: A family as the library reads it, its field, and the values as the case has them.
@@ -34,8 +34,7 @@ def toml_value(field: Field | None, value: Any, folder: Path = Path()) -> str:
     path = field.path if field else "a field"
     if field is not None and field.columns:
         value = in_place(value, field.columns, path, folder)
-    if is_quantity(value):
-        value = magnitude(value, field.units if field else "", path)
+    value = plain(value, field or Unit(""), path)
     if getattr(value, "shape", None) == ():
         value = value.item()
     if field is not None and field.kind in ONE_VALUE:

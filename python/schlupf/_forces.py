@@ -17,7 +17,7 @@ from ._result import Result
 from ._status import ATTRIBUTES, Status
 from ._tables import attributes
 from ._typing import Unpack
-from ._units import Number, Series, plain
+from ._units import Number, Series, in_array, plain, reals
 from .sections import Conditions
 from .warnings import emit
 
@@ -182,10 +182,11 @@ def _in_si(case: Case, path: str, value: Any) -> Any:
         # Dimensions of conditions are named as these.
         own = {dim: quantity(CONDITIONS[str(dim)]) for dim in value.dims if dim in CONDITIONS}
         value = value.rename({dim: name for dim, name in own.items() if dim != name})
-    value = plain(value, FIELDS[path], path)
-    if isinstance(value, xr.DataArray) or np.asarray(value).dtype.kind != "U":
-        return value
-    texts = np.asarray(value)
+    if isinstance(value, xr.DataArray):
+        return plain(value, FIELDS[path], path)
+    texts = in_array(value, FIELDS[path], path)
+    if texts.dtype.kind != "U":
+        return reals(texts, FIELDS[path], path)
     read = [case._file.with_fields([f"{path}={text}"]).value(path) for text in texts.ravel()]
     return np.reshape(np.asarray(read, float), texts.shape)
 

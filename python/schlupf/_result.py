@@ -274,7 +274,9 @@ def open_result(path: str | PathLike[str], **options: Any) -> Result:
         raise
     # Whatever engines raise for what they do not read.
     except Exception as error:
-        raise ValueError(f"{refused}: {' '.join(str(error).split())}") from error
+        # Without their advice about engines.
+        reason = " ".join(str(error).split()).partition(". ")[0]
+        raise ValueError(f"{refused}: {reason}") from error
     if "groups" not in fields.attrs:
         raise ValueError(refused)
     scalars = fields.attrs.pop("result")

@@ -28,7 +28,7 @@ from ._forces import NUMBERS
 from ._result import with_folder
 from ._status import numbered
 from ._tables import along
-from ._units import Data, plain, refused
+from ._units import Data, in_array, plain, refused
 from .sections import FieldPath
 from .warnings import emit
 
@@ -165,7 +165,7 @@ def study(
         raise TypeError(f"a study takes no functions, but there are {', '.join(case._laws)}")
     if sum(design is not None for design in (vary, sample, states)) != 1:
         raise TypeError("a study takes one of vary, sample and states")
-    if vary is not None and _is_long(vary):
+    if vary is not None and _is_long(vary, case):
         # A row for each value, which needs no list of values.
         vary, states = None, vary
     designs = {"vary": vary, "sample": sample, "states": states}
@@ -183,11 +183,26 @@ def study(
 MOST_LISTED = 10_000
 
 
-def _is_long(vary: Mapping[Any, Any]) -> bool:
-    """Whether one field alone varies, over an array of many numbers."""
-    arrays = [each for path, each in vary.items() if path in FIELDS and hasattr(each, "dtype")]
-    is_alone = len(arrays) == len(vary) == 1
-    return is_alone and arrays[0].size > MOST_LISTED and arrays[0].dtype.kind in "iuf"
+def _is_long(vary: Mapping[Any, Any], case: Case) -> bool:
+    """Whether one field alone varies, over an array of many numbers that all may stand there.
+
+    If one may not, the list tells so.
+    """
+    paths = [path for path, each in vary.items() if path in FIELDS and hasattr(each, "dtype")]
+    if not len(paths) == len(vary) == 1:
+        return False
+    (path,) = paths
+    array = in_array(vary[path], FIELDS[path], path)
+    if array.dtype.kind not in "iuf" or array.ndim != 1 or array.size <= MOST_LISTED:
+        return False
+    # What may stand in a field lies between two bounds, or has a magnitude between two.
+    extremes = (array.min(), array.max(), array[np.abs(array).argmin()])
+    try:
+        for value in extremes:
+            case._file.with_fields([f"{path}={toml_value(FIELDS[path], value)}"]).value(path)
+    except CaseError:
+        return False
+    return bool(np.unique(array).size == array.size)
 
 
 def _lines(
@@ -245,6 +260,8 @@ def _states(states: Any) -> str:
     """A file of states, or data in its place."""
     if isinstance(states, (str, PathLike)):
         return os.fspath(Path(states).absolute())
+    if hasattr(states, "to_frame"):
+        states = states.to_frame()
     if not hasattr(states, "keys"):
         expected = "a path or columns named as fields"
         raise refused("states", f"states must be {expected}, but is {described(states)}")

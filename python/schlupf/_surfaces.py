@@ -11,7 +11,7 @@ import numpy as np
 import xarray as xr
 
 from ._errors import quoted
-from ._units import refused
+from ._units import refused, without_mask
 
 #: Endings of the files that the library itself reads.
 OWN = (".csv", ".npy", ".x3p", ".xyz")
@@ -86,7 +86,7 @@ def as_array(value: Any, name: str) -> xr.DataArray | None:
     """
     if hasattr(value, "physical_sizes") and hasattr(value, "heights"):
         return _of_topography(value, name)
-    if all(hasattr(value, part) for part in ("data", "step_x", "step_y")):
+    if all(hasattr(value, part) for part in ("step_x", "step_y", "data")):
         # All lengths of surfalize are in µm.
         data = 1e-6 * without_mask(value.data)
         steps = {"y": 1e-6 * value.step_y, "x": 1e-6 * value.step_x}
@@ -113,10 +113,3 @@ def _over(heights: np.ndarray[Any, Any], steps: dict[str, float]) -> xr.DataArra
     axes = dict(zip("yx", heights.shape, strict=True))
     places = {axis: (axis, steps[axis] * np.arange(axes[axis]), {"units": "m"}) for axis in axes}
     return xr.DataArray(heights, places, ("y", "x"), attrs={"units": "m", "long_name": "height"})
-
-
-def without_mask(array: Any) -> np.ndarray[Any, Any]:
-    """Numbers that are not numbers where the array is masked."""
-    masked: Any = np.ma
-    numbers: np.ndarray[Any, Any] = masked.filled(masked.asarray(array, float), np.nan)
-    return numbers

@@ -83,26 +83,26 @@ class Tasks:
 
         Parameters
         ----------
-        creepage_x : (float, float), array or str, optional
+        creepage_x : (start, end), array of values or str, optional
             Vary the longitudinal creepage, such as 0..0.05 or 0,0.001,0.05; several creepages vary
             together, each linearly with the others.
-        creepage_y : (float, float), array or str, optional
+        creepage_y : (start, end), array of values or str, optional
             Vary the lateral creepage.
-        spin : (float, float), array or str, optional
+        spin : (start, end), array of values or str, optional
             Vary the spin creepage, such as "0..2 1/m". Numbers are in 1/m.
-        creepage : (float, float), array or str, optional
+        creepage : (start, end), array of values or str, optional
             Vary the total creepage in a direction, in place of both creepages.
         direction : float or str, optional
             Direction of the total creepage, from longitudinal (0 deg) to lateral (90 deg). Numbers
             are in rad.
-        force_x : (float, float), array or str, optional
+        force_x : (start, end), array of values or str, optional
             Vary the longitudinal force on the wheel, such as "0..-20 kN" (negative in braking), in
             place of all creepages: its creepage is found. Numbers are in N.
-        traction_coefficient : (float, float), array or str, optional
+        traction_coefficient : (start, end), array of values or str, optional
             Vary the same over the load, such as 0..0.25 (positive in braking).
-        force_y : (float, float), array or str, optional
+        force_y : (start, end), array of values or str, optional
             Vary the lateral force on the wheel. Numbers are in N.
-        moment_z : (float, float), array or str, optional
+        moment_z : (start, end), array of values or str, optional
             Vary the spin moment on the wheel, such as "0..20 N m". Numbers are in N m.
         over : mapping of fields to their values, optional
             Draw one curve for each value of a field, such as 10, 20 and 30 m/s of
@@ -297,7 +297,7 @@ class Tasks:
             are in m.
         y : float or str, optional
             Position across rolling; by default that of the hottest point. Numbers are in m.
-        depth : (float, float), array or str, optional
+        depth : (start, end), array of values or str, optional
             Depths of the profile, such as "0..2 mm" or "0,0.1,2 mm"; by default as far as heat has
             penetrated. Numbers are in m.
         wake : float or str, optional
@@ -569,7 +569,7 @@ class Tasks:
 
         Parameters
         ----------
-        lateral_position : (float, float), array or str, default "-8..8 mm"
+        lateral_position : (start, end), array of values or str, default "-8..8 mm"
             Lateral positions of the wheelset: the first and the last, or each of them. Numbers are
             in m.
         points : int, optional

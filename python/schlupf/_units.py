@@ -32,8 +32,16 @@ class Quantity(Protocol):
 Plain = float | np.floating[Any] | np.integer[Any] | Quantity
 #: A number in SI units, or text with its unit, or a quantity of pint.
 Number = Plain | str
+
+
+class Labelled(Protocol):
+    """A series of pandas, a data array, or like these."""
+
+    def to_numpy(self) -> Any: ...
+
+
 #: Several of them.
-Series = Sequence[Number] | NDArray[Any] | Quantity
+Series = Sequence[Number] | NDArray[Any] | Quantity | Labelled
 #: A whole number.
 Count = int | np.integer[Any]
 #: Yes or no.
@@ -50,7 +58,7 @@ class Columns(Protocol):
 
 
 #: A file, or an array in its place.
-Array = File | xr.DataArray | NDArray[Any]
+Array = File | xr.DataArray | NDArray[Any] | Quantity
 #: The same, or a table.
 Data = Array | Columns | Sequence[Sequence[float]]
 
@@ -112,18 +120,61 @@ def magnitude(value: Any, units: str, name: str) -> Any:
         # Of pint, which need not be installed.
         if type(error).__name__ != "DimensionalityError":
             raise
-        raise refused(
-            name, f"{name} must be given in {units or 'no unit'}, but is {value}"
-        ) from None
+        expected = units or "no unit"
+        raise refused(name, f"{name} must be given in {expected}, but is in {given}") from None
 
 
 def plain(value: Any, field: Measured, name: str) -> Any:
-    """Numbers or arrays in the SI unit of a field, from quantities and data arrays with units."""
+    """Numbers or arrays in the SI unit of a field, from quantities and data arrays with units.
+
+    Durations are in seconds; masked numbers of an array are not a number.
+
+    Raises
+    ------
+    CaseError
+        If it is in another unit, or no real numbers or text, such as dates.
+    """
     if is_quantity(value):
-        return magnitude(value, field.units, name)
+        value = magnitude(value, field.units, name)
     given = getattr(value, "attrs", {}).get("units")
     if given not in (None, "", field.units):
         unit = field.units or "no unit"
         is_in = f"its attribute `units` is {quoted(given)}"
         raise refused(name, f"{name} must be in {unit}, but {is_in}")
-    return value
+    kind = getattr(getattr(value, "dtype", None), "kind", "")
+    if kind == "m" and field.units == "s":
+        return value / np.timedelta64(1, "s")
+    if kind and kind in "mMcSV":
+        raise refused(name, f"{name} must be real numbers, but is of type {value.dtype}")
+    return without_mask(value) if isinstance(value, np.ma.MaskedArray) else value
+
+
+def in_array(value: Any, field: Measured, name: str) -> NDArray[Any]:
+    """The same as an array of numbers, text or objects."""
+    if isinstance(value, (list, tuple)):
+        value = [plain(each, field, name) if is_quantity(each) else each for each in value]
+    value = plain(value, field, name)
+    try:
+        array = np.asarray(value)
+    # TypeError: of rows of quantities.
+    except (TypeError, ValueError):
+        raise refused(name, f"{name} must be numbers, but is {quoted(value)}") from None
+    return np.asarray(plain(array, field, name))
+
+
+def reals(value: Any, field: Measured, name: str) -> NDArray[np.float64]:
+    """The same as an array of real numbers."""
+    array = in_array(value, field, name)
+    try:
+        if array.dtype.kind in "iufO":
+            return without_mask(array)
+    except (TypeError, ValueError):
+        pass
+    raise refused(name, f"{name} must be numbers, but is {quoted(value)}")
+
+
+def without_mask(array: Any) -> NDArray[np.float64]:
+    """Numbers that are not numbers where the array is masked."""
+    masked: Any = np.ma
+    numbers: NDArray[np.float64] = masked.filled(masked.asarray(array, float), np.nan)
+    return numbers

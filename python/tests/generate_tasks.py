@@ -45,7 +45,7 @@ TYPES = {
     "count": ("int", "int"),
     "number": ("Number", "float or str"),
     "numbers": ("Numbers", "float or str, or several"),
-    "points": ("Points", "(float, float), array or str"),
+    "points": ("Points", "(start, end), array of values or str"),
     "family": ("Family", "mapping of fields to their values"),
     "file": ("File", "path"),
     "table": ("Data", "path or mapping"),

@@ -200,6 +200,37 @@ def test_points_below_the_surface_may_be_rows():
         assert case.subsurface(points=points).points == expected
 
 
+@pytest.mark.parametrize(
+    ("points", "told"),
+    [
+        ([[0.0, 0.0, pint.Quantity(1, "mm")]], "points must be numbers, but is"),
+        ({"x": [0.0, 0.0], "y": 0.0, "depth": [1e-3] * 3}, "must have columns of one length"),
+        ({"x": [0.0, 1j], "y": 0.0, "depth": 1e-3}, "x of points must be real numbers"),
+        ({"x": [0.0, None], "y": 0.0, "depth": 1e-3}, "x of points must be numbers, but has None"),
+        (
+            {"x": np.ma.masked_array([0.0, 1e-3], [0, 1]), "y": 0.0, "depth": 1e-3},
+            "x must be a finite number",
+        ),
+    ],
+)
+def test_what_is_no_number_is_refused(points, told):
+    with pytest.raises(schlupf.CaseError, match=told):
+        schlupf.Case(grid=COARSE).subsurface(points=points)
+
+
+@pytest.mark.filterwarnings("error::pint.UnitStrippedWarning")
+def test_columns_are_quantities_and_durations():
+    history = {"time": np.linspace(0, 2e-3, 5), "creepage_x": np.linspace(0, 2e-3, 5)}
+    expected = solved(history=history)
+    quantity = pint.Quantity(history["time"] * 1e3, "ms")
+    for time in (quantity, pd.to_timedelta(history["time"], unit="s")):
+        assert solved(history={"file": history | {"time": time}}) == expected
+        assert solved(history=history | {"time": time}) == expected
+    date = pd.to_datetime(["2026-01-01"] * 5)
+    with pytest.raises(schlupf.CaseError, match="history.file must be real numbers, but is of"):
+        solved(history={"file": history | {"time": date}})
+
+
 def test_no_digit_is_lost():
     numbers = np.random.default_rng(1).standard_normal((50, 2)) * 1e-3
     text = data_url(numbers, [{"y": "m", "z": "m"}], "wheel.profile").partition(",")[2]

@@ -97,6 +97,15 @@ def test_other_numbers_of_the_case():
     np.testing.assert_allclose(table["force_x"], alone, rtol=1e-12)
 
 
+def test_conditions_are_real_numbers():
+    nothing = np.ma.masked_array([0.0, 0.5], [False, True])
+    found = schlupf.forces(POLACH, creepage_x=nothing, warn=False)
+    assert found["status"].values.tolist() == [schlupf.Status.CONVERGED, schlupf.Status.FAILED]
+    for wrong in (np.array([10, 20], "timedelta64[ns]"), np.array([1j]), [None, 1j]):
+        with pytest.raises(schlupf.CaseError, match="kinematics.speed must be"):
+            schlupf.forces(POLACH, speed=wrong)
+
+
 def test_wrong_conditions_are_named():
     with pytest.raises(TypeError, match="creep_x"):
         schlupf.forces(POLACH, creep_x=0.1)

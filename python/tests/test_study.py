@@ -240,6 +240,17 @@ def test_many_numbers_of_one_field_are_states():
         assert study.rows == 10_001 and study.to_toml().startswith("[states]")
     listed = schlupf.study(POLACH, vary={"normal.load": loads[1:]})
     assert listed.rows == 10_000 and listed.to_toml().startswith("[vary]")
+    masked = np.ma.masked_equal(loads, loads[3])
+    for wrong, told in (
+        (np.append(loads, loads[0]), "must differ, but .* is repeated"),
+        (np.append(loads, np.nan), "normal.load must be between"),
+        (np.append(loads, -1.0), "normal.load must be between"),
+        (masked, "normal.load must be between"),
+        (np.tile(loads, (2, 1)), "normal.load must be a force"),
+        (loads + 0j, "normal.load must be real numbers"),
+    ):
+        with pytest.raises(schlupf.CaseError, match=told):
+            schlupf.study(POLACH, vary={"normal.load": wrong})
 
 
 def test_wrong_studies_are_told():

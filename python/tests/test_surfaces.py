@@ -42,7 +42,7 @@ def test_a_tilt_is_removed(heights, expected):
     assert expected.surface.root_mean_square_height == pytest.approx(0.5e-6, rel=0.2)
     assert heights.std() > 0.6e-6
     (remark,) = expected.remarks
-    assert re.fullmatch(r"surface: a tilt of 1\.\d+ deg was taken off", remark)
+    assert re.fullmatch(r"surface: a tilt of 1\.\d+ deg was removed", remark)
     plane = np.stack([np.ones(heights.shape), *np.indices(heights.shape)], -1).reshape(-1, 3)
     level = heights - (plane @ np.linalg.lstsq(plane, heights.ravel())[0]).reshape(heights.shape)
     assert not schlupf.roughness(level, spacing=1e-6, **OPTIONS).remarks
@@ -109,6 +109,36 @@ def test_units_of_arrays_of_heights_count(heights, expected):
     pint = pytest.importorskip("pint")
     quantity = pint.UnitRegistry().Quantity(heights * 1e6, "um")
     alike(schlupf.roughness(quantity, spacing=1e-6, **OPTIONS), expected, 1e-9)
+    metres = xr.DataArray(heights, axes, attrs={"units": "m"})
+    for surface in (quantity, surfalize.Surface(heights * 1e6, 1.0, 1.0), metres):
+        with pytest.raises(schlupf.CaseError, match="unit must be left out, because surface has"):
+            schlupf.roughness(surface, unit="um", spacing=1e-6, **OPTIONS)
+    with pytest.raises(schlupf.CaseError, match="spacing must be left out, because surface has"):
+        schlupf.roughness(metres, spacing=2e-6, **OPTIONS)
+
+
+def test_a_map_has_its_own_places_or_a_spacing(heights, expected):
+    plain = xr.DataArray(heights, dims=("y", "x"))
+    for same in (plain, plain.T, plain.to_dataset(name="height")):
+        alike(schlupf.roughness(same, spacing=1e-6, **OPTIONS), expected, 1e-9)
+        with pytest.raises(schlupf.CaseError, match="spacing must be given"):
+            schlupf.roughness(same, **OPTIONS)
+    for other in (
+        plain.rename(x="column"),
+        plain.assign_coords(x=np.arange(64) * 1e-6),
+        plain.expand_dims(t=1),
+    ):
+        with pytest.raises(schlupf.CaseError, match="must have the dimensions y and x"):
+            schlupf.roughness(other, spacing=1e-6, **OPTIONS)
+    for wrong in (heights > 0, heights + 0j, heights.astype("timedelta64[s]")):
+        with pytest.raises(schlupf.CaseError, match="surface must be (real )?numbers, but is"):
+            schlupf.roughness(wrong, spacing=1e-6, **OPTIONS)
+
+
+def test_bands_of_long_waves_are_no_roughness():
+    wavelength = [4e-3, 5e-3, 6.3e-3, 8e-3, 10e-3]
+    with pytest.raises(schlupf.CaseError, match="^surface: .*waves shorter than .* mm are lacking"):
+        schlupf.roughness({"wavelength": wavelength, "level": [-20.0] * 5}, cells=64)
 
 
 def test_holes_units_and_cells_are_checked_as_in_files_of_the_library(tmp_path, heights):

@@ -2,6 +2,7 @@
 
 import matplotlib.pyplot as plt
 import numpy as np
+import pandas as pd
 import pint
 import pytest
 import xarray as xr
@@ -481,6 +482,9 @@ def test_the_points_of_a_curve_may_be_an_array():
     forces = SMALL.curve(force_x=["0 kN", "-1 kN", "-10 kN"], warn=False).points["force_x"]
     np.testing.assert_allclose(forces, [0.0, -1e3, -10e3], rtol=1e-4, atol=1.0)
     assert SMALL.temperature(depth=[0.0, 1e-4, 2e-3], warn=False).profile.sizes["depth"] == 3
+    single = places.astype(np.float32)
+    both = SMALL.curve(creepage_x=single, creepage_y=3 * single, warn=False).points
+    np.testing.assert_allclose(both["creepage_y"], 3 * places, rtol=1e-6)
     for wrong, told in (
         ({"creepage_y": np.linspace(0.0, 0.01, 3)}, "creepage_y must have 4 points, .* but has 3"),
         ({"creepage_y": 2 * np.sqrt(places)}, "creepage_y must vary linearly with creepage_x"),
@@ -491,3 +495,34 @@ def test_the_points_of_a_curve_may_be_an_array():
             SMALL.curve(creepage_x=places, **wrong)
     with pytest.raises(schlupf.CaseError, match="increase or decrease .* but 1e-3 follows 2e-3"):
         SMALL.curve(creepage_x=[0.0, 0.002, 0.001])
+    with pytest.raises(schlupf.CaseError, match="must be larger than the one before, but is 1e-4"):
+        SMALL.temperature(depth=[2e-3, 1e-4, 0.0])
+
+
+def test_a_tuple_of_two_is_a_range_and_a_list_the_points():
+    two = [0.0, 0.01]
+    for points in (two, np.array(two), xr.DataArray(two, dims="a"), pd.Series(two), "0, 0.01"):
+        assert SMALL.curve(creepage_x=points).points["creepage_x"].values.tolist() == two
+    for ends in (tuple(two), "0..0.01"):
+        assert SMALL.curve(creepage_x=ends, points=3).points.sizes["point"] == 3
+
+
+@pytest.mark.parametrize(
+    ("points", "told"),
+    [
+        ([], "at least two values in one dimension"),
+        (0.01, "must be a tuple of start and end"),
+        (b"0,0.01", "must be a tuple of start and end"),
+        ({0.0, 0.01}, "must be a tuple of start and end"),
+        ({"from": 0.0, "to": 0.01}, "must be a tuple of start and end"),
+        (np.zeros((2, 3)), "an array of shape"),
+        ([[0.0, 0.001], [0.002, 0.01]], "must be a tuple of start and end"),
+        ([0.0, 0.01j], "must be real numbers"),
+        (np.ma.masked_array([0.0, 0.001, 0.01], [0, 1, 0]), "must be finite"),
+        (np.array([1, 2], "timedelta64[s]"), "must be real numbers"),
+        (np.linspace(0.0, 0.01, 10_001), "must have at most 10000 values, but has 10001"),
+    ],
+)
+def test_what_is_no_points_is_refused(points, told):
+    with pytest.raises(schlupf.CaseError, match=told):
+        SMALL.curve(creepage_x=points)

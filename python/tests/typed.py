@@ -6,6 +6,8 @@ Nothing of it runs: an error that is expected is ignored, and an error that is l
 from typing import Literal
 
 import numpy as np
+import pandas as pd
+import pint
 import SurfaceTopography
 import surfalize
 import xarray as xr
@@ -72,6 +74,10 @@ def files_may_be_arrays(case: Case) -> None:
     curve = case.curve(creepage_x=[0.0, 0.001, 0.01], over={"normal.load": [60e3]})
     assert_type(curve, schlupf.Curve)
     case.curve(creepage_x=0.01)  # type: ignore[arg-type]
+    quantity = pint.UnitRegistry().Quantity(np.zeros((8, 8)), "um")
+    schlupf.roughness(quantity, spacing="1 um")
+    for points in (xr.DataArray([0.0, 0.01]), pd.Series([0.0, 0.01]), pd.Index([0.0, 0.01])):
+        case.curve(creepage_x=points)
     assert_type(schlupf.roughness(np.zeros((8, 8)), spacing=1e-6), schlupf.RoughContact)
     assert_type(schlupf.open_surface("rail.sur"), xr.DataArray)
 

@@ -192,6 +192,11 @@ impl InputFile {
         self.data()?.pair(["spacing_x", "spacing_y"])
     }
 
+    /// The unit of its values, where its data have it.
+    pub fn unit(&self) -> Option<&str> {
+        self.data()?.parameter("unit")
+    }
+
     /// Its first place along x and y (in m), where its data have it.
     pub fn start(&self) -> Option<[f64; 2]> {
         self.data()?.pair(["start_x", "start_y"])

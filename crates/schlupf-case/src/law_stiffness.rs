@@ -65,18 +65,18 @@ pub struct MicroKey {
     pub largest_pressure: f64,
 }
 
-/// Notices where the exponential misses more than this part of μp (root mean square), or k_c
-/// changes by more than this part of itself; dimensionless.
+/// A notice is given where the exponential misses μp by more than this part of it (root mean
+/// square), and where k_c changes with the pressure by more than this part of it; dimensionless.
 const NOTICEABLE_ERROR: f64 = 0.05;
 const NOTICEABLE_SPREAD: f64 = 0.2;
 
-/// Fewer cells in contact than these do not show the shape of the spots: at the largest and at the
-/// smallest pressure.
+/// Number of cells in contact below which the shape of the spots is not resolved: at the largest
+/// and at the smallest pressure.
 const FEWEST_CELLS: f64 = 200.0;
 const FEWEST_CELLS_AT_LEAST: f64 = 30.0;
 
-/// Notices where more than this part of the variance lies in waves longer than the contact: k_c is
-/// some 5 % too small; dimensionless.
+/// A notice is given where more than this part of the variance lies in waves longer than the
+/// contact, dimensionless: k_c, ∝ 1/h_rms, would be 1/√(1 − 0.1), some 5 % larger without them.
 const MOST_IN_WAVINESS: f64 = 0.1;
 
 /// Heights of rough surfaces in contact, in m; others are in a wrong unit.
@@ -104,13 +104,13 @@ impl LawStiffness {
         }
     }
 
-    /// Whether the surface is rather wavy than rough to the contact of a problem.
+    /// Whether waves longer than the contact of a problem, in the direction of rolling, matter.
     pub fn waviness(&self, problem: &Problem) -> Result<Option<Notice>, schlupf::Error> {
         let StiffnessOrigin::MicroModel(micro) = &self.origin else { return Ok(None) };
         let contact = problem.normal.normal_contact(None)?.summary;
-        let diameter = 2.0 * contact.semi_axis_x.max(contact.semi_axis_y);
-        let share = micro.spectrum.share_of_longer(diameter);
-        Ok((share > MOST_IN_WAVINESS).then_some(Notice::LongWaves { share, diameter }))
+        let length = 2.0 * contact.semi_axis_x;
+        let share = micro.spectrum.share_of_longer(length);
+        Ok((share > MOST_IN_WAVINESS).then_some(Notice::LongWaves { share, length }))
     }
 }
 

@@ -141,7 +141,7 @@ messages! {
     } ROUGHNESS, |subject, words| format!(
         "{:.0} % of the variance of the heights lies in waves longer than a fifth of the piece: its k_c \
          is that of this piece, another one may differ by tens of per cent; measure a larger one, or \
-         take waviness off",
+         remove waviness",
         1e2 * share
     );
 
@@ -149,13 +149,14 @@ messages! {
     "long-waves" LongWaves {
         /// Part of the variance in them, dimensionless.
         share: f64,
-        /// Diameter of the contact, the larger one, in m.
-        diameter: f64,
+        /// Length of the contact in the direction of rolling, in m.
+        length: f64,
     } ROUGHNESS, |subject, words| format!(
-        "{:.0} % of the variance of the heights lies in waves longer than the contact, {:.3} mm: that \
-         is waviness, which the contact follows, and k_c without it is larger; take it off",
+        "{:.0} % of the variance of the heights lies in waves longer than the contact, {:.3} mm: this \
+         is waviness, to which the contact conforms; without it k_c would be larger: remove it with \
+         form or cutoff_wavelength",
         1e2 * share,
-        1e3 * diameter
+        1e3 * length
     );
 
     /// Waves of a profile or a spectrum shorter than two cells are omitted.

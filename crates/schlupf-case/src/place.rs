@@ -95,7 +95,7 @@ impl fmt::Display for Place {
                 write!(f, "{}:{line}:{column}", source.name)
             }
             Self::File { name } => f.write_str(name),
-            // Data in place of a file are called as what names them.
+            // The data of a program are its text and have the name of the option: once is enough.
             Self::Override { option, text } if text.is_empty() || **option == **text => {
                 f.write_str(option)
             }

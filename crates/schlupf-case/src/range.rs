@@ -9,6 +9,7 @@ use crate::fields::{self, Allowed, Field, Kind, Requirement};
 use crate::place::Place;
 use crate::setting::{Refusal, Setting};
 use crate::units::Measure;
+use schlupf::analysis::creep_curve::MAX_POINTS;
 use schlupf::reporting::quoted;
 
 /// Where along a quantity something is computed, in its SI unit.
@@ -58,11 +59,20 @@ pub fn depths(option: &str, text: &str) -> Result<Points, CaseError> {
         return Ok(points);
     }
     let place = Place::Override { option: option.into(), text: text.to_owned() };
-    let message = format!(
-        "the end of the range must be larger than its start, but is {} m after {} m",
-        fields::readable(end),
-        fields::readable(start)
-    );
+    let after = |before: f64, value: f64| {
+        format!("but is {} m after {} m", fields::readable(value), fields::readable(before))
+    };
+    let message = match points {
+        Points::Range(_) => {
+            format!("the end of the range must be larger than its start, {}", after(start, end))
+        }
+        Points::Each(values) => {
+            format!(
+                "each value of {option} must be larger than the one before, {}",
+                after(values[0], values[1])
+            )
+        }
+    };
     Err(CaseError::new("", message, place))
 }
 
@@ -129,9 +139,14 @@ fn points_of(option: &str, field: &Allowed, text: &str) -> Result<Points, CaseEr
     if text.contains("..") || !text.contains(',') {
         return range_of(option, field, text).map(Points::Range);
     }
+    let place = || Place::Override { option: option.into(), text: text.to_owned() };
+    let count = text.split(',').count();
+    if count > MAX_POINTS {
+        let message = format!("{option} must have at most {MAX_POINTS} values, but has {count}");
+        return Err(CaseError::new(field.name, message, place()));
+    }
     let values = each(option, field, text)?;
     let is_up = values[0] < values[1];
-    // Neither is a number that is none.
     let turn = values.windows(2).find(|two| (two[0] < two[1]) != is_up || two[0] == two[1]);
     let Some(turn) = turn else { return Ok(Points::Each(values)) };
     let [before, after] = [turn[0], turn[1]].map(fields::readable);
@@ -139,8 +154,7 @@ fn points_of(option: &str, field: &Allowed, text: &str) -> Result<Points, CaseEr
         "the values of {option} must increase or decrease from each to the next, but {after} \
          follows {before}"
     );
-    let place = Place::Override { option: option.into(), text: text.to_owned() };
-    Err(CaseError::new(field.name, message, place))
+    Err(CaseError::new(field.name, message, place()))
 }
 
 fn range_of(option: &str, field: &Allowed, text: &str) -> Result<[f64; 2], CaseError> {
@@ -330,7 +344,9 @@ mod tests {
         let deep = |text| depths("--depth", text);
         assert_eq!(deep("0,1,5 mm"), Ok(Points::Each(vec![0.0, 1e-3, 5e-3])));
         let told = deep("2,1 mm").unwrap_err().to_string();
-        assert!(told.contains("must be larger than its start"), "{told}");
+        assert!(told.contains("must be larger than the one before, but is 1e-3 m after 2e-3 m"));
+        let told = read(&format!("{} 1/m", ["0"; 10_001].join(","))).unwrap_err().to_string();
+        assert!(told.contains("--spin must have at most 10000 values, but has 10001"), "{told}");
     }
 
     #[test]

@@ -92,7 +92,7 @@ impl Settings {
                 quoted_path(&name)
             );
             let error = self.error(path, message).of_file(&name, &error);
-            error.help("relative paths start in the folder of the case".to_owned())
+            error.help("relative paths are relative to the folder of the case".to_owned())
         })?;
         Ok((name, bytes))
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use pyo3::exceptions::{PyKeyError, PyTypeError};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyString};
+use pyo3::types::{PyDict, PyString, PyTuple};
 use schlupf::Status;
 use schlupf_case::{CaseError, CaseErrors, CaseFile as Case, Folder, InputFile, Overrides, Place};
 use schlupf_tasks::request::{Field, Need};
@@ -101,6 +101,11 @@ fn converted(field: &Field, value: &Bound<'_, PyAny>) -> PyResult<Value> {
             field.name
         )));
     };
-    let parts = parts.map(|part| converted(field, &part?));
-    Ok(Value::List(parts.collect::<PyResult<_>>()?))
+    let parts = parts.map(|part| converted(field, &part?)).collect::<PyResult<Vec<_>>>()?;
+    let is_range = value.is_instance_of::<PyTuple>() && field.form.is_points();
+    Ok(match <[Value; 2]>::try_from(parts) {
+        Ok(ends) if is_range => Value::Range(Box::new(ends)),
+        Ok(both) => Value::List(both.into()),
+        Err(parts) => Value::List(parts),
+    })
 }

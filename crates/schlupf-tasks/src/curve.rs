@@ -8,7 +8,7 @@ use schlupf::analysis::creep_curve::{
 };
 use schlupf::numerics::parallel;
 use schlupf::{Problem, Quantity, Watch};
-use schlupf_case::fields::Choice;
+use schlupf_case::fields::{Choice, readable};
 use schlupf_case::quantity_field;
 use schlupf_case::{Case, DataUrl, Family, FieldNames, FieldPath, Points, field, fields};
 
@@ -57,8 +57,8 @@ const EVEN: &str = "even";
 /// Each is given.
 const GIVEN: &str = "given";
 
-/// Shares of the way that agree with a straight line.
-const STRAIGHT: f64 = 1e-9;
+/// Shares of the way that agree with a straight line: also those of numbers in single precision.
+const STRAIGHT: f64 = 1e-6;
 
 /// What lies at a share of the way.
 fn mix([from, to]: [f64; 2], share: f64) -> f64 {
@@ -100,6 +100,18 @@ const LONGITUDINAL: &[FieldPath] = &fields![
 const LATERAL: &[FieldPath] =
     &fields!["kinematics.creepage_y", "kinematics.yaw_angle", "kinematics.force_y"];
 const TURNING: &[FieldPath] = &fields!["kinematics.spin", "kinematics.moment_z"];
+
+/// The quantities of [`VARIED`].
+const QUANTITIES: [Quantity; 8] = [
+    Quantity::CreepageX,
+    Quantity::CreepageY,
+    Quantity::Spin,
+    Quantity::Creepage,
+    Quantity::ForceX,
+    Quantity::ForceOverLoad,
+    Quantity::ForceY,
+    Quantity::MomentZ,
+];
 
 const CREEPAGES: &[&str] = VARIED.split_at(4).0;
 const FORCES: &[&str] = VARIED.split_at(4).1;
@@ -211,12 +223,16 @@ impl Request {
 
     /// The points along a path.
     fn sampling(&self, path: &Path) -> Sampling {
-        let ends = |values: &[f64]| [values[0], values[values.len() - 1]];
-        // Those of the abscissa itself are exact.
-        let own = self.each().find(|(_, values)| ends(values) == path.range());
-        if let Some((_, values)) = own.or_else(|| self.each().next()) {
+        let is_abscissa = |name| {
+            let of_path = QUANTITIES.iter().position(|quantity| *quantity == path.quantity());
+            of_path.is_some_and(|k| VARIED[k] == name)
+        };
+        if let Some((_, values)) = self.each().find(|(name, _)| is_abscissa(*name)) {
+            return Sampling::At(values.to_vec());
+        }
+        if let Some((_, values)) = self.each().next() {
             let share = shares(values);
-            let at = |k: usize| if own.is_some() { values[k] } else { mix(path.range(), share(k)) };
+            let at = |k: usize| mix(path.range(), share(k));
             return Sampling::At((0..values.len()).map(at).collect());
         }
         let points = self.points.unwrap_or(Sampling::default().points());
@@ -240,9 +256,10 @@ impl Request {
             if let Some(k) = off {
                 let wanted = mix([others[0], others[others.len() - 1]], share(k));
                 return Err(TaskError::Request(format!(
-                    "{name} must vary linearly with {own}, but is {} in place of {wanted:.6} where \
-                     that is {}",
-                    others[k], values[k]
+                    "{name} must vary linearly with {own}, but is {} in place of {} where that is {}",
+                    readable(others[k]),
+                    readable(wanted),
+                    readable(values[k])
                 )));
             }
         }

@@ -310,14 +310,13 @@ impl StateSolver {
             return Err(NoState::NoContact);
         }
         let mut before = self.posed.take();
-        let posed = match before.take_if(|posed| posed.takes(&self.fields, entries)) {
+        let mut posed = match before.take_if(|posed| posed.serves(&self.fields, entries)) {
             Some(posed) => posed,
             None => match self.posed_anew(entries, name(), watch) {
                 Ok(mut posed) => {
                     if let Some(before) = before {
                         posed.take_over(*before, &self.fields);
                     }
-                    posed.takes(&self.fields, entries);
                     posed
                 }
                 Err(failure) => {
@@ -326,6 +325,7 @@ impl StateSolver {
                 }
             },
         };
+        posed.set(entries);
         Ok(self.posed.insert(posed))
     }
 
@@ -376,21 +376,23 @@ fn solver(case: &Case, as_asked: bool) -> Box<dyn Solver> {
 const LOAD: FieldPath = field!("normal.load");
 
 impl Posed {
-    /// Takes the values of a state, unless they need another case: whether it has. What does not
-    /// vary is that of the case.
+    /// Whether a state with these values needs no other case.
     #[inline]
-    fn takes(&mut self, fields: &[&'static Field], entries: &[Entry]) -> bool {
+    fn serves(&self, fields: &[&'static Field], entries: &[Entry]) -> bool {
+        let mut states = fields.iter().zip(entries).enumerate();
+        states.all(|(k, (field, entry))| match (self.conditions[k], entry) {
+            (Some(_), Entry::Number(number)) => field.requirement.holds(*number),
+            _ => self.entries[k].is(entry),
+        })
+    }
+
+    /// Sets the motion and the load to those of a state that the case serves. What does not vary is
+    /// that of the case.
+    #[inline]
+    fn set(&mut self, entries: &[Entry]) {
         (self.motion, self.load) = (self.case.problem.kinematics, None);
-        for (k, entry) in entries.iter().enumerate() {
-            let (Some(quantity), Entry::Number(number)) = (self.conditions[k], entry) else {
-                if self.entries[k].is(entry) {
-                    continue;
-                }
-                return false;
-            };
-            if !fields[k].requirement.holds(*number) {
-                return false;
-            }
+        for (quantity, entry) in self.conditions.iter().zip(entries) {
+            let (Some(quantity), Entry::Number(number)) = (quantity, entry) else { continue };
             match quantity {
                 Quantity::CreepageX => self.motion.creepage_x = *number,
                 Quantity::CreepageY => self.motion.creepage_y = *number,
@@ -399,7 +401,6 @@ impl Posed {
                 _ => self.motion.speed = *number,
             }
         }
-        true
     }
 
     /// Keeps what a solver has set up where only fields differ that do not shape the contact.

@@ -173,7 +173,9 @@ pub fn read(settings: &Settings, fields: &ProfileFields) -> Result<Profile, Case
 fn file_bytes(settings: &Settings, fields: &ProfileFields) -> Result<(String, Vec<u8>), CaseError> {
     settings.read_file(fields.profile).map_err(|error| {
         let names = built_in::names(fields.is_wheel());
-        error.help(format!("relative paths start in the folder of the case; built in are {names}"))
+        error.help(format!(
+            "relative paths are relative to the folder of the case; built in are {names}"
+        ))
     })
 }
 

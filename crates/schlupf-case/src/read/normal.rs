@@ -130,23 +130,23 @@ impl File {
     fn read(settings: &Settings) -> Result<Self, CaseError> {
         let (name, bytes) = settings.read_file(FILE)?;
         let file = settings.input_file(FILE)?;
-        if file.ending() == "npy" {
-            let own = file.spacings().map(|own| own.map(Some)).unwrap_or_default();
+        let own = file.spacings();
+        if file.ending() == "npy" && own.is_none() {
             let spacing = |k: usize| {
-                let given = settings.optional_number(SPACINGS[k])?.or(own[k]);
+                let given = settings.optional_number(SPACINGS[k])?;
                 given.ok_or_else(|| settings.missing_beside(SPACINGS[k], FILE))
             };
             let spacings = Some([spacing(0)?, spacing(1)?]);
-            return Ok(Self { name, bytes, spacings, start: file.start() });
+            return Ok(Self { name, bytes, spacings, start: None });
         }
         if let Some(spacing) = SPACINGS.into_iter().find(|path| settings.is_given(*path)) {
             let message = format!(
-                "{spacing} must be given with an .npy file only, but is {} with {}, which holds its own positions",
+                "{spacing} must be given only with an array without positions, but is {} with {}, which holds its own positions",
                 settings.shown(spacing),
                 settings.shown(FILE)
             );
             return Err(settings.error(spacing, message));
         }
-        Ok(Self { name, bytes, spacings: None, start: None })
+        Ok(Self { name, bytes, spacings: own, start: file.start() })
     }
 }

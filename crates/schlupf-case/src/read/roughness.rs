@@ -347,6 +347,6 @@ pub fn explain(settings: &Settings, error: &schlupf::Error) -> CaseError {
     if !field.starts_with(SECTION) {
         return settings.explain(error);
     }
-    let message = format!("the micro model of the roughness: {}", error.text(&settings.names()));
+    let message = error.text(&settings.names());
     placed(settings, CaseError::new(field, message, Place::Default))
 }

@@ -96,11 +96,26 @@ impl Reading<'_> {
             let message = format!("must be a readable file, but is not: {error}");
             self.refusal(&name, message).of_file(&name, &error)
         })?;
+        let (given, own) = (self.options.unit.as_deref(), file.unit());
+        if given.is_some() && own.is_some_and(|own| Some(own) != given) {
+            return Err(self.twice(UNIT, &name));
+        }
+        let (spacing, spacings) = (self.options.spacing, file.spacings());
+        if spacing.is_some() && spacings.is_some_and(|own| Some(own) != spacing) {
+            return Err(self.twice(SPACING, &name));
+        }
         // Arrays of a program are in SI units.
-        let unit = self.options.unit.clone().or_else(|| file.data().map(|_| "m".to_owned()));
-        let spacing = self.options.spacing.or(file.spacings());
+        let unit = given.or(own).or(file.data().map(|_| "m")).map(str::to_owned);
+        let spacing = spacing.or(spacings);
         let how = Reading { options: &SurfaceOptions { unit, spacing, ..*self.options }, ..self };
         how.bytes(name, &file.ending(), bytes)
+    }
+
+    /// An option that contradicts what data say.
+    fn twice(self, option: FieldPath, name: &str) -> CaseError {
+        let message =
+            format!("{} must be left out, because {name} has its own", self.names.name(option));
+        CaseError::new(option, message, Place::File { name: name.to_owned() })
     }
 
     fn bytes(

@@ -21,7 +21,7 @@ const RMS_SLOPE: FieldPath = field!("contact_law.roughness.rms_slope");
 const SECOND_FILE: FieldPath = field!("contact_law.roughness.second_file");
 const RMS_HEIGHT: FieldPath = field!("contact_law.roughness.rms_height");
 
-/// What is taken off a measured surface.
+/// What is removed from a measured surface.
 #[derive(Clone, Copy)]
 struct TakenOff {
     form: Option<Form>,
@@ -53,9 +53,9 @@ pub enum SurfaceOrigin {
         files: Vec<InputFile>,
         /// What the files do not say.
         options: SurfaceOptions,
-        /// What is taken off each of them.
+        /// What is removed from each of them.
         form: Option<Form>,
-        /// Longer waves than this are taken off after that (in m).
+        /// Longer waves than this are removed after that (in m).
         cutoff: Option<f64>,
     },
 }
@@ -325,23 +325,23 @@ impl Said {
         self.remarks.push(format!("{}: from {what} with Rq = {height} µm", file.display()));
     }
 
-    /// Of a tilt that was taken off, if it is seen beside the roughness.
+    /// Of a tilt that was removed, if it is seen beside the roughness.
     fn tilt(&mut self, file: &Path, FormRemoval { surface, slope: [x, y], .. }: &FormRemoval) {
         let lattice = surface.lattice();
         let range = (x * lattice.length_x()).abs() + (y * lattice.length_y()).abs();
         let [low, high] = surface.range();
         if range > VISIBLE_TILT * (high - low) {
             let (name, angle) = (file.display(), x.hypot(*y).atan().to_degrees());
-            self.remarks.push(format!("{name}: a tilt of {angle:.3} deg was taken off"));
+            self.remarks.push(format!("{name}: a tilt of {angle:.3} deg was removed"));
         }
     }
 
-    /// Of a form of a radius (in m) that was taken off.
+    /// Of a form of a radius (in m) that was removed.
     fn form(&mut self, file: &Path, radius: f64) {
         let name = file.display();
         let kind = if radius < 0.0 { "hollow" } else { "round" };
         let radius = readable(1e3 * radius.abs());
-        self.remarks.push(format!("{name}: a {kind} form of radius {radius} mm was taken off"));
+        self.remarks.push(format!("{name}: a {kind} form of radius {radius} mm was removed"));
     }
 
     /// Of a part of points that was filled.

@@ -60,6 +60,11 @@ impl Form {
         }
     }
 
+    /// Whether it is a range or each of several values.
+    pub fn is_points(self) -> bool {
+        matches!(self, Self::Depths | Self::Points(_))
+    }
+
     /// Whether it begins with a number that may have a sign, if a wrong one.
     pub fn is_signed(self) -> bool {
         matches!(self, Self::Points(_)) || !self.unit().is_empty()
@@ -131,7 +136,9 @@ pub enum Value {
     Number(f64),
     /// Whether or not.
     Flag(bool),
-    /// Several values: two ends, or those of a list or of a field that is given several times.
+    /// Start and end of a range.
+    Range(Box<[Value; 2]>),
+    /// Several values: those of a list or of a field that is given several times.
     List(Vec<Value>),
     /// A file.
     File(InputFile),
@@ -146,10 +153,10 @@ impl Value {
             Self::Flag(true) if form.is_flag() => String::new(),
             Self::Flag(flag) => flag.to_string(),
             Self::File(file) => file.path().display().to_string(),
+            Self::Range(ends) => ends.each_ref().map(|end| end.text(form)).join(".."),
             Self::List(parts) => {
                 let parts: Vec<String> = parts.iter().map(|part| part.text(form)).collect();
-                let is_range = parts.len() == 2 && matches!(form, Form::Depths | Form::Points(_));
-                parts.join(if is_range { ".." } else { "," })
+                parts.join(",")
             }
         }
     }

@@ -197,7 +197,7 @@ fn bad_input_of_the_micro_model_is_refused() {
     let flat = MicroModel { surface: elastic.surface.scaled(0.0), ..elastic.clone() };
     assert!(refused(&flat).contains("flat"));
     let smooth = MicroModel { surface: elastic.surface.scaled(1e-3), ..elastic.clone() };
-    assert!(refused(&smooth).contains("all of the surface is in contact under"));
+    assert!(refused(&smooth).contains("is in contact everywhere under"));
     let bodies = SimilarBodies { poisson_ratio: 0.6, ..BODIES };
     let wrong = MicroModel { bodies, ..elastic.clone() };
     assert!(refused(&wrong).contains("poisson_ratio must be between 0 and 0.5"));

@@ -1,5 +1,6 @@
 //! The points at which a curve is computed.
 
+use super::Path;
 use crate::reporting::{Error, Quantity, Requirement, require};
 
 /// The points of a curve, at least two.
@@ -11,8 +12,8 @@ pub enum Sampling {
     Refined(usize),
     /// So many, uniform in the abscissa.
     Even(usize),
-    /// At these abscissae (each in the unit of the path: dimensionless, in 1/m, N or N m). The
-    /// curve runs from the first towards the last, in the order of their values.
+    /// At these abscissae of the path (each in its unit: dimensionless, in 1/m, N or N m), in the
+    /// order from its start to its end.
     At(Vec<f64>),
 }
 
@@ -30,6 +31,21 @@ impl Sampling {
     pub fn check(&self) -> Result<(), Error> {
         let requirement = Requirement::Between(2.0, MAX_POINTS as f64);
         require(Quantity::CurvePoints, requirement, self.points() as f64)
+    }
+
+    /// Checks that given points lie on the path, each beyond the one before.
+    pub(super) fn check_order(&self, path: &Path) -> Result<(), Error> {
+        let Self::At(abscissae) = self else { return Ok(()) };
+        let range = path.range();
+        let mut reached = f64::NEG_INFINITY;
+        for &value in abscissae {
+            let share = (value - range[0]) / (range[1] - range[0]);
+            if !(0.0..=1.0).contains(&share) || share <= reached {
+                return Err(Error::CurveOrder { quantity: path.quantity(), value, range });
+            }
+            reached = share;
+        }
+        Ok(())
     }
 
     /// Number of points.
@@ -85,6 +101,7 @@ fn between([from, to]: [f64; 2], k: usize, steps: usize) -> f64 {
 mod tests {
     use approx::assert_relative_eq;
 
+    use super::super::Creepages;
     use super::*;
 
     fn refined(points: usize, range: [f64; 2]) -> Vec<f64> {
@@ -126,5 +143,18 @@ mod tests {
         assert!(Sampling::Even(MAX_POINTS + 1).check().is_err());
         assert!(Sampling::At(vec![0.0]).check().is_err());
         assert_eq!(Sampling::default().check(), Ok(()));
+    }
+
+    #[test]
+    fn given_points_follow_the_path() {
+        let [start, end] = [0.02, -0.01].map(|x| Creepages { x, ..Creepages::default() });
+        let path = Path::new(start, end).unwrap();
+        let check = |points: &[f64]| Sampling::At(points.to_vec()).check_order(&path);
+        assert_eq!(check(&[0.02, 0.0, -0.01]), Ok(()));
+        assert_eq!(check(&[0.01, 0.0]), Ok(()));
+        for wrong in [[0.02, 0.02], [0.0, 0.01], [0.0, -0.02], [0.0, f64::NAN]] {
+            let message = check(&wrong).unwrap_err().to_string();
+            assert!(message.contains("must run from 0.02 to -0.01"), "{message}");
+        }
     }
 }

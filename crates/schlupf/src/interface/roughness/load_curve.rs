@@ -98,7 +98,8 @@ impl LoadCurve {
     ) -> Result<Self, Error> {
         require_positive(Quantity::MeanPressure, largest)?;
         let steps = options.steps();
-        let area = contact.distance().lattice().area();
+        let lattice = *contact.distance().lattice();
+        let area = lattice.area();
         let hardness = contact.hardness();
         let mut flattened = None;
         let mut first = None;
@@ -129,7 +130,7 @@ impl LoadCurve {
         }
         points.reverse();
         if points[points.len() - 1].contact_fraction > CLOSED {
-            return Err(all_in_contact(&points, hardness));
+            return Err(all_in_contact(&points, hardness, 2.0 * lattice.spacing_x));
         }
         Self::new(points)
     }
@@ -252,11 +253,11 @@ impl LoadCurve {
 /// Contact fraction above which there are no valleys left for the load to close, dimensionless.
 const CLOSED: f64 = 0.999;
 
-fn all_in_contact(points: &[LoadPoint], hardness: f64) -> Error {
+fn all_in_contact(points: &[LoadPoint], hardness: f64, shortest: f64) -> Error {
     let is_closed = |point: &&LoadPoint| point.contact_fraction > CLOSED;
     let first = points.iter().find(is_closed).map_or(0.0, |point| point.mean_pressure);
     let largest = points.last().map_or(0.0, |point| point.mean_pressure);
-    SurfaceError::FullContact { pressure: first, largest, hardness }.into()
+    SurfaceError::FullContact { pressure: first, largest, hardness, shortest }.into()
 }
 
 /// d ∝ p^(2/3) and A ∝ p^(2/3) (Hertz 1882).

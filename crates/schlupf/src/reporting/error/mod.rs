@@ -557,6 +557,23 @@ messages! {
         with_unit(*value, quantity.unit())
     );
 
+    /// Points of a creep curve out of order, or beyond its ends.
+    "curve-order" CurveOrder {
+        /// What varies.
+        quantity: Quantity,
+        /// The first such point, in its unit if it has one.
+        value: f64,
+        /// Start and end of the curve, in the same unit.
+        range: [f64; 2],
+    } *quantity, |name, words| {
+        let [value, start, end] =
+            [*value, range[0], range[1]].map(|place| with_unit(place, quantity.unit()));
+        format!(
+            "{name} must run from {start} to {end} on a creep curve, each point beyond the one before, \
+             but one is at {value}"
+        )
+    };
+
     /// The wheel locks on a creep curve.
     "locks-on-curve" LocksOnCurve {
         /// The creepage that varies.

@@ -165,6 +165,8 @@ messages! {
         largest: f64,
         /// Hardness, in Pa; infinite for elastic bodies.
         hardness: f64,
+        /// The shortest wave that its cells resolve, in m.
+        shortest: f64,
     } Quantity::Heights, |name, words| {
         let cause = if hardness.is_finite() {
             format!(
@@ -173,11 +175,14 @@ messages! {
                 readable(1e-6 * hardness)
             )
         } else {
-            "it is too smooth, the pressures are too large, or its heights are in another unit"
-                .to_owned()
+            format!(
+                "waves shorter than {} mm are lacking, it is too smooth, the pressures are too large, \
+                 or its heights are in another unit",
+                readable(1e3 * shortest)
+            )
         };
         let pressure = readable(1e-6 * pressure);
-        format!("{name}: all of the surface is in contact under {pressure} MPa: {cause}")
+        format!("{name} is in contact everywhere under {pressure} MPa: {cause}")
     };
 }
 
