@@ -137,7 +137,7 @@ def test_a_map_has_its_own_places_or_a_spacing(heights, expected):
 
 def test_bands_of_long_waves_are_no_roughness():
     wavelength = [4e-3, 5e-3, 6.3e-3, 8e-3, 10e-3]
-    with pytest.raises(schlupf.CaseError, match="^surface: .*waves shorter than .* mm are lacking"):
+    with pytest.raises(schlupf.CaseError, match="^surface: .*lacks waves shorter than .* mm"):
         schlupf.roughness({"wavelength": wavelength, "level": [-20.0] * 5}, cells=64)
 
 

@@ -176,8 +176,8 @@ messages! {
             )
         } else {
             format!(
-                "waves shorter than {} mm are lacking, it is too smooth, the pressures are too large, \
-                 or its heights are in another unit",
+                "it lacks waves shorter than {} mm, is too smooth under these pressures, or its \
+                 heights are in another unit",
                 readable(1e3 * shortest)
             )
         };
