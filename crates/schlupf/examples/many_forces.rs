@@ -19,7 +19,7 @@ const ROUNDS: usize = 5;
 const LOAD: f64 = 80e3;
 
 /// What acts on the wheel.
-struct Force {
+struct Acting {
     force: Resultant,
     coefficient: f64,
     is_beyond_friction: bool,
@@ -33,19 +33,19 @@ fn main() -> Result<(), Error> {
     for _ in 0..ROUNDS {
         let start = Instant::now();
         let blocks = creepages.chunks(BLOCK).collect();
-        let forces: Vec<Vec<Force>> = parallel::try_map(blocks, |block: &[f64]| {
+        let forces: Vec<Vec<Acting>> = parallel::try_map(blocks, |block: &[f64]| {
             let method = FastMethod::Polach(AreaReduction::DRY);
             let mut contact = FastContact::new(&problem, method, &Options::default())?;
             let force = |creepage: &f64| {
                 let force = contact.force(&Kinematics { creepage_x: *creepage, ..own })?;
                 let is_beyond_friction = contact.is_beyond_friction(&force);
-                Ok(Force { coefficient: force.tangential() / LOAD, force, is_beyond_friction })
+                Ok(Acting { coefficient: force.tangential() / LOAD, force, is_beyond_friction })
             };
             block.iter().map(force).collect::<Result<_, Error>>()
         })?;
         fastest = fastest.min(start.elapsed().as_secs_f64());
         // The wheel is braked.
-        let is_braked = |one: &Force| one.force.x < 0.0 && one.coefficient < 0.4;
+        let is_braked = |one: &Acting| one.force.x < 0.0 && one.coefficient < 0.4;
         assert!(
             forces.iter().flatten().skip(1).all(|one| is_braked(one) && !one.is_beyond_friction)
         );
