@@ -345,7 +345,7 @@ mod tests {
         assert_eq!(deep("0,1,5 mm"), Ok(Points::Each(vec![0.0, 1e-3, 5e-3])));
         let told = deep("2,1 mm").unwrap_err().to_string();
         assert!(told.contains("must be larger than the one before, but is 1e-3 m after 2e-3 m"));
-        let told = read(&format!("{} 1/m", ["0"; 10_001].join(","))).unwrap_err().to_string();
+        let told = read(&format!("{}1 1/m", "0,".repeat(10_000))).unwrap_err().to_string();
         assert!(told.contains("--spin must have at most 10000 values, but has 10001"), "{told}");
     }
 

@@ -220,7 +220,8 @@ pub fn trace(
 /// Performs all checks possible before the first solution.
 ///
 /// # Errors
-/// Points out of order, a wheel that does not roll somewhere on the path, and whatever [`Problem::check`] rejects there.
+/// Points out of order, a wheel that does not roll somewhere on the path, and whatever
+/// [`Problem::check`] rejects there.
 pub fn check(problem: &Problem, path: &Path, sampling: &Sampling) -> Result<(), Error> {
     sampling.check()?;
     sampling.check_order(path)?;
