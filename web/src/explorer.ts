@@ -24,6 +24,8 @@ export interface Audience {
 
 /** Steps of a transient between two frames. */
 const EVERY = 2;
+/** Time that a solution is left to end by itself while a field moves, in ms. */
+const PATIENCE = 2000;
 
 /** The loop from the case to its solution. */
 export class Explorer {
@@ -49,6 +51,9 @@ export class Explorer {
 
   private async changed(change: Change): Promise<void> {
     this.count += 1;
+    // What is asked next, be it only whether the case is right, waits for what runs.
+    this.contact.cancel('solve', change === 'moved' ? PATIENCE : 0);
+    this.long.cancel('play');
     if (change === 'opened') {
       this.opened += 1;
       [this.described, this.result] = [null, null];

@@ -169,6 +169,82 @@ test('a result is pinned beside the next one', () =>
     assert.deepEqual(errors, []);
   }));
 
+/** Pixels of a chart that have the colour of a curve. */
+function pixelsOf(chart, index) {
+  return chart.locator('canvas').evaluate((canvas, at) => {
+    const named = getComputedStyle(document.documentElement).getPropertyValue(`--curve-${at}`);
+    const pen = Object.assign(document.createElement('canvas'), { width: 1, height: 1 });
+    const context = pen.getContext('2d');
+    context.fillStyle = named.trim();
+    context.fillRect(0, 0, 1, 1);
+    const wanted = context.getImageData(0, 0, 1, 1).data.join();
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    let count = 0;
+    for (let pixel = 0; pixel < data.length; pixel += 4) {
+      if (data.slice(pixel, pixel + 4).join() === wanted) count += 1;
+    }
+    return count;
+  }, index);
+}
+
+test('the section of a smaller pinned patch is drawn beside that of a larger one', () =>
+  withPage({}, '#case=steel_wheel_driving', async (page, errors) => {
+    await page.getByRole('button', { name: 'Pin to compare' }).click();
+    await andSolved(page, () => give(page, 'normal.load', '120 kN'));
+    const section = page.locator('#panel-patch .chart:visible');
+    for (const colour of [0, 2]) assert.ok((await pixelsOf(section, colour)) > 50, `${colour}`);
+    await andSolved(page, () => give(page, 'normal.load', '40 kN'));
+    for (const colour of [0, 2]) assert.ok((await pixelsOf(section, colour)) > 50, `${colour}`);
+    assert.deepEqual(errors, []);
+  }));
+
+/** Starts a solution that takes far longer than a test. */
+async function solveLong(page) {
+  await give(page, 'grid.cells_y', '210');
+  await give(page, 'grid.cells_x', '620');
+  await page.locator('.told .running:visible').waitFor();
+}
+
+test('pinning is no solution, and is off while the result is not that of the case', () =>
+  withPage({}, '#case=half_space', async (page, errors) => {
+    const pin = page.locator('.side header button');
+    await solveLong(page);
+    const moment = await page.evaluate(() => document.documentElement.dataset.solved);
+    await pin.click();
+    await page.locator('.compared').first().waitFor();
+    assert.ok(await page.locator('.told .running').isVisible());
+    assert.equal(await page.evaluate(() => document.documentElement.dataset.solved), moment);
+    await page.locator('.told').getByRole('button', { name: 'Cancel' }).click();
+    await page.locator('.results .status.bad').waitFor();
+    assert.ok(await pin.isDisabled());
+    for (const cells of ['grid.cells_x', 'grid.cells_y']) await give(page, cells, '');
+    await page.waitForFunction(() => !document.querySelector('.results .status.bad'));
+    assert.ok(await pin.isEnabled());
+    assert.deepEqual(errors, []);
+  }));
+
+test('another case does not wait for a long solution', () =>
+  withPage({}, '#case=half_space', async (page, errors) => {
+    await solveLong(page);
+    const moment = await now(page);
+    await page.selectOption('#gallery', 'steel_wheel_driving');
+    await solved(page, moment, 8000);
+    assert.equal(await page.locator('.problems').count(), 0);
+    assert.deepEqual(errors, []);
+  }));
+
+test('an input error is told during a long solution, and is gone with the next one', () =>
+  withPage({}, '#case=half_space', async (page, errors) => {
+    await solveLong(page);
+    await give(page, 'kinematics.speed', '80 kJ');
+    await page.locator('.told .problems').waitFor({ timeout: 8000 });
+    assert.ok(!(await page.locator('.told .running').isVisible()));
+    await give(page, 'kinematics.speed', '20 m/s');
+    await page.locator('.told .running:visible').waitFor();
+    assert.equal(await page.locator('.told .problems').count(), 0);
+    assert.deepEqual(errors, []);
+  }));
+
 test('a wheel is pinned beside the next position, with its curves', () =>
   withPage({}, '#case=wheel_on_rail&view=wheel', async (page, errors) => {
     await page.click('[data-task=wheelset]');
@@ -581,9 +657,34 @@ test('a new surface is offered where it is generated', () =>
     await page.click('[data-task=roughness]');
     await page.locator('.task .map canvas[aria-label^="normal pressure"]').waitFor();
     assert.equal(await page.locator('.task .drawing').count(), 3);
+    // k_c in closed form: there is no surface at all.
     await andSolved(page, () => page.selectOption('#gallery', 'rough_surfaces'));
     assert.ok(!(await button.isVisible()));
+    assert.ok(!(await page.locator('[data-task=roughness]').isVisible()));
   }));
+
+test('a new surface is solved, and its spots are found when asked for', () => {
+  const text = `${stateOf({}).text}
+[kinematics]
+creepage_x = 0.001
+
+[contact_law.roughness]
+rms_height = "1 um"
+hurst = 0.8
+longest_wavelength = "40 um"
+shortest_wavelength = "10 um"
+cells = 128
+`;
+  return withPage({}, linkOf(stateOf({ text })), async (page, errors) => {
+    const before = await shown(page, 'force.x');
+    await andSolved(page, () => page.getByRole('button', { name: 'New surface' }).click());
+    assert.notEqual(await shown(page, 'force.x'), before);
+    assert.equal(await page.locator('.inquiry .running:visible').count(), 0);
+    await page.click('[data-task=roughness]');
+    await page.locator('.task .map canvas[aria-label^="normal pressure"]').waitFor();
+    assert.deepEqual(errors, []);
+  });
+});
 
 test('a task is gone with its case and marked when the case changes', () =>
   withPage({}, '#case=stresses_below', async (page) => {
