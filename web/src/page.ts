@@ -252,7 +252,7 @@ export class Page {
     this.markOutdated();
     this.columns.classList.toggle('undescribed', !this.explorer.described);
     const assign = (values: [string, string][]) => this.model.assign(values);
-    this.problems.replaceChildren(problemList(problems, this.model.text, assign));
+    this.problems.replaceChildren(problemList(t('problems'), problems, this.model.text, assign));
     this.panel.showProblems(problems);
   }
 

@@ -161,7 +161,7 @@ test('a result is pinned beside the next one', () =>
     await page.getByRole('button', { name: 'Pin to compare' }).click();
     await andSolved(page, () => slide(page, CREEPAGE, 700));
     assert.equal(await page.locator('.maps .map:visible').count(), 2);
-    const row = page.locator('.compared tr', { hasText: 'force x' }).first();
+    const row = page.locator('.compared tr', { hasText: 'longitudinal force' }).first();
     const [present, pinned, change] = (await row.locator('td').allInnerTexts()).map((text) =>
       Number(text.replace('−', '-')),
     );
@@ -257,7 +257,7 @@ test('a wheel is pinned beside the next position, with its curves', () =>
     for (const [part, name] of [
       ['.contacts', 'radius of the wheel'],
       ['.contacts', 'lateral force'],
-      ['.results', 'contacts'],
+      ['.results', 'number of contacts'],
     ].map(([place, text]) => [page.locator(place), text])) {
       const row = part.locator('.compared tr', { hasText: name }).first();
       const cells = (await row.locator('td').allInnerTexts()).slice(0, 3);
@@ -601,6 +601,32 @@ test('a profile dropped on a case without profiles opens a wheel on a rail', () 
     assert.deepEqual(errors, []);
   }));
 
+test('what is no case is refused: other text, a picture, a name of none', () =>
+  withPage({}, '#case=half_space', async (page, errors) => {
+    const dialog = page.locator('dialog[open]');
+    for (const [name, text, told] of [
+      ['own.toml', 'title = "a"\n# caf\xe9\n', /UTF-8, but is not in line 2/],
+      ['profile.png', '\x89PNG', /profile\.png: neither a case nor/],
+      ['profile.pdf', '%PDF', /profile\.pdf: neither a case nor/],
+    ]) {
+      const mimeType = name.endsWith('png') ? 'image/png' : 'application/pdf';
+      const buffer = Buffer.from(text, 'latin1');
+      const type = name.endsWith('toml') ? 'application/toml' : mimeType;
+      await page.setInputFiles('input[type=file]', { name, mimeType: type, buffer });
+      assert.match(await dialog.innerText(), told);
+      await page.keyboard.press('Escape');
+      await dialog.waitFor({ state: 'detached' });
+    }
+    await page.evaluate(() => {
+      location.hash = '#case=nonexistent';
+    });
+    await page.getByText('The case of this link cannot be read.').waitFor();
+    assert.equal(await page.locator('#gallery').inputValue(), 'half_space');
+    await page.waitForTimeout(600);
+    assert.ok(await page.getByText('The case of this link cannot be read.').isVisible());
+    assert.deepEqual(errors, []);
+  }));
+
 test('values stay while another is wrong', () =>
   withPage({}, '#case=steel_wheel_driving', async (page) => {
     const input = (path) => page.locator(`.panel [data-path="${path}"] input[type=text]`);
@@ -644,7 +670,7 @@ test('a link has a file of its own, whatever its name, unless it is large', () =
       assert.equal(await shown(other.page, 'force.x'), changed);
       await give('two_point_contact.csv', `${own}${'\n'.repeat(2e5)}`);
       await page.click('#share');
-      await page.getByText('too large for it: two_point_contact.csv').waitFor();
+      await page.getByText('too large for a link: two_point_contact.csv').waitFor();
       assert.deepEqual(errors, []);
     },
   ));

@@ -56,8 +56,8 @@ export class CurveView {
   });
   private readonly count = h('input', {
     type: 'number',
-    min: 5,
-    max: 201,
+    min: 2,
+    max: 10000,
     value: 31,
     id: 'curve-points',
     onchange: () => void this.compute(),

@@ -15,7 +15,7 @@ import { HeatMap, type MapContent } from '../draw/heat_map';
 import { sampled, united } from '../draw/sampling';
 import type { Surface } from '../draw/surface';
 import type { Result } from '../explorer';
-import { digits, labelled, shownFor, withUnit, type Shown } from '../quantity';
+import { digits, labelled, largestOf, shownFor, withUnit, type Shown } from '../quantity';
 import type { Grid, Table } from '../solver/protocol';
 import { columnName, explained, t } from '../texts';
 import { Player } from './player';
@@ -183,11 +183,13 @@ export class PatchView {
     const seen = [...one, ...this.extremes(result, name)];
     const shown = shownFor(field.table[name].units, seen);
     const scale = colourScale(seen.map((value) => value / shown.factor));
-    const content = this.content(field, name, shown, beside ? t('present') : '');
+    const tractions = [field, beside].flatMap((one) => [...numbers(one?.table['traction'])]);
+    const longest = largestOf(tractions);
+    const content = this.content(field, name, shown, { note: beside ? t('present') : '', longest });
     this.map.show(content, scale);
     this.pinnedMap.element.hidden = !beside?.table[name];
     if (beside?.table[name]) {
-      this.pinnedMap.show(this.content(beside, name, shown, t('pinned')), scale);
+      this.pinnedMap.show(this.content(beside, name, shown, { note: t('pinned'), longest }), scale);
     }
     this.surface?.show(content, scale);
     this.drawSection(field, beside, name, shown);
@@ -204,7 +206,12 @@ export class PatchView {
     return extremes;
   }
 
-  private content({ table, grid }: Field, name: string, shown: Shown, note: string): MapContent {
+  private content(
+    { table, grid }: Field,
+    name: string,
+    shown: Shown,
+    { note, longest }: { note: string; longest: number },
+  ): MapContent {
     const places = new Map(
       grid.cells.map(([column, row], index) => [row * grid.columns + column, index]),
     );
@@ -227,7 +234,7 @@ export class PatchView {
       isToScale: true,
       describe,
       note,
-      ...(this.arrows.checked ? { arrows: tractionArrows(table, grid, every) } : {}),
+      ...(this.arrows.checked ? { arrows: { all: tractionArrows(table, grid, every), longest } } : {}),
       ...(this.border.checked ? { border: borderOfStick(table, grid) } : {}),
     };
   }
