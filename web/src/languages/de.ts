@@ -261,7 +261,10 @@ const WORDS: Words = {
       'quadratischer Mittenrauwert Rq',
       'quadratischer Mittelwert der Höhen beider Oberflächen zusammen',
     ],
-    rms_height_wheel: ['quadratischer Mittenrauwert Rq, Rad', 'quadratischer Mittelwert der Höhen des Rades'],
+    rms_height_wheel: [
+      'quadratischer Mittenrauwert Rq, Rad',
+      'quadratischer Mittelwert der Höhen des Rades',
+    ],
     rms_height_rail: [
       'quadratischer Mittenrauwert Rq, Schiene',
       'quadratischer Mittelwert der Höhen der Schiene',

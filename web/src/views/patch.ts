@@ -234,7 +234,9 @@ export class PatchView {
       isToScale: true,
       describe,
       note,
-      ...(this.arrows.checked ? { arrows: { all: tractionArrows(table, grid, every), longest } } : {}),
+      ...(this.arrows.checked
+        ? { arrows: { all: tractionArrows(table, grid, every), longest } }
+        : {}),
       ...(this.border.checked ? { border: borderOfStick(table, grid) } : {}),
     };
   }

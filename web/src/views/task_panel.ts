@@ -33,6 +33,7 @@ export class TaskPanel {
     lane: Lane,
   ) {
     this.inquiry = new Inquiry('task', model, lane);
+    const start = ({ task }: Offer) => (typeof task === 'string' ? void this.run(task) : task());
     this.buttons = offers.map((offer) => ({
       offer,
       button: h(
@@ -40,7 +41,7 @@ export class TaskPanel {
         {
           type: 'button',
           'data-task': typeof offer.task === 'string' ? offer.task : null,
-          onclick: () => (typeof offer.task === 'string' ? void this.run(offer.task) : offer.task()),
+          onclick: () => start(offer),
         },
         offer.label,
       ),
