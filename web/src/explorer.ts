@@ -7,7 +7,8 @@ import type { Answered, Described, Fields, Problem, Progress } from './solver/pr
 /** A solution with the case that it belongs to. */
 export interface Result {
   answered: Answered;
-  fields: Fields;
+  /** Values of its fields, those that move as they were when it was asked for. */
+  values: Fields['values'];
   milliseconds: number;
   isTransient: boolean;
 }
@@ -24,6 +25,8 @@ export interface Audience {
 
 /** Steps of a transient between two frames. */
 const EVERY = 2;
+/** Time that a solution is left to end by itself while a field moves, in ms. */
+const PATIENCE = 2000;
 
 /** The loop from the case to its solution. */
 export class Explorer {
@@ -49,6 +52,9 @@ export class Explorer {
 
   private async changed(change: Change): Promise<void> {
     this.count += 1;
+    // What is asked next, be it only whether the case is right, waits for what runs.
+    this.contact.cancel('solve', change === 'moved' ? PATIENCE : 0);
+    this.long.cancel('play');
     if (change === 'opened') {
       this.opened += 1;
       [this.described, this.result] = [null, null];
@@ -88,16 +94,17 @@ export class Explorer {
     this.audience.solving();
     const isTransient = this.isTransient();
     const tell = this.audience.progress;
-    const input = model.fixed();
+    const [input, moving] = [model.fixed(), model.moving()];
+    const moved = moving.paths.map((path, index) => [path, moving.values[index] ?? NaN]);
+    const values = { ...this.described?.fields.values, ...Object.fromEntries(moved) };
     const answered = await this.tried(
       isTransient
         ? this.long.ask('play', 'play', { input: model.whole(), every: EVERY }, tell)
-        : this.contact.ask('solve', 'solve', { input, ...model.moving(), isMoving }, tell),
+        : this.contact.ask('solve', 'solve', { input, ...moving, isMoving }, tell),
     );
-    const { fields } = this.described ?? {};
-    if (!answered || !fields) return false;
+    if (!answered || !this.described) return false;
     const milliseconds = performance.now() - started;
-    this.result = { answered, fields, milliseconds, isTransient };
+    this.result = { answered, values, milliseconds, isTransient };
     this.audience.solved(this.result);
     return answered.isQuick;
   }

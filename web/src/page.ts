@@ -23,8 +23,10 @@ import { WheelView } from './views/wheel';
 
 /** Field of the seed of a generated surface. */
 const SEED = 'contact_law.roughness.seed';
-/** Fields of which a case with a generated surface gives one. */
-const GENERATED = [SEED, 'contact_law.roughness.longest_wavelength'];
+/** A field of every case with a generated surface. */
+const GENERATED = 'contact_law.roughness.longest_wavelength';
+/** A field of every case with a measured one. */
+const MEASURED = 'contact_law.roughness.file';
 
 /** All that is seen. */
 export class Page {
@@ -61,6 +63,7 @@ export class Page {
     this.explorer = new Explorer(model, contact, long, {
       described: (described) => this.describe(described),
       solving: () => {
+        this.problems.replaceChildren();
         this.results.setAttribute('aria-busy', 'true');
         this.running.begin();
       },
@@ -193,8 +196,9 @@ export class Page {
     return new TaskPanel(
       t('roughness'),
       [
-        { label: t('find_spots'), task: 'roughness' },
-        { label: t('new_surface'), task: 'roughness', before: renew, fields: GENERATED },
+        { label: t('find_spots'), task: 'roughness', fields: [GENERATED, MEASURED] },
+        // The solution of the changed case takes the time of the micro-model: no task besides.
+        { label: t('new_surface'), task: renew, fields: [GENERATED] },
       ],
       this.model,
       long,
@@ -211,9 +215,6 @@ export class Page {
     const isTransient = this.explorer.isTransient();
     this.curve.describe(isTransient);
     this.map.element.hidden = isTransient;
-    this.roughness.element.hidden = !described.fields.given.some((path) =>
-      path.startsWith('contact_law.roughness'),
-    );
     this.storeHash();
   }
 
@@ -221,10 +222,16 @@ export class Page {
     this.problems.replaceChildren();
     this.ended();
     this.tabs.body.classList.remove('old', 'blank');
+    this.pin.disabled = false;
+    this.draw(result);
+    document.documentElement.dataset['solved'] = String(performance.now());
+  }
+
+  /** Draws a result beside the pinned one. */
+  private draw(result: Result): void {
     this.patch.show(result, this.pinned);
     this.wheel.show(result, this.pinned);
     this.chooseContact();
-    document.documentElement.dataset['solved'] = String(performance.now());
   }
 
   /** Shows what depends on the contact that is shown. */
@@ -237,6 +244,7 @@ export class Page {
     this.results.replaceChildren(summary(result, this.pinned, this.patch.contactIndex));
     const whole = this.results.querySelector<HTMLDetailsElement>('.whole');
     if (whole) whole.open = isOpen;
+    if (this.pin.disabled) this.markOutdated();
   }
 
   private fail(problems: Problem[]): void {
@@ -244,7 +252,7 @@ export class Page {
     this.markOutdated();
     this.columns.classList.toggle('undescribed', !this.explorer.described);
     const assign = (values: [string, string][]) => this.model.assign(values);
-    this.problems.replaceChildren(problemList(problems, this.model.text, assign));
+    this.problems.replaceChildren(problemList(t('problems'), problems, this.model.text, assign));
     this.panel.showProblems(problems);
   }
 
@@ -268,6 +276,7 @@ export class Page {
   /** What is seen is not that of the case. */
   private markOutdated(): void {
     this.tabs.body.classList.add('old');
+    this.pin.disabled = true;
     const hint = h('p', { class: 'status bad' }, t('outdated'));
     const isOutdated = this.explorer.result && !this.results.querySelector('.status.bad');
     if (isOutdated) this.results.prepend(hint);
@@ -278,7 +287,7 @@ export class Page {
     this.pin.setAttribute('aria-pressed', String(this.pinned !== null));
     this.pin.textContent = t(this.pinned ? 'unpin' : 'pin');
     const { result } = this.explorer;
-    if (result) this.show(result);
+    if (result) this.draw(result);
   }
 
   private changeView(name: string): void {

@@ -82,7 +82,7 @@ export function shownFor(si: string, values: ArrayLike<number>): Shown {
 }
 
 /** The largest magnitude of finite values. */
-function largestOf(values: ArrayLike<number>): number {
+export function largestOf(values: ArrayLike<number>): number {
   let largest = 0;
   for (let index = 0; index < values.length; index += 1) {
     const size = Math.abs(values[index] ?? 0);

@@ -161,11 +161,87 @@ test('a result is pinned beside the next one', () =>
     await page.getByRole('button', { name: 'Pin to compare' }).click();
     await andSolved(page, () => slide(page, CREEPAGE, 700));
     assert.equal(await page.locator('.maps .map:visible').count(), 2);
-    const row = page.locator('.compared tr', { hasText: 'force x' }).first();
+    const row = page.locator('.compared tr', { hasText: 'longitudinal force' }).first();
     const [present, pinned, change] = (await row.locator('td').allInnerTexts()).map((text) =>
       Number(text.replace('−', '-')),
     );
     assert.ok(Math.abs(present - pinned - change) < 0.01 * Math.abs(present));
+    assert.deepEqual(errors, []);
+  }));
+
+/** Pixels of a chart that have the colour of a curve. */
+function pixelsOf(chart, index) {
+  return chart.locator('canvas').evaluate((canvas, at) => {
+    const named = getComputedStyle(document.documentElement).getPropertyValue(`--curve-${at}`);
+    const pen = Object.assign(document.createElement('canvas'), { width: 1, height: 1 });
+    const context = pen.getContext('2d');
+    context.fillStyle = named.trim();
+    context.fillRect(0, 0, 1, 1);
+    const wanted = context.getImageData(0, 0, 1, 1).data.join();
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    let count = 0;
+    for (let pixel = 0; pixel < data.length; pixel += 4) {
+      if (data.slice(pixel, pixel + 4).join() === wanted) count += 1;
+    }
+    return count;
+  }, index);
+}
+
+test('the section of a smaller pinned patch is drawn beside that of a larger one', () =>
+  withPage({}, '#case=steel_wheel_driving', async (page, errors) => {
+    await page.getByRole('button', { name: 'Pin to compare' }).click();
+    await andSolved(page, () => give(page, 'normal.load', '120 kN'));
+    const section = page.locator('#panel-patch .chart:visible');
+    for (const colour of [0, 2]) assert.ok((await pixelsOf(section, colour)) > 50, `${colour}`);
+    await andSolved(page, () => give(page, 'normal.load', '40 kN'));
+    for (const colour of [0, 2]) assert.ok((await pixelsOf(section, colour)) > 50, `${colour}`);
+    assert.deepEqual(errors, []);
+  }));
+
+/** Starts a solution that takes far longer than a test. */
+async function solveLong(page) {
+  await give(page, 'grid.cells_y', '210');
+  await give(page, 'grid.cells_x', '620');
+  await page.locator('.told .running:visible').waitFor();
+}
+
+test('pinning is no solution, and is off while the result is not that of the case', () =>
+  withPage({}, '#case=half_space', async (page, errors) => {
+    const pin = page.locator('.side header button');
+    await solveLong(page);
+    const moment = await page.evaluate(() => document.documentElement.dataset.solved);
+    await pin.click();
+    await page.locator('.compared').first().waitFor();
+    assert.ok(await page.locator('.told .running').isVisible());
+    assert.equal(await page.evaluate(() => document.documentElement.dataset.solved), moment);
+    await page.locator('.told').getByRole('button', { name: 'Cancel' }).click();
+    await page.locator('.results .status.bad').waitFor();
+    assert.ok(await pin.isDisabled());
+    for (const cells of ['grid.cells_x', 'grid.cells_y']) await give(page, cells, '');
+    await page.waitForFunction(() => !document.querySelector('.results .status.bad'));
+    assert.ok(await pin.isEnabled());
+    assert.deepEqual(errors, []);
+  }));
+
+test('another case does not wait for a long solution', () =>
+  withPage({}, '#case=half_space', async (page, errors) => {
+    await solveLong(page);
+    const moment = await now(page);
+    await page.selectOption('#gallery', 'steel_wheel_driving');
+    await solved(page, moment, 8000);
+    assert.equal(await page.locator('.problems').count(), 0);
+    assert.deepEqual(errors, []);
+  }));
+
+test('an input error is told during a long solution, and is gone with the next one', () =>
+  withPage({}, '#case=half_space', async (page, errors) => {
+    await solveLong(page);
+    await give(page, 'kinematics.speed', '80 kJ');
+    await page.locator('.told .problems').waitFor({ timeout: 8000 });
+    assert.ok(!(await page.locator('.told .running').isVisible()));
+    await give(page, 'kinematics.speed', '20 m/s');
+    await page.locator('.told .running:visible').waitFor();
+    assert.equal(await page.locator('.told .problems').count(), 0);
     assert.deepEqual(errors, []);
   }));
 
@@ -181,7 +257,7 @@ test('a wheel is pinned beside the next position, with its curves', () =>
     for (const [part, name] of [
       ['.contacts', 'radius of the wheel'],
       ['.contacts', 'lateral force'],
-      ['.results', 'contacts'],
+      ['.results', 'number of contacts'],
     ].map(([place, text]) => [page.locator(place), text])) {
       const row = part.locator('.compared tr', { hasText: name }).first();
       const cells = (await row.locator('td').allInnerTexts()).slice(0, 3);
@@ -525,6 +601,32 @@ test('a profile dropped on a case without profiles opens a wheel on a rail', () 
     assert.deepEqual(errors, []);
   }));
 
+test('what is no case is refused: other text, a picture, a name of none', () =>
+  withPage({}, '#case=half_space', async (page, errors) => {
+    const dialog = page.locator('dialog[open]');
+    for (const [name, text, told] of [
+      ['own.toml', 'title = "a"\n# caf\xe9\n', /UTF-8, but is not in line 2/],
+      ['profile.png', '\x89PNG', /profile\.png: neither a case nor/],
+      ['profile.pdf', '%PDF', /profile\.pdf: neither a case nor/],
+    ]) {
+      const mimeType = name.endsWith('png') ? 'image/png' : 'application/pdf';
+      const buffer = Buffer.from(text, 'latin1');
+      const type = name.endsWith('toml') ? 'application/toml' : mimeType;
+      await page.setInputFiles('input[type=file]', { name, mimeType: type, buffer });
+      assert.match(await dialog.innerText(), told);
+      await page.keyboard.press('Escape');
+      await dialog.waitFor({ state: 'detached' });
+    }
+    await page.evaluate(() => {
+      location.hash = '#case=nonexistent';
+    });
+    await page.getByText('The case of this link cannot be read.').waitFor();
+    assert.equal(await page.locator('#gallery').inputValue(), 'half_space');
+    await page.waitForTimeout(600);
+    assert.ok(await page.getByText('The case of this link cannot be read.').isVisible());
+    assert.deepEqual(errors, []);
+  }));
+
 test('values stay while another is wrong', () =>
   withPage({}, '#case=steel_wheel_driving', async (page) => {
     const input = (path) => page.locator(`.panel [data-path="${path}"] input[type=text]`);
@@ -568,7 +670,7 @@ test('a link has a file of its own, whatever its name, unless it is large', () =
       assert.equal(await shown(other.page, 'force.x'), changed);
       await give('two_point_contact.csv', `${own}${'\n'.repeat(2e5)}`);
       await page.click('#share');
-      await page.getByText('too large for it: two_point_contact.csv').waitFor();
+      await page.getByText('too large for a link: two_point_contact.csv').waitFor();
       assert.deepEqual(errors, []);
     },
   ));
@@ -581,9 +683,34 @@ test('a new surface is offered where it is generated', () =>
     await page.click('[data-task=roughness]');
     await page.locator('.task .map canvas[aria-label^="normal pressure"]').waitFor();
     assert.equal(await page.locator('.task .drawing').count(), 3);
+    // k_c in closed form: there is no surface at all.
     await andSolved(page, () => page.selectOption('#gallery', 'rough_surfaces'));
     assert.ok(!(await button.isVisible()));
+    assert.ok(!(await page.locator('[data-task=roughness]').isVisible()));
   }));
+
+test('a new surface is solved, and its spots are found when asked for', () => {
+  const text = `${stateOf({}).text}
+[kinematics]
+creepage_x = 0.001
+
+[contact_law.roughness]
+rms_height = "1 um"
+hurst = 0.8
+longest_wavelength = "40 um"
+shortest_wavelength = "10 um"
+cells = 128
+`;
+  return withPage({}, linkOf(stateOf({ text })), async (page, errors) => {
+    const before = await shown(page, 'force.x');
+    await andSolved(page, () => page.getByRole('button', { name: 'New surface' }).click());
+    assert.notEqual(await shown(page, 'force.x'), before);
+    assert.equal(await page.locator('.inquiry .running:visible').count(), 0);
+    await page.click('[data-task=roughness]');
+    await page.locator('.task .map canvas[aria-label^="normal pressure"]').waitFor();
+    assert.deepEqual(errors, []);
+  });
+});
 
 test('a task is gone with its case and marked when the case changes', () =>
   withPage({}, '#case=stresses_below', async (page) => {

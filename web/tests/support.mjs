@@ -62,11 +62,11 @@ export async function opened(context, address, hash = '') {
 }
 
 /** Waits for a solution after a moment of the page's clock. */
-export async function solved(page, since = 0) {
+export async function solved(page, since = 0, timeout = 60_000) {
   await page.waitForFunction(
     (moment) => Number(document.documentElement.dataset.solved ?? 0) > moment,
     since,
-    { timeout: 60_000 },
+    { timeout },
   );
 }
 

@@ -1,5 +1,6 @@
 /** Opens files of a person's: cases, profiles, and others that a case names. */
 import { h } from '../dom';
+import { shown } from '../report/dialogs';
 import { t } from '../texts';
 import { filesNamedIn, galleryCase } from './gallery';
 import type { Assignment, CaseModel } from './model';
@@ -8,17 +9,25 @@ import type { Assignment, CaseModel } from './model';
 const EXAMPLE = 'wheel_on_rail';
 /** What a file may be for a case. */
 const USES = ['wheel.profile', 'rail.profile', ''] as const;
+/** Types of files that no case reads. */
+const USELESS = /^(image|audio|video)\/|\/pdf$/;
 
 /** Opens files: a case with those that it names, or files for the present case. */
 export async function openFiles(model: CaseModel, list: Iterable<File>): Promise<void> {
   const all = [...list];
   const isCase = (file: File) => file.name.toLowerCase().endsWith('.toml');
+  const useless = all.filter(({ type }) => USELESS.test(type));
+  if (useless.length > 0) {
+    refuse(`${useless.map(({ name }) => name).join(', ')}: ${t('no_input')}`);
+    return;
+  }
   const given = all.filter((file) => !isCase(file));
   const bytes = new Map<string, Uint8Array>();
   for (const file of given) bytes.set(file.name, new Uint8Array(await file.arrayBuffer()));
   const chosen = all.find(isCase);
   if (chosen) {
-    const text = await chosen.text();
+    const text = textOf(chosen.name, await chosen.arrayBuffer());
+    if (text === null) return;
     const named = await filesNamedIn(text);
     const files = new Map([...named, ...bytes]);
     model.open({ name: chosen.name, text, files, gallery: null });
@@ -36,6 +45,22 @@ export async function openFiles(model: CaseModel, list: Iterable<File>): Promise
   const kept = example ? [] : model.assignments;
   const together = new Map([...files, ...bytes]);
   model.open({ name, text, files: together, gallery }, [...kept, ...uses]);
+}
+
+function refuse(told: string): void {
+  shown(t('refused'), h('p', {}, told));
+}
+
+/** The text of a case; null if it is none, which is told as the command does. */
+function textOf(name: string, bytes: ArrayBuffer): string | null {
+  try {
+    return new TextDecoder('utf-8', { fatal: true }).decode(bytes);
+  } catch {
+    const [before = ''] = new TextDecoder().decode(bytes).split('\ufffd');
+    const line = before.split('\n').length;
+    refuse(`${name}: the case file must be text in UTF-8, but is not in line ${line}`);
+    return null;
+  }
 }
 
 function hasProfiles(model: CaseModel): boolean {

@@ -16,16 +16,21 @@ export type Segment = [number, number, number, number];
 const INK = '#10161c';
 const PAPER = '#ffffff';
 
+/** Arrows, and the value of which one is as long as the longest of all maps that are compared. */
+export interface Arrows {
+  all: Arrow[];
+  longest: number;
+}
+
 /** Draws arrows; the longest is `reach` pixels long. */
 export function drawArrows(
   pen: CanvasRenderingContext2D,
   frame: Frame,
-  arrows: Arrow[],
+  { all, longest }: Arrows,
   reach: number,
 ): void {
-  const longest = Math.max(...arrows.map(({ u, v }) => Math.hypot(u, v)), Number.MIN_VALUE);
-  for (const { x, y, u, v, slides } of arrows) {
-    const scale = reach / longest;
+  const scale = reach / Math.max(longest, Number.MIN_VALUE);
+  for (const { x, y, u, v, slides } of all) {
     const [dx, dy] = [u * scale, -v * scale];
     if (Math.hypot(dx, dy) < 1.5) continue;
     drawArrow(pen, [atX(frame, x) - dx / 2, atY(frame, y) - dy / 2], [dx, dy], slides);

@@ -56,7 +56,12 @@ export class Chart {
       content.yLabel,
       content.curves.map(({ label, colour: index, dashed }) => [label, index, dashed]),
     ]);
-    const data = [content.x, ...content.curves.map(({ values }) => values)] as uPlot.AlignedData;
+    // A gap is null: with one value that is not a number a chart stays blank.
+    const drawn = (value: number) => (Number.isFinite(value) ? value : null);
+    const data = [
+      content.x,
+      ...content.curves.map(({ values }) => Array.from(values, drawn)),
+    ] as uPlot.AlignedData;
     if (shape === this.shape && this.plot) {
       this.plot.setData(data);
       return;

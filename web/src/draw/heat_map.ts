@@ -2,7 +2,7 @@
 import { h, perFrame } from '../dom';
 import { digits, labelled } from '../quantity';
 import { colour } from '../theme';
-import { drawArrows, drawBorder, type Arrow, type Segment } from './arrows';
+import { drawArrows, drawBorder, type Arrows, type Segment } from './arrows';
 import { atX, atY, drawAxes, FONT, penOf, ticks, valueAt, type Frame } from './axes';
 import { colourScale, type ColourScale } from './colour_map';
 
@@ -17,7 +17,7 @@ export interface MapContent {
   labels: [string, string];
   /** Whether x and y have one scale. */
   isToScale: boolean;
-  arrows?: Arrow[];
+  arrows?: Arrows;
   border?: Segment[];
   mark?: [number, number];
   note?: string;

@@ -5,7 +5,8 @@ import { h } from '../dom';
 import type { NamedText } from '../solver/protocol';
 import { t } from '../texts';
 
-function shown(title: string, ...children: Node[]): HTMLDialogElement {
+/** Shows a dialog until it is closed. */
+export function shown(title: string, ...children: Node[]): HTMLDialogElement {
   const closed = () => dialog.close();
   const dialog = h(
     'dialog',

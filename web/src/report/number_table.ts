@@ -27,7 +27,7 @@ export function numberTable(heads: string[], rows: Row[]): HTMLElement {
   return h(
     'table',
     { class: isCompared ? 'scalars compared' : 'scalars' },
-    ...(titles.length > 1 ? [head] : []),
+    ...(titles.length > 0 ? [head] : []),
     h('tbody', {}, ...rows.map(rowOf)),
   );
 }

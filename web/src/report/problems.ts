@@ -15,8 +15,9 @@ function remedy({ field, help }: Problem): [string, string] | null {
   return value && field ? [field, value] : null;
 }
 
-/** A list of problems; `text` is the case in which places are lines. */
+/** A list of problems under a title; `text` is the case in which places are lines. */
 export function problemList(
+  title: string,
   problems: Problem[],
   text: string,
   assign?: (values: [string, string][]) => void,
@@ -46,7 +47,7 @@ export function problemList(
   return h(
     'section',
     { class: 'problems', role: 'alert' },
-    h('h2', {}, t('problems')),
+    h('h2', {}, title),
     h('ul', {}, ...problems.map(item)),
   );
 }

@@ -13,9 +13,6 @@ const LARGE = ['force.x', 'force.y', 'traction_coefficient', 'temperature.max_ri
 /** Parts of a solution that say how it was found. */
 const OWN = /^(work|residual|extrapolation|normalised)/;
 
-/** Parts of names that short ones do without. */
-const COMMON = /^(normal|kinematics|temperature)\./;
-
 /** The summary of a result. */
 export function summary(result: Result, pinned: Result | null, contact: number): HTMLElement {
   const { told, tables } = result.answered;
@@ -50,15 +47,12 @@ function isKnown([name, column]: [string, Column]): boolean {
 }
 
 /** What a column is called. */
-function label(name: string, column: Column, isShort = false): Node[] {
+function label(name: string, column: Column): Node[] {
   const { long_name: meaning, symbol } = column;
   const body = /_(wheel|rail)$/.exec(name)?.[1];
   const own = body && !meaning.includes(body) ? `${meaning}, ${body}` : meaning;
   const english = name.startsWith('t_gamma.') ? `Tγ ${name.slice(8).replace('_', ' ')}` : own;
-  const text = isShort
-    ? columnName(name, column, name.replace(COMMON, '').replace(/[._]/g, ' '))
-    : columnName(name, column, english);
-  const parts: Node[] = [document.createTextNode(`${text} `)];
+  const parts: Node[] = [document.createTextNode(`${columnName(name, column, english)} `)];
   if (symbol && !name.startsWith('t_gamma')) parts.push(symbolOf(symbol));
   return parts;
 }
@@ -94,12 +88,12 @@ function scalars(table: Table | undefined, other: Table | undefined): HTMLElemen
     .filter(isKnown)
     .map(([name, column]) => ({
       name,
-      label: label(name, column, other !== undefined),
+      label: label(name, column),
       column,
       present: [numberOf(table, name)],
       pinned: other ? [numberOf(other, name)] : null,
     }));
-  return numberTable([t('present')], rows);
+  return numberTable(other ? [t('present')] : [], rows);
 }
 
 /** Warnings with their codes. */

@@ -63,11 +63,17 @@ export class Lane {
     });
   }
 
-  /** Ends a request, which gets no answer. */
-  cancel(topic: string): void {
+  /** Ends a request, which gets no answer unless it runs and comes to its end in time, in ms. */
+  cancel(topic: string, time = 0): void {
     this.waiting.get(topic)?.resolve(null);
     this.waiting.delete(topic);
-    if (this.running?.topic === topic) this.restart();
+    const { running } = this;
+    if (running?.topic !== topic) return;
+    const end = () => {
+      if (this.running === running) this.restart();
+    };
+    if (time > 0) setTimeout(end, time);
+    else end();
   }
 
   /** The module, and where the standard table of creep forces is. */

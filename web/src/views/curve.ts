@@ -4,6 +4,7 @@ import type { CaseModel } from '../case/model';
 import { debounced, h, labelledControl } from '../dom';
 import { Chart, type Curve } from '../draw/chart';
 import { numberOf, numbers } from '../draw/fields';
+import { sampled, united } from '../draw/sampling';
 import type { Result } from '../explorer';
 import { digits, labelled, numberTyped, shownFor } from '../quantity';
 import type { Lane } from '../solver/lane';
@@ -11,7 +12,6 @@ import type { Table } from '../solver/protocol';
 import { columnName, explained, nameOf, t } from '../texts';
 import { Handle } from './handle';
 import { Inquiry } from './inquiry';
-import { interpolated } from './patch';
 
 /** How far a curve goes where the case says nothing, by the unit of its abscissa. */
 const REACH: Record<string, number> = { '': 0.02, '1/m': 1, N: -20e3, 'N m': 20 };
@@ -56,8 +56,8 @@ export class CurveView {
   });
   private readonly count = h('input', {
     type: 'number',
-    min: 5,
-    max: 201,
+    min: 2,
+    max: 10000,
     value: 31,
     id: 'curve-points',
     onchange: () => void this.compute(),
@@ -242,25 +242,21 @@ export class CurveView {
     const xs = numbers(computed.table[name]);
     const ys = numbers(column);
     const [xScale, yScale] = [shownFor(units, xs), shownFor(column.units, ys)];
-    const order = [...xs.keys()].sort((one, other) => (xs[one] ?? 0) - (xs[other] ?? 0));
-    const sorted = (values: Float64Array, factor: number) =>
-      order.map((index) => (values[index] ?? NaN) / factor);
-    const x = sorted(xs, xScale.factor);
+    const pinned = pinnedCurve?.table[ordinate] ? pinnedCurve.table : {};
+    const places = united(xs, numbers(pinned[name]));
+    const along = (table: Table) =>
+      sampled(numbers(table[name]), numbers(table[ordinate]), places).map(
+        (value) => value / yScale.factor,
+      );
     const curves: Curve[] = [
       {
         label: columnName(ordinate, column, column.symbol),
-        values: sorted(ys, yScale.factor),
+        values: along(computed.table),
         colour: 0,
       },
     ];
-    if (pinnedCurve?.table[ordinate] && pinnedCurve.table[name]) {
-      const [px, py] = [numbers(pinnedCurve.table[name]), numbers(pinnedCurve.table[ordinate])];
-      curves.push({
-        label: t('pinned'),
-        colour: 2,
-        dashed: true,
-        values: x.map((value) => interpolated(px, py, value * xScale.factor) / yScale.factor),
-      });
+    if (pinned[name]) {
+      curves.push({ label: t('pinned'), colour: 2, dashed: true, values: along(pinned) });
     }
     const points = [this.pinned, this.result]
       .flatMap((one, index) =>
@@ -276,7 +272,7 @@ export class CurveView {
       )
       .filter((point) => Number.isFinite(point.x) && Number.isFinite(point.y));
     this.chart.show({
-      x,
+      x: places.map((place) => place / xScale.factor),
       curves,
       points,
       xLabel: labelled(columnName(name, computed.table[name]), xScale.unit),

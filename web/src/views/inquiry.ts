@@ -5,6 +5,7 @@ import { problemList } from '../report/problems';
 import { Running } from '../report/running';
 import { CaseProblems, type Lane } from '../solver/lane';
 import type { Answered } from '../solver/protocol';
+import { t } from '../texts';
 
 /** Tasks of one topic, of which the newest counts. */
 export class Inquiry {
@@ -50,7 +51,8 @@ export class Inquiry {
       return isNewest() ? answered : null;
     } catch (error) {
       if (!(error instanceof CaseProblems)) throw error;
-      if (isNewest()) this.problems.replaceChildren(problemList(error.problems, this.model.text));
+      const told = problemList(t('problems_of_task'), error.problems, this.model.text);
+      if (isNewest()) this.problems.replaceChildren(told);
       return null;
     } finally {
       if (isNewest()) this.running.end();

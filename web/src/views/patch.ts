@@ -12,9 +12,10 @@ import {
   withMagnitudes,
 } from '../draw/fields';
 import { HeatMap, type MapContent } from '../draw/heat_map';
+import { sampled, united } from '../draw/sampling';
 import type { Surface } from '../draw/surface';
 import type { Result } from '../explorer';
-import { digits, labelled, shownFor, withUnit, type Shown } from '../quantity';
+import { digits, labelled, largestOf, shownFor, withUnit, type Shown } from '../quantity';
 import type { Grid, Table } from '../solver/protocol';
 import { columnName, explained, t } from '../texts';
 import { Player } from './player';
@@ -182,11 +183,13 @@ export class PatchView {
     const seen = [...one, ...this.extremes(result, name)];
     const shown = shownFor(field.table[name].units, seen);
     const scale = colourScale(seen.map((value) => value / shown.factor));
-    const content = this.content(field, name, shown, beside ? t('present') : '');
+    const tractions = [field, beside].flatMap((one) => [...numbers(one?.table['traction'])]);
+    const longest = largestOf(tractions);
+    const content = this.content(field, name, shown, { note: beside ? t('present') : '', longest });
     this.map.show(content, scale);
     this.pinnedMap.element.hidden = !beside?.table[name];
     if (beside?.table[name]) {
-      this.pinnedMap.show(this.content(beside, name, shown, t('pinned')), scale);
+      this.pinnedMap.show(this.content(beside, name, shown, { note: t('pinned'), longest }), scale);
     }
     this.surface?.show(content, scale);
     this.drawSection(field, beside, name, shown);
@@ -203,7 +206,12 @@ export class PatchView {
     return extremes;
   }
 
-  private content({ table, grid }: Field, name: string, shown: Shown, note: string): MapContent {
+  private content(
+    { table, grid }: Field,
+    name: string,
+    shown: Shown,
+    { note, longest }: { note: string; longest: number },
+  ): MapContent {
     const places = new Map(
       grid.cells.map(([column, row], index) => [row * grid.columns + column, index]),
     );
@@ -226,15 +234,22 @@ export class PatchView {
       isToScale: true,
       describe,
       note,
-      ...(this.arrows.checked ? { arrows: tractionArrows(table, grid, every) } : {}),
+      ...(this.arrows.checked
+        ? { arrows: { all: tractionArrows(table, grid, every), longest } }
+        : {}),
       ...(this.border.checked ? { border: borderOfStick(table, grid) } : {}),
     };
   }
 
   private drawSection(field: Field, beside: Field | null, name: string, shown: Shown): void {
     const row = rowNear(field.grid, 0);
-    const taken = (values: Float64Array) =>
-      row.cells.map((cell) => (values[cell] ?? NaN) / shown.factor);
+    const other = beside?.table[name] ? rowNear(beside.grid, 0) : null;
+    const x = united(row.x, other?.x ?? []);
+    const along = ({ x: xs, cells }: typeof row, values: Float64Array) => {
+      const own = cells.map((cell) => (values[cell] ?? NaN) / shown.factor);
+      return sampled(xs, own, x);
+    };
+    const taken = (values: Float64Array) => along(row, values);
     const curves: Curve[] = [
       {
         label: columnName(name, field.table[name], field.table[name]?.symbol),
@@ -246,9 +261,8 @@ export class PatchView {
       const pressure = numbers(field.table['pressure']);
       const friction = numbers(field.table['friction_coefficient']);
       const limit = taken(pressure.map((value, index) => value * (friction[index] ?? NaN)));
-      const isNegative =
-        (curves[0]?.values ?? []).length > 0 &&
-        taken(numbers(field.table[name])).reduce((sum, value) => sum + value, 0) < 0;
+      const own = numbers(field.table[name]);
+      const isNegative = row.cells.reduce((sum, cell) => sum + (own[cell] ?? 0), 0) < 0;
       curves.push({
         label: t('friction_limit'),
         values: isNegative ? limit.map((value) => -value) : limit,
@@ -256,19 +270,16 @@ export class PatchView {
         dashed: true,
       });
     }
-    if (beside?.table[name]) {
-      const other = rowNear(beside.grid, 0);
-      const values = numbers(beside.table[name]);
-      const at = other.cells.map((cell) => (values[cell] ?? NaN) / shown.factor);
+    if (other) {
       curves.push({
         label: t('pinned'),
-        values: row.x.map((x) => interpolated(other.x, at, x)),
+        values: along(other, numbers(beside?.table[name])),
         colour: 2,
         dashed: true,
       });
     }
     this.section.show({
-      x: row.x,
+      x,
       xLabel: `x (mm), ${t('section_at')} y = ${digits(row.y * 1e3, 2)} mm`,
       yLabel: labelled(
         field.table[name]?.symbol || columnName(name, field.table[name]),
@@ -277,15 +288,4 @@ export class PatchView {
       curves,
     });
   }
-}
-
-/** The value between given places; not a number beyond them. */
-export function interpolated(xs: ArrayLike<number>, ys: ArrayLike<number>, x: number): number {
-  for (let index = 1; index < xs.length; index += 1) {
-    const [x0, x1] = [xs[index - 1] ?? 0, xs[index] ?? 0];
-    if ((x - x0) * (x - x1) > 0 || x0 === x1) continue;
-    const part = (x - x0) / (x1 - x0);
-    return (ys[index - 1] ?? NaN) * (1 - part) + (ys[index] ?? NaN) * part;
-  }
-  return NaN;
 }

@@ -8,12 +8,10 @@ import { t } from '../texts';
 import { Inquiry } from './inquiry';
 import { spotsMap } from './spots';
 
-/** A button and the task that it starts. */
+/** A button and the task that it starts, or the change of the case. */
 export interface Offer {
   label: string;
-  task: string;
-  /** Changes the case before. */
-  before?: () => void;
+  task: string | (() => void);
   /** It is offered in cases that give one of these fields. */
   fields?: string[];
 }
@@ -35,11 +33,16 @@ export class TaskPanel {
     lane: Lane,
   ) {
     this.inquiry = new Inquiry('task', model, lane);
+    const start = ({ task }: Offer) => (typeof task === 'string' ? void this.run(task) : task());
     this.buttons = offers.map((offer) => ({
       offer,
       button: h(
         'button',
-        { type: 'button', 'data-task': offer.task, onclick: () => void this.run(offer) },
+        {
+          type: 'button',
+          'data-task': typeof offer.task === 'string' ? offer.task : null,
+          onclick: () => start(offer),
+        },
         offer.label,
       ),
     }));
@@ -64,6 +67,7 @@ export class TaskPanel {
     for (const { offer, button } of this.buttons) {
       button.hidden = !(offer.fields?.some((path) => given.includes(path)) ?? true);
     }
+    this.element.hidden = this.buttons.every(({ button }) => button.hidden);
   }
 
   private markStale(): void {
@@ -72,12 +76,11 @@ export class TaskPanel {
     this.element.classList.toggle('old', isStale);
   }
 
-  private async run(offer: Offer): Promise<void> {
-    offer.before?.();
+  private async run(task: string): Promise<void> {
     this.answer.replaceChildren();
     this.markStale();
     const key = this.model.key([]);
-    const answered = await this.inquiry.ask(offer.task, {}, true);
+    const answered = await this.inquiry.ask(task, {}, true);
     if (!answered) return;
     this.key = key;
     this.show(answered);

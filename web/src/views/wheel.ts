@@ -171,8 +171,8 @@ export class WheelView {
       outlines: described.outlines,
       answered: result.answered,
       pose: {
-        lateral: this.lateral(),
-        outlined: typeof outlined === 'number' ? outlined : 0,
+        lateral: Number(result.values[LATERAL] ?? 0),
+        outlined: Number(outlined ?? 0),
         height: numberOf(wheel, 'wheelset.height'),
         roll: numberOf(wheel, 'wheelset.roll_angle'),
       },

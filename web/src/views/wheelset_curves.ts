@@ -3,11 +3,11 @@ import type { CaseModel } from '../case/model';
 import { h } from '../dom';
 import { Chart, type Curve } from '../draw/chart';
 import { numbers } from '../draw/fields';
+import { sampled, united } from '../draw/sampling';
 import type { Lane } from '../solver/lane';
 import type { Table } from '../solver/protocol';
 import { nameOf, t } from '../texts';
 import { Inquiry } from './inquiry';
-import { interpolated } from './patch';
 
 /** Positions at which the wheelset is solved. */
 const POINTS = 17;
@@ -155,19 +155,19 @@ function curvesOf(
   abscissa: string,
   { names, factor, label }: Drawn,
 ): { x: number[]; curves: Curve[] } {
-  const x = numbers(table[abscissa]);
+  const x = united(numbers(table[abscissa]), numbers(pinned?.[abscissa]));
+  const along = (of: Table, name: string) =>
+    sampled(numbers(of[abscissa]), numbers(of[name]), x).map((value) => value / factor);
   const own = names.map((name, colour) => ({
     label: label(name),
-    values: numbers(table[name]).map((value) => value / factor),
+    values: along(table, name),
     colour,
   }));
   const others = names.map((name, index) => ({
     label: `${label(name)}, ${t('pinned')}`,
-    values: [...x].map(
-      (at) => interpolated(numbers(pinned?.[abscissa]), numbers(pinned?.[name]), at) / factor,
-    ),
+    values: along(pinned ?? {}, name),
     colour: index + 2,
     dashed: true,
   }));
-  return { x: [...x].map((at) => at * 1e3), curves: pinned ? [...own, ...others] : own };
+  return { x: x.map((at) => at * 1e3), curves: pinned ? [...own, ...others] : own };
 }

@@ -417,18 +417,17 @@ impl Quantity {
             Self::Spin => "φ = ω_z/v0",
             Self::Creepage => "ν = √(ξ² + η²)",
             Self::Direction => "tan θ = η/ξ",
-            Self::WheelTorque => "T = R F_x",
-            Self::Load => "N = ∫ p dA",
+            Self::WheelTorque => "T = R Fx",
             Self::BeddingX
             | Self::BeddingY
             | Self::CouplingX
             | Self::CouplingXAcross
             | Self::CouplingY
             | Self::CouplingYAcross => "c u − g_x ∂²u/∂x² − g_y ∂²u/∂y² = t",
-            Self::ContactStiffness => "t = μ p (1 − exp(−k_c |δ|))",
+            Self::ContactStiffness => "dt/d|δ| = k_c (μ p_n − t)",
             Self::TemperatureAtZeroFriction => "μ = μ0 (1 − T/T_E)",
             Self::LimitRatio | Self::Decay => "μ = μ0 ((1 − A) exp(−B s) + A)",
-            Self::FilmCoefficient => "P = h A (T_w − T_a)",
+            Self::FilmCoefficient => "Q̇ = h A (T_w − T_a)",
             Self::RmsHeight | Self::ContactRoughness => "h_rms = √⟨h²⟩",
             Self::RmsSlope => "h'_rms = √⟨|∇h|²⟩",
             Self::SpectralDensity => "h_rms² = ∫ C d²q",
@@ -436,14 +435,14 @@ impl Quantity {
             Self::SlipX => "s_x = v0 (ξ − φ y) + du_x/dt",
             Self::SlipY => "s_y = v0 (η + φ x) + du_y/dt",
             Self::FrictionPowerDensity => "q = −(t_x s_x + t_y s_y)",
-            Self::ForceX => "F_x = ∫ t_x dA",
-            Self::ForceY => "F_y = ∫ t_y dA",
-            Self::MomentZ => "M_z = ∫ (x t_y − y t_x) dA",
-            Self::TractionCoefficient => "|F|/N = √(F_x² + F_y²)/N",
+            Self::ForceX => "Fx = ∫ t_x dA",
+            Self::ForceY => "Fy = ∫ t_y dA",
+            Self::MomentZ => "Mz = ∫ (x t_y − y t_x) dA",
+            Self::TractionCoefficient => "|F|/N = √(Fx² + Fy²)/N",
             Self::FrictionPower => "P = ∫ q dA",
-            Self::CreepPower => "P_c = −v0 (ξ F_x + η F_y + φ M_z)",
-            Self::ReturnedPower => "P = −∫ min(q, 0) dA",
-            Self::WearNumber => "Tγ = |ξ F_x| + |η F_y|, with spin + |φ M_z|",
+            Self::CreepPower => "P_c = −v0 (ξ Fx + η Fy + φ Mz)",
+            Self::ReturnedPower => "P_r = −∫ min(q, 0) dA",
+            Self::WearNumber => "Tγ = |ξ Fx| + |η Fy|, with spin + |φ Mz|",
             Self::FatigueIndex => "FI = |F|/N − k/p0",
             Self::SlipSpeed => "s = P/(μ N)",
             Self::LocalSlipSpeed => "s = √(s_x² + s_y²)",
@@ -455,7 +454,7 @@ impl Quantity {
             Self::Distance => "s = ∫ v0 dt",
             Self::PecletNumber => "v a/κ, κ = λ/(ρ c)",
             Self::RollingRadiusDifference => "Δr = r_left − r_right",
-            Self::EquivalentConicity | Self::HarmonicConicity => "Δr = 2 y tan γ of cones",
+            Self::HarmonicConicity => "tan γ_h = 1/(2π ŷ) ∫ Δr(ŷ sin ψ) sin ψ dψ",
             _ => "",
         }
     }
