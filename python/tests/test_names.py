@@ -128,7 +128,8 @@ def test_values_of_a_wrong_kind_are_named(section, value, told):
         ),
         (
             lambda: schlupf.Case().curve(creepage_x=0.01),
-            "creepage_x must be a range, such as 0..0.05, or several values, but is 0.01",
+            "creepage_x must be a tuple of start and end, or at least two values in one dimension, "
+            "but is 0.01",
         ),
     ],
 )

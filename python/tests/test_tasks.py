@@ -512,7 +512,7 @@ def test_a_tuple_of_two_is_a_range_and_a_list_the_points():
     [
         ([], "at least two values in one dimension"),
         (0.01, "must be a tuple of start and end"),
-        (b"0,0.01", "must be a tuple of start and end"),
+        (b"0,0.01", "must be real numbers"),
         ({0.0, 0.01}, "must be a tuple of start and end"),
         ({"from": 0.0, "to": 0.01}, "must be a tuple of start and end"),
         (np.zeros((2, 3)), "an array of shape"),
