@@ -34,6 +34,7 @@ pub mod solve;
 mod patch;
 mod curve;
 mod roughness;
+#[cfg(feature = "compare")]
 mod compare;
 mod temperature;
 mod subsurface;
@@ -66,6 +67,7 @@ pub const TASKS: &[Entry] = &[
     Entry::of::<patch::ContactPatch>(),
     Entry::of::<curve::Curve>(),
     Entry::of::<roughness::Roughness>(),
+    #[cfg(feature = "compare")]
     Entry::of::<compare::Compare>(),
     Entry::of::<temperature::Temperature>(),
     Entry::of::<subsurface::Subsurface>(),

@@ -11,6 +11,7 @@
 pub mod bulk_temperature;
 #[cfg(feature = "fitting")]
 pub mod calibration;
+#[cfg(feature = "compare")]
 pub mod comparison;
 pub mod contact_law;
 pub mod creep_curve;

@@ -170,42 +170,8 @@ impl<R: Record + ?Sized> Serialize for Row<'_, R> {
     }
 }
 
-/// A row of a record, with an object for every vector.
-pub(crate) struct Nested<'a, R: ?Sized>(pub &'a R, pub usize);
-
-impl<R: Record + ?Sized> Serialize for Nested<'_, R> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        let vector = |column: &Column<R>| column.quantity.vector().map(|(vector, _)| vector);
-        for columns in
-            R::COLUMNS.chunk_by(|one, next| vector(one).is_some() && vector(one) == vector(next))
-        {
-            let entry = |column: &Column<R>| Entry((column.value)(self.0, self.1));
-            match vector(&columns[0]) {
-                None => map.serialize_entry(columns[0].name, &entry(&columns[0]))?,
-                Some(name) => {
-                    let parts = columns
-                        .iter()
-                        .filter_map(|column| Some((column.quantity.vector()?.1, entry(column))));
-                    map.serialize_entry(name, &Object(parts.collect()))?;
-                }
-            }
-        }
-        map.end()
-    }
-}
-
-/// Entries with their names.
-struct Object(Vec<(&'static str, Entry)>);
-
-impl Serialize for Object {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|(name, entry)| (name, entry)))
-    }
-}
-
 /// A value in JSON form.
-struct Entry(Value);
+pub(crate) struct Entry(pub Value);
 
 impl Serialize for Entry {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
