@@ -142,7 +142,7 @@ const BAD: &[(&[&str], &[&str])] = &[
         &["--x must not lie ahead of the contact, which begins at x = 5.", "y = 0 mm, but is 7 mm"],
     ),
     (&["--depth", "2 mm"], &["--depth must be a range, such as \"0..2 mm\",", "\"2 mm\""]),
-    (&["--depth", "2,1 mm"], &["must be larger than its start"]),
+    (&["--depth", "2,1 mm"], &["must be larger than the one before"]),
     (&["--depth", "-1mm..1mm"], &["the start of the range must be between 0 and 1000 m"]),
     (&["--depth", "2mm..1mm"], &["must be larger than its start, but is 1e-3 m after 2e-3 m"]),
     (&["--depth", "0..2"], &["the unit is missing"]),
