@@ -33,6 +33,7 @@ export interface RequestField {
   doc: string;
   kind: string;
   units: string;
+  bounds: [number | null, number | null];
 }
 
 /** What a case can be asked. */

@@ -8,7 +8,18 @@ import { after, before, test } from 'node:test';
 import ts from 'typescript';
 import { provide_table } from '../pkg/schlupf_wasm.js';
 import { deflateRawSync } from 'node:zlib';
-import { browse, CASES, inNode, now, opened, serve, shown, slide, solved } from './support.mjs';
+import {
+  browse,
+  CASES,
+  catalogueInNode,
+  inNode,
+  now,
+  opened,
+  serve,
+  shown,
+  slide,
+  solved,
+} from './support.mjs';
 
 const AXE = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const CREEPAGE = 'kinematics.creepage_x';
@@ -486,6 +497,12 @@ test('German and Chinese have words for the same', async () => {
     const keys = (words) => Object.entries(words[part]).map(([key, word]) => [key, word.length]);
     assert.deepEqual(keys(chinese), keys(german));
   }
+  const { sections } = await catalogueInNode();
+  const named = new Set(sections.map(({ name }) => name || 'general'));
+  const paths = new Set(sections.flatMap(({ fields }) => fields.map(({ path }) => path)));
+  const isKnown = (name) => !name.includes('.') || paths.has(name);
+  assert.deepEqual(Object.keys(german.sections).filter((name) => !named.has(name)), []);
+  assert.deepEqual(Object.keys(german.names).filter((name) => !isKnown(name)), []);
 });
 
 test('every case of the gallery is solved', () =>

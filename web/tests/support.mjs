@@ -4,7 +4,7 @@ import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
-import init, { Case, Files } from '../pkg/schlupf_wasm.js';
+import init, { Case, Files, catalogue } from '../pkg/schlupf_wasm.js';
 
 const web = fileURLToPath(new URL('..', import.meta.url));
 
@@ -88,9 +88,20 @@ export function slide(page, field, position) {
   }, position);
 }
 
+/** The module in node. */
+async function initialised() {
+  await init({ module_or_path: await readFile(join(web, 'pkg', 'schlupf_wasm_bg.wasm')) });
+}
+
+/** What there is, by the module in node. */
+export async function catalogueInNode() {
+  await initialised();
+  return JSON.parse(catalogue());
+}
+
 /** A case of the gallery, by the module in node. */
 export async function inNode(name, assignments = []) {
-  await init({ module_or_path: await readFile(join(web, 'pkg', 'schlupf_wasm_bg.wasm')) });
+  await initialised();
   const text = await readFile(join(CASES, `${name}.toml`), 'utf8');
   return new Case(text, `${name}.toml`, assignments, new Files());
 }

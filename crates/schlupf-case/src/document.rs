@@ -38,6 +38,13 @@ pub enum Content {
     Other(&'static str),
 }
 
+impl Value {
+    /// A value of a TOML document.
+    pub fn of(value: &Spanned<DeValue<'_>>) -> Self {
+        Self { content: Content::of(value.get_ref()), span: value.span() }
+    }
+}
+
 impl Content {
     /// A value of a TOML document.
     pub fn of(value: &DeValue<'_>) -> Self {
@@ -51,12 +58,7 @@ impl Content {
             DeValue::Boolean(flag) => Self::Flag(*flag),
             DeValue::Datetime(_) => Self::Other("a date"),
             DeValue::Table(_) => Self::Other("a table"),
-            DeValue::Array(entries) => Self::Array(
-                entries
-                    .iter()
-                    .map(|entry| Value { content: Self::of(entry.get_ref()), span: entry.span() })
-                    .collect(),
-            ),
+            DeValue::Array(entries) => Self::Array(entries.iter().map(Value::of).collect()),
         }
     }
 
@@ -185,7 +187,7 @@ impl Flat {
             }
             _ => path,
         };
-        let value = Value { content: Content::of(value.get_ref()), span: value.span() };
+        let value = Value::of(value);
         self.entries.push(Entry { path, key: key.span(), value, origin: self.origin.clone() });
     }
 }

@@ -113,7 +113,8 @@ fn is_optional(field: &fields::Field) -> bool {
 }
 
 /// A field of a request: name, kind, how often it is given, whether without its name, default as
-/// text, SI unit, choices, columns of tables with their units, meaning.
+/// text, SI unit, what its numbers must be between, choices, columns of tables with their units,
+/// meaning.
 fn of_request(field: &Field) -> Value {
     let tables = field.form.tables();
     json!({
@@ -123,6 +124,7 @@ fn of_request(field: &Field) -> Value {
         "is_positional": field.is_positional,
         "default": field.default,
         "units": field.form.unit(),
+        "bounds": field.form.bounds(),
         "choices": choices(field.form.choices()),
         "kind": if tables.is_empty() { kind_of_request(field.form) } else { "table" },
         "columns": tables.iter().map(|table| of_columns(table)).collect::<Vec<_>>(),

@@ -54,8 +54,6 @@ request! {
 
 const REFINED: &str = "refined";
 const EVEN: &str = "even";
-/// Each is given.
-const GIVEN: &str = "given";
 
 /// Shares of the way that agree with a straight line: also those of numbers in single precision.
 const STRAIGHT: f64 = 1e-6;
@@ -100,18 +98,6 @@ const LONGITUDINAL: &[FieldPath] = &fields![
 const LATERAL: &[FieldPath] =
     &fields!["kinematics.creepage_y", "kinematics.yaw_angle", "kinematics.force_y"];
 const TURNING: &[FieldPath] = &fields!["kinematics.spin", "kinematics.moment_z"];
-
-/// The quantities of [`VARIED`].
-const QUANTITIES: [Quantity; 8] = [
-    Quantity::CreepageX,
-    Quantity::CreepageY,
-    Quantity::Spin,
-    Quantity::Creepage,
-    Quantity::ForceX,
-    Quantity::ForceOverLoad,
-    Quantity::ForceY,
-    Quantity::MomentZ,
-];
 
 const CREEPAGES: &[&str] = VARIED.split_at(4).0;
 const FORCES: &[&str] = VARIED.split_at(4).1;
@@ -179,16 +165,28 @@ impl Request {
         Ok(CurveFamily::new(title, over, self.spacing(), found))
     }
 
+    /// The quantities of [`VARIED`], with the points of those that vary.
+    fn varied(&self) -> [(Quantity, Option<&Points>); VARIED.len()] {
+        [
+            (Quantity::CreepageX, self.creepage_x.as_ref()),
+            (Quantity::CreepageY, self.creepage_y.as_ref()),
+            (Quantity::Spin, self.spin.as_ref()),
+            (Quantity::Creepage, self.creepage.as_ref()),
+            (Quantity::ForceX, self.force_x.as_ref()),
+            (Quantity::ForceOverLoad, self.traction_coefficient.as_ref()),
+            (Quantity::ForceY, self.force_y.as_ref()),
+            (Quantity::MomentZ, self.moment_z.as_ref()),
+        ]
+    }
+
     /// The force that varies, with its name and its range.
     fn force(&self) -> Option<(&'static str, VariedForce, [f64; 2])> {
-        let points = [
-            (VariedForce::X, &self.force_x),
-            (VariedForce::OverLoad, &self.traction_coefficient),
-            (VariedForce::Y, &self.force_y),
-            (VariedForce::MomentZ, &self.moment_z),
-        ];
-        let mut forces = FORCES.iter().zip(points);
-        forces.find_map(|(name, (force, points))| Some((*name, force, points.as_ref()?.ends())))
+        let forces = [VariedForce::X, VariedForce::OverLoad, VariedForce::Y, VariedForce::MomentZ];
+        let mut varied = VARIED.iter().zip(self.varied());
+        varied.find_map(|(name, (quantity, points))| {
+            let force = forces.into_iter().find(|force| force.quantity() == quantity)?;
+            Some((*name, force, points?.ends()))
+        })
     }
 
     /// The total creepage and its direction, if it varies.
@@ -196,20 +194,10 @@ impl Request {
         Some((self.creepage.as_ref()?.ends(), self.direction?))
     }
 
-    /// What is given point by point, with its name.
-    fn each(&self) -> impl Iterator<Item = (&'static str, &[f64])> {
-        let points = [
-            &self.creepage_x,
-            &self.creepage_y,
-            &self.spin,
-            &self.creepage,
-            &self.force_x,
-            &self.traction_coefficient,
-            &self.force_y,
-            &self.moment_z,
-        ];
-        VARIED.iter().zip(points).filter_map(|(name, points)| match points {
-            Some(Points::Each(values)) => Some((*name, &values[..])),
+    /// What is given point by point: its name and quantity, and the points.
+    fn each(&self) -> impl Iterator<Item = (&'static str, Quantity, &[f64])> {
+        VARIED.iter().zip(self.varied()).filter_map(|(name, (quantity, points))| match points {
+            Some(Points::Each(values)) => Some((*name, quantity, &values[..])),
             _ => None,
         })
     }
@@ -217,20 +205,17 @@ impl Request {
     /// How the points are spaced. The creepage changes fastest with a force where that is largest.
     fn spacing(&self) -> &'static str {
         let by_default = if self.force().is_some() { EVEN } else { REFINED };
-        let given = self.each().next().map(|_| GIVEN);
+        let given = self.each().next().map(|_| CurveFamily::GIVEN);
         given.or(self.spacing).unwrap_or(by_default)
     }
 
     /// The points along a path.
     fn sampling(&self, path: &Path) -> Sampling {
-        let is_abscissa = |name| {
-            let of_path = QUANTITIES.iter().position(|quantity| *quantity == path.quantity());
-            of_path.is_some_and(|k| VARIED[k] == name)
-        };
-        if let Some((_, values)) = self.each().find(|(name, _)| is_abscissa(*name)) {
+        let is_abscissa = |quantity: Quantity| quantity == path.quantity();
+        if let Some((.., values)) = self.each().find(|(_, quantity, _)| is_abscissa(*quantity)) {
             return Sampling::At(values.to_vec());
         }
-        if let Some((_, values)) = self.each().next() {
+        if let Some((.., values)) = self.each().next() {
             let share = shares(values);
             let at = |k: usize| mix(path.range(), share(k));
             return Sampling::At((0..values.len()).map(at).collect());
@@ -241,10 +226,10 @@ impl Request {
 
     /// Refuses points that are given twice: by others, or by number and spacing.
     fn check_points(&self) -> Result<(), TaskError> {
-        let Some((first, values)) = self.each().next() else { return Ok(()) };
+        let Some((first, _, values)) = self.each().next() else { return Ok(()) };
         self.asked.check_range(first, &["points", "spacing"])?;
         let share = shares(values);
-        for (other, others) in self.each().skip(1) {
+        for (other, _, others) in self.each().skip(1) {
             let [own, name] = [first, other].map(|name| self.asked.name(name));
             if others.len() != values.len() {
                 let (count, points) = (others.len(), values.len());

@@ -56,8 +56,6 @@ export class CurveView {
   });
   private readonly count = h('input', {
     type: 'number',
-    min: 2,
-    max: 10000,
     value: 31,
     id: 'curve-points',
     onchange: () => void this.compute(),
@@ -97,6 +95,8 @@ export class CurveView {
         h('option', { value: name, title: doc }, nameOf(name)),
       ),
     );
+    const points = catalogue.task('curve')?.fields.find(({ name }) => name === 'points');
+    [this.count.min, this.count.max] = (points?.bounds ?? []).map(String) as [string, string];
     const bar = h(
       'div',
       { class: 'toolbar' },

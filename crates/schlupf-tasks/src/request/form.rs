@@ -88,6 +88,15 @@ impl Form {
         }
     }
 
+    /// The ends of what is allowed, where it is a number between two.
+    pub fn bounds(self) -> [Option<f64>; 2] {
+        match self {
+            Self::Count(ends) => ends.map(|end| Some(end as f64)),
+            Self::Number(ends) => ends.map(Some),
+            _ => [None; 2],
+        }
+    }
+
     /// What stands for it in help.
     pub fn placeholder(self) -> String {
         let placeholder = match self {

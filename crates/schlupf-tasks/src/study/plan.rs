@@ -259,7 +259,7 @@ impl StudyReader<'_> {
         }
         let values = self.values(field, entries)?;
         if let Some(twice) = values.repeated() {
-            let Value { content, span } = value_of(&entries[twice]);
+            let Value { content, span } = Value::of(&entries[twice]);
             let shown = content.shown();
             let message = format!("the values of {path} must differ, but {shown} is repeated");
             return Err(self.error(&span, message));
@@ -286,7 +286,7 @@ impl StudyReader<'_> {
         field: &'static Field,
         entries: &[Spanned<DeValue<'_>>],
     ) -> Result<Values, CaseError> {
-        let number = |entry| match self.setting(field, &value_of(entry))? {
+        let number = |entry| match self.setting(field, &Value::of(entry))? {
             Setting::Number(number) if !matches!(field.kind, Kind::Count) => Ok(Some(number)),
             _ => Ok(None),
         };
@@ -295,7 +295,7 @@ impl StudyReader<'_> {
         if let Some(numbers) = numbers {
             return Ok(Values::Numbers(numbers));
         }
-        let text = |entry| match self.setting(field, &value_of(entry))? {
+        let text = |entry| match self.setting(field, &Value::of(entry))? {
             Setting::Number(number) if matches!(field.kind, Kind::Count) => Ok(number.to_string()),
             Setting::Number(number) => Ok(format!("{number:?}")),
             Setting::Text(text) => Ok(text),
@@ -576,11 +576,6 @@ const METHOD: FieldPath = field!("solver.method");
 
 /// What messages call the values of the first row.
 const FIRST_ROW: &str = "row 0";
-
-/// A value of a list.
-fn value_of(entry: &Spanned<DeValue<'_>>) -> Value {
-    Value { content: Content::of(entry.get_ref()), span: entry.span() }
-}
 
 /// The entries of a table as they stand in the text.
 fn in_order<'t, 'i>(table: &'t Table<'i>) -> Vec<(&'t Key<'i>, &'t Spanned<DeValue<'i>>)> {

@@ -358,6 +358,24 @@ fn numbers_that_are_none_do_not_spoil_the_rest() {
     assert_eq!(family.drawings().unwrap_err(), FigureError::NoCurve);
 }
 
+/// The first line of a drawing with a colour, as its path.
+fn first_line(svg: &str) -> &str {
+    let line = svg.split("<path").find(|path| path.contains("fill=\"none\"")).unwrap();
+    line.split("d=\"").nth(1).unwrap().split('"').next().unwrap()
+}
+
+#[test]
+fn given_points_are_joined_by_straight_lines() {
+    let mut family = family_of(over_x(0.0, 0.05), &[]);
+    family.members[0].curve.initial_slope = None;
+    let smooth = drawing(&family);
+    family.spacing = CurveFamily::GIVEN;
+    let given = drawing(&family);
+    let places = |svg: &str| first_line(svg).matches(['M', 'L']).count();
+    assert!(places(&smooth) > 50);
+    assert_eq!(places(&given), 21);
+}
+
 /// Values of a range are written in full where they name a state, but not in a legend.
 #[test]
 fn values_in_a_legend_have_four_digits() {

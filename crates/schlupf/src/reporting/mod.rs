@@ -12,7 +12,7 @@ mod columns;
 
 pub use columns::{Column, Record, Value, columns, distinct};
 pub use error::{
-    CalibrationError, Error, FitCause, FitError, FitStop, ForceError, MethodPurpose, Place,
+    CalibrationError, CurveError, Error, FitCause, FitError, FitStop, ForceError, MethodPurpose, Place,
     StateError, SurfaceError, WheelRailError,
 };
 pub(crate) use error::{require, require_at, require_finite, require_positive, require_several};

@@ -253,10 +253,13 @@ impl<'a> Picture<'a> {
         self.family.members.iter().zip(&self.colors)
     }
 
-    /// The curve of a member, free if it is a line among bent ones.
+    /// The curve of a member, free if it is a line among bent ones. What lies between given points
+    /// may be anything, which a smooth curve would make up.
     fn curve(&self, member: usize, points: &[[f64; 2]], color: &str, dashes: &str) -> Curve {
         let is_free = self.are_lines.get(member).copied().unwrap_or_default();
-        Curve { is_free, ..Curve::new(smooth(points), stroke(color, dashes), "") }
+        let is_given = self.family.spacing == CurveFamily::GIVEN;
+        let points = if is_given { points.to_vec() } else { smooth(points) };
+        Curve { is_free, ..Curve::new(points, stroke(color, dashes), "") }
     }
 
     /// Adds the initial-slope lines of a quantity computed from the force; returns whether there

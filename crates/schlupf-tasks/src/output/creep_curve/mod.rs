@@ -60,6 +60,9 @@ pub struct FieldValue {
 }
 
 impl CurveFamily {
+    /// The spacing of points that are given, each for itself.
+    pub const GIVEN: &str = "given";
+
     /// Curves with their warnings: a warning common to all is listed once, the others with the name
     /// of their curve.
     pub fn new(

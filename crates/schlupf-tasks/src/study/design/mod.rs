@@ -51,7 +51,7 @@ impl Values {
     /// The place of a value that stands before it, too.
     pub fn repeated(&self) -> Option<usize> {
         /// The first place of a value that an earlier place has.
-        fn repeated<T: Ord>(values: impl Iterator<Item = T>) -> Option<usize> {
+        fn first<T: Ord>(values: impl Iterator<Item = T>) -> Option<usize> {
             let mut places: Vec<(T, usize)> = values.zip(0..).collect();
             places.sort_unstable();
             let twice = places.windows(2).filter(|two| two[0].0 == two[1].0);
@@ -59,8 +59,8 @@ impl Values {
         }
         match self {
             // Zero has two signs, but is one value.
-            Self::Numbers(values) => repeated(values.iter().map(|value| (value + 0.0).to_bits())),
-            Self::Texts(values) => repeated(values.iter()),
+            Self::Numbers(values) => first(values.iter().map(|value| (value + 0.0).to_bits())),
+            Self::Texts(values) => first(values.iter()),
         }
     }
 

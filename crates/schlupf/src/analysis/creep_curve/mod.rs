@@ -16,7 +16,7 @@ mod columns;
 use crate::bodies::{Kinematics, ReferencePoint};
 use crate::normal::NormalSummary;
 use crate::problem::{Method, PrescribedForces, Problem};
-use crate::reporting::{Error, Progress, Stage, Watch, tell, within};
+use crate::reporting::{CurveError, Error, Progress, Stage, Watch, tell, within};
 use crate::solution::{Area, Power, Resultant, Solution, Status, Work};
 use crate::solver::Solver;
 
@@ -227,7 +227,7 @@ pub fn check(problem: &Problem, path: &Path, sampling: &Sampling) -> Result<(), 
     sampling.check_order(path)?;
     if let Some(locked) = path.locks_at() {
         let quantity = path.quantity();
-        return Err(Error::LocksOnCurve { quantity, value: locked });
+        return Err(CurveError::Locks { quantity, value: locked }.into());
     }
     let [start, end] = [path.start(), path.end()].map(|end| end.at_speed(problem.kinematics.speed));
     problem.prescribed.check_motion(&start, &end)?;

@@ -4,7 +4,7 @@ use crate::bodies::Kinematics;
 use crate::numerics::interpolation::mix;
 use crate::numerics::root::bisection;
 use crate::problem::{LongitudinalForce, PrescribedForces};
-use crate::reporting::{Error, Quantity, require_finite};
+use crate::reporting::{CurveError, Error, Quantity, require_finite};
 
 /// Longitudinal, lateral and spin creepage.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -146,7 +146,7 @@ impl Path {
             } else if start.spin != end.spin {
                 (Abscissa::Spin, |creepages| creepages.spin)
             } else {
-                return Err(Error::NoRange { quantity: Quantity::Spin, value: end.spin });
+                return Err(CurveError::NoRange { quantity: Quantity::Spin, value: end.spin }.into());
             };
         let range = [component(&start), component(&end)];
         Ok(Self { start, end, abscissa: Varied::Creepage(abscissa), range })
@@ -165,7 +165,7 @@ impl Path {
         let quantity = force.quantity();
         range.into_iter().try_for_each(|end| require_finite(quantity, end))?;
         if range[0] == range[1] {
-            return Err(Error::NoRange { quantity, value: range[1] });
+            return Err(CurveError::NoRange { quantity, value: range[1] }.into());
         }
         let mut given = creepages;
         match force {
@@ -181,7 +181,7 @@ impl Path {
     pub fn in_direction(range: [f64; 2], direction: f64, spin: [f64; 2]) -> Result<Self, Error> {
         require_finite(Quantity::Direction, direction)?;
         if range[0] == range[1] {
-            return Err(Error::NoRange { quantity: Quantity::Creepage, value: range[1] });
+            return Err(CurveError::NoRange { quantity: Quantity::Creepage, value: range[1] }.into());
         }
         let [start, end] = [0, 1].map(|end| {
             let [x, y] = components(range[end], direction);

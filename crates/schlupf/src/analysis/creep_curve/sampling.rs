@@ -1,7 +1,7 @@
 //! The points at which a curve is computed.
 
 use super::Path;
-use crate::reporting::{Error, Quantity, Requirement, require};
+use crate::reporting::{CurveError, Error, Quantity, Requirement, require};
 
 /// The points of a curve, at least two.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,7 +41,7 @@ impl Sampling {
         for &value in abscissae {
             let share = (value - range[0]) / (range[1] - range[0]);
             if !(0.0..=1.0).contains(&share) || share <= reached {
-                return Err(Error::CurveOrder { quantity: path.quantity(), value, range });
+                return Err(CurveError::Order { quantity: path.quantity(), value, range }.into());
             }
             reached = share;
         }

@@ -1,6 +1,7 @@
 //! What can go wrong before and during a solution.
 
 mod calibration;
+mod curve;
 mod place;
 mod demand;
 mod fit;
@@ -12,12 +13,13 @@ mod surface;
 mod wheel_rail;
 mod convergence;
 
-use crate::reporting::{Quantity, Requirement, messages, readable, with_unit};
+use crate::reporting::{Quantity, Requirement, messages, readable};
 
 pub(crate) use demand::{require, require_at, require_finite, require_positive, require_several};
 use over_time::{OverTime, over_time};
 
 pub use calibration::CalibrationError;
+pub use curve::CurveError;
 pub use fit::{FitCause, FitError, FitStop};
 pub use force::ForceError;
 pub use place::Place;
@@ -545,48 +547,11 @@ messages! {
         words.choice(Quantity::HeatModel, "none")
     );
 
-    /// Start and end of a creep curve are the same.
-    "no-range" NoRange {
-        /// The creepage.
-        quantity: Quantity,
-        /// Its value, in its unit if it has one.
-        value: f64,
-    } *quantity, |name, words| format!(
-        "{name} must differ between start and end of a creep curve, as no other creepage varies, but \
-         is {} at both",
-        with_unit(*value, quantity.unit())
-    );
-
-    /// Points of a creep curve out of order, or beyond its ends.
-    "curve-order" CurveOrder {
-        /// What varies.
-        quantity: Quantity,
-        /// The first such point, in its unit if it has one.
-        value: f64,
-        /// Start and end of the curve, in the same unit.
-        range: [f64; 2],
-    } *quantity, |name, words| {
-        let [value, start, end] =
-            [*value, range[0], range[1]].map(|place| with_unit(place, quantity.unit()));
-        format!(
-            "{name} must run from {start} to {end} on a creep curve, each point beyond the one before, \
-             but one is at {value}"
-        )
-    };
-
-    /// The wheel locks on a creep curve.
-    "locks-on-curve" LocksOnCurve {
-        /// The creepage that varies.
-        quantity: Quantity,
-        /// Where the wheel no longer rolls, in the unit of the creepage if it has one.
-        value: f64,
-    } quantity.own_component(), |name, words| {
-        let place = with_unit(*value, quantity.unit());
-        let abscissa = words.word(*quantity);
-        format!(
-            "{name}: the wheel must roll throughout a creep curve, but does not at {abscissa} = {place}"
-        )
-    };
+    /// A creep curve that cannot be computed.
+    "curve" [error: CurveError] Curve {
+        /// Why.
+        error: CurveError,
+    } error.quantity(), |name, words| error.text(words);
 
     /// A layer that cannot be calibrated.
     "calibration" [error: CalibrationError] Calibration {
