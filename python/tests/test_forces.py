@@ -204,30 +204,33 @@ def test_memory_stays_flat_with_fields_and_many_conditions():
 
 
 @pytest.mark.skipif("SCHLUPF_MANY_FORCES" not in os.environ, reason="`cargo xtask test` builds it")
-def test_many_forces_are_as_fast_as_in_rust():
-    """A million forces in an array take as long as in examples/many_forces.rs, by a quarter."""
+def test_many_forces_take_as_long_as_in_rust():
+    """A million forces in an array: processor time beside that of examples/many_forces.rs.
+
+    What the kernel takes for new memory, up to a quarter, differs between the two and between
+    machines; work of Python for each force would be many times all of it.
+    """
+    resource = pytest.importorskip("resource")
+    rounds = 5
     creepages = np.linspace(0.0, 0.02, 1_000_000)
 
     def in_rust():
-        done = subprocess.run(
-            [os.environ["SCHLUPF_MANY_FORCES"]], capture_output=True, text=True, check=True
-        )
-        return float(done.stdout)
+        subprocess.run([os.environ["SCHLUPF_MANY_FORCES"]], capture_output=True, check=True)
 
     def in_python():
-        start = time.perf_counter()
-        schlupf.forces(POLACH, creepage_x=creepages)
-        return time.perf_counter() - start
+        for _ in range(rounds):
+            schlupf.forces(POLACH, creepage_x=creepages)
 
-    # Other programs may disturb either, for seconds on end; the fastest of each says what it takes.
-    rust = python = float("inf")
-    for _ in range(40):
-        rust = min(rust, in_rust())
-        python = min(python, *(in_python() for _ in range(5)))
-        if rust >= 0.8 * python:
-            break
-    print(f"a million forces: Rust {rust:.3f} s, Python {python:.3f} s")
-    assert rust >= 0.8 * python
+    def taken(work, who):
+        before = resource.getrusage(who)
+        work()
+        after = resource.getrusage(who)
+        return (after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime) / rounds
+
+    rust = min(taken(in_rust, resource.RUSAGE_CHILDREN) for _ in range(10))
+    python = min(taken(in_python, resource.RUSAGE_SELF) for _ in range(10))
+    print(f"a million forces: Rust {rust:.3f} s, Python {python:.3f} s of processor time")
+    assert python <= 1.5 * rust
 
 
 def test_the_speed_of_a_turning_wheel_changes_its_creepage():

@@ -390,15 +390,16 @@ impl Posed {
     /// that of the case.
     #[inline]
     fn set(&mut self, entries: &[Entry]) {
-        (self.motion, self.load) = (self.case.problem.kinematics, None);
+        let own = &self.case.problem.kinematics;
         for (quantity, entry) in self.conditions.iter().zip(entries) {
-            let (Some(quantity), Entry::Number(number)) = (quantity, entry) else { continue };
+            let Some(quantity) = quantity else { continue };
+            let number = entry.number();
             match quantity {
-                Quantity::CreepageX => self.motion.creepage_x = *number,
-                Quantity::CreepageY => self.motion.creepage_y = *number,
-                Quantity::Spin => self.motion.spin = *number,
-                Quantity::Load => self.load = Some(*number),
-                _ => self.motion.speed = *number,
+                Quantity::CreepageX => self.motion.creepage_x = number.unwrap_or(own.creepage_x),
+                Quantity::CreepageY => self.motion.creepage_y = number.unwrap_or(own.creepage_y),
+                Quantity::Spin => self.motion.spin = number.unwrap_or(own.spin),
+                Quantity::Load => self.load = number,
+                _ => self.motion.speed = number.unwrap_or(own.speed),
             }
         }
     }

@@ -124,6 +124,7 @@ impl Kinematics {
     }
 
     /// Checks that the wheel rolls: a speed, finite creepages, ω R > 0.
+    #[inline]
     pub fn check(&self) -> Result<(), Error> {
         require_positive(Quantity::Speed, self.speed)?;
         require_finite(Quantity::CreepageX, self.creepage_x)?;

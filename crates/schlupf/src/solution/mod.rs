@@ -135,6 +135,7 @@ impl Resultant {
     }
 
     /// |F|, in the unit of the forces.
+    #[inline]
     pub fn tangential(&self) -> f64 {
         (self.x * self.x + self.y * self.y).sqrt()
     }

@@ -4,6 +4,7 @@ use super::{Error, Place};
 use crate::reporting::{Quantity, Requirement};
 
 /// Refuses a value that does not meet a requirement.
+#[inline]
 pub(crate) fn require(
     quantity: Quantity,
     requirement: Requirement,
@@ -13,6 +14,7 @@ pub(crate) fn require(
 }
 
 /// The same of one value among several.
+#[inline]
 pub(crate) fn require_at(
     quantity: Quantity,
     requirement: Requirement,
@@ -26,11 +28,13 @@ pub(crate) fn require_at(
 }
 
 /// A value that must be positive and finite.
+#[inline]
 pub(crate) fn require_positive(quantity: Quantity, value: f64) -> Result<(), Error> {
     require(quantity, Requirement::Positive, value)
 }
 
 /// A value that must be finite.
+#[inline]
 pub(crate) fn require_finite(quantity: Quantity, value: f64) -> Result<(), Error> {
     require(quantity, Requirement::Finite, value)
 }

@@ -68,6 +68,7 @@ pub(super) fn beyond_friction(
 }
 
 /// Whether a force exceeds friction; a square takes less time than a root.
+#[inline]
 pub(super) fn is_beyond_friction(method: &FastMethod, force: &Resultant, limit: f64) -> bool {
     let most = limit * (1.0 + ROUNDING);
     force.x * force.x + force.y * force.y > most * most && !method.has_fields()
