@@ -56,7 +56,7 @@ pub fn kinematics(settings: &Settings) -> Result<Kinematics, CaseError> {
         None => settings.number(field!("kinematics.creepage_x"))?,
     };
     let spin = settings.number(field!("kinematics.spin"))?;
-    Ok(Kinematics { speed, creepage_x, creepage_y, spin })
+    Ok(Kinematics { creepage_x, creepage_y, spin, ..Kinematics::free_rolling(speed) })
 }
 
 const FORCES: [FieldPath; 5] = fields![

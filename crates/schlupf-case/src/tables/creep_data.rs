@@ -83,6 +83,7 @@ pub fn from_csv(
             creepage_x: value(CREEPAGE_X).unwrap_or(kinematics.creepage_x),
             creepage_y: value(CREEPAGE_Y).unwrap_or(kinematics.creepage_y),
             spin: value(SPIN).unwrap_or(kinematics.spin),
+            ..*kinematics
         };
         kinematics.check().map_err(|error| {
             let help = value(CREEPAGE_X).and_then(|x| creepage_in_per_cent("creepage_x", x));
@@ -163,7 +164,7 @@ fn forces(columns: &Columns) -> Result<Vec<(usize, Component)>, CaseError> {
 mod tests {
     use super::*;
 
-    const OWN: Kinematics = Kinematics { speed: 30.0, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 };
+    const OWN: Kinematics = Kinematics::free_rolling(30.0);
 
     fn read(text: &str) -> Result<Vec<DataPoint>, String> {
         let bytes = text.as_bytes().to_vec();

@@ -37,7 +37,7 @@ fn problem(semi_axes: [f64; 2], load: f64, poisson_ratio: f64) -> Problem {
 }
 
 fn rolling([creepage_x, creepage_y, spin]: [f64; 3]) -> Kinematics {
-    Kinematics { speed: 30.0, creepage_x, creepage_y, spin }
+    Kinematics { creepage_x, creepage_y, spin, ..Kinematics::free_rolling(30.0) }
 }
 
 /// Fx/(μN), Fy/(μN), Mz/(μN √(ab)) by a fast method; no moment is zero.

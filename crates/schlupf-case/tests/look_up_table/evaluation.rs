@@ -193,7 +193,12 @@ fn standstill_has_finite_derivatives() {
         |speed: f64| contact.standstill_force([0.01, 0.02, 0.0], speed, 0.01, limit).force;
     assert!((sliding(5.0).y - sliding(-5.0).y).abs() < 1e-6 * limit);
     // At speed both are the same but for v_s²/2v².
-    let motion = Kinematics { speed: 20.0, creepage_x: 1e-3, creepage_y: 5e-4, spin: 0.2 };
+    let motion = Kinematics {
+        creepage_x: 1e-3,
+        creepage_y: 5e-4,
+        spin: 0.2,
+        ..Kinematics::free_rolling(20.0)
+    };
     let slip = [20e-3, 10e-3, 4.0];
     let (one, other) =
         (contact.force(&motion, limit), contact.standstill_force(slip, 20.0, 0.01, limit));

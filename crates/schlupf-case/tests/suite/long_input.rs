@@ -80,7 +80,7 @@ fn long_values_keys_and_units_are_quoted_short() {
 #[test]
 fn long_cells_of_every_table_are_quoted_short() {
     let long = long();
-    let motion = Kinematics { speed: 30.0, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 };
+    let motion = Kinematics::free_rolling(30.0);
     let points = |option: &str, text: String| {
         let files: Arc<BTreeMap<String, Vec<u8>>> =
             Arc::new(BTreeMap::from([("t.csv".to_owned(), text.into_bytes())]));

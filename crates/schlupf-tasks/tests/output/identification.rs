@@ -22,7 +22,7 @@ fn model_point(creepage: f64, curve: impl Fn(f64) -> f64) -> ModelPoint {
 }
 
 fn condition(speed: f64, creepage_x: f64) -> Condition {
-    let kinematics = Kinematics { speed, creepage_x, creepage_y: 0.0, spin: 0.0 };
+    let kinematics = Kinematics { creepage_x, ..Kinematics::free_rolling(speed) };
     Condition { kinematics, load: (speed > 20.0).then_some(60e3) }
 }
 

@@ -182,7 +182,7 @@ impl Balance<'_> {
     /// contact temperature, in W/K.
     fn chill(&self) -> Result<f64, Error> {
         let conduction = self.problem.interface.conduction(&self.problem.kinematics);
-        let wheel_speed = self.problem.kinematics.speed / conduction.contact_time_ratio();
+        let wheel_speed = self.problem.kinematics.speed / conduction.contact_times()[0];
         let normal = self.problem.normal.normal_contact(None)?;
         let options = self.solver.options();
         let grid = Grid::across(&normal.extent(), options.cells_x, options.cells_y);

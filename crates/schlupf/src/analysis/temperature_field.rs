@@ -61,8 +61,8 @@ struct Conductor {
     step: f64,
     /// Share of the frictional heat, dimensionless.
     share: f64,
-    /// Times in this body divided by those in the rail, dimensionless.
-    contact_time_ratio: f64,
+    /// Times in this body over those of the contact frame, dimensionless.
+    contact_time: f64,
     effusivity: f64,
     diffusivity: f64,
 }
@@ -136,23 +136,18 @@ impl TemperatureField {
             .seen_from(ReferencePoint::Patch)
             .unwrap_or((solution.kinematics, solution.force));
         let conduction = problem.interface.conduction(&motion);
-        let [wheel_share, rail_share] = conduction.shares();
-        let conductor = |body: &Body, share: f64, contact_time_ratio: f64| Conductor {
+        let conductor = |body: &Body, of: usize| Conductor {
             bulk: body.bulk_temperature,
             step: conduction.entry_temperature - body.bulk_temperature,
-            share,
-            contact_time_ratio,
+            share: conduction.shares()[of],
+            contact_time: conduction.contact_times()[of],
             effusivity: body.material.effusivity(),
             diffusivity: body.material.diffusivity(),
         };
         Ok(Self {
             tracks: patch.strips.iter().map(track).collect(),
-            wheel: conductor(
-                &problem.interface.wheel,
-                wheel_share,
-                conduction.contact_time_ratio(),
-            ),
-            rail: conductor(&problem.interface.rail, rail_share, 1.0),
+            wheel: conductor(&problem.interface.wheel, 0),
+            rail: conductor(&problem.interface.rail, 1),
         })
     }
 
@@ -193,7 +188,7 @@ impl Track {
 
 impl Conductor {
     fn temperature(&self, track: &Track, x: f64, depth: f64) -> f64 {
-        let seconds = |way: f64| self.contact_time_ratio * way / track.speed;
+        let seconds = |way: f64| self.contact_time * way / track.speed;
         let since_entry = seconds(track.entry_x - x);
         let in_contact = seconds(track.entry_x - track.exit_x.max(x));
         let mixed = self.step * mixing(depth, self.diffusivity, since_entry, in_contact);
@@ -212,7 +207,7 @@ impl Conductor {
         let mut began = since_entry;
         let mut sum = 0.0;
         for step in track.record.iter().rev() {
-            let ended = began - self.contact_time_ratio * step.duration;
+            let ended = began - self.contact_time * step.duration;
             sum += step.flux * (part(began) - part(ended));
             began = ended;
             if began <= 0.0 {

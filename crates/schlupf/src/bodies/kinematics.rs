@@ -24,6 +24,18 @@ impl ReferencePoint {
     }
 }
 
+/// The speed to which creepages refer, and with which the contact frame moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum ReferenceSpeed {
+    /// That of the vehicle, v0: the surface of the rail passes at it.
+    #[default]
+    Vehicle,
+    /// The mean (v0 + ωR)/2 of those at which both surfaces pass (Kalker 1990).
+    Mean,
+}
+
 /// How the wheel moves over the rail.
 ///
 /// The rigid slip of the wheel over the rail, divided by the speed, is (ξ − φ y, η + φ x), with x
@@ -32,7 +44,7 @@ impl ReferencePoint {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Kinematics {
-    /// Speed of the vehicle and of the contact frame v0, in m/s.
+    /// Speed V of the contact frame, in m/s: mostly that of the vehicle, v0.
     pub speed: f64,
     /// Longitudinal creepage ξ, dimensionless; positive when braking.
     pub creepage_x: f64,
@@ -40,12 +52,16 @@ pub struct Kinematics {
     pub creepage_y: f64,
     /// Spin creepage φ, in 1/m.
     pub spin: f64,
+    /// What the speed is.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub reference_speed: ReferenceSpeed,
 }
 
 impl Kinematics {
     /// Rolling at a speed (in m/s) without creepage and spin.
-    pub fn free_rolling(speed: f64) -> Self {
-        Self { speed, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 }
+    pub const fn free_rolling(speed: f64) -> Self {
+        let reference_speed = ReferenceSpeed::Vehicle;
+        Self { speed, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0, reference_speed }
     }
 
     /// Exact kinematics of a wheel of rolling radius R (in m) that turns at ω (in rad/s) with the
@@ -68,7 +84,7 @@ impl Kinematics {
             speed,
             creepage_x: yaw_angle.cos() - angular_velocity * wheel_radius / speed,
             creepage_y: -yaw_angle.sin(),
-            spin: 0.0,
+            ..Self::free_rolling(speed)
         }
     }
 
@@ -82,14 +98,30 @@ impl Kinematics {
         self.creepages() == [0.0; 3]
     }
 
-    /// Circumferential speed of the wheel ω R = (cos α − ξ) v0, in m/s.
+    /// Circumferential speed of the wheel, in m/s: ωR = (cos α − ξ) v0 or (1 − ξ/2) V.
     pub fn circumferential_speed(&self) -> f64 {
-        (self.locking_creepage() - self.creepage_x) * self.speed
+        let part = match self.reference_speed {
+            ReferenceSpeed::Vehicle => self.locking_creepage() - self.creepage_x,
+            ReferenceSpeed::Mean => 1.0 - 0.5 * self.creepage_x,
+        };
+        part * self.speed
     }
 
-    /// Longitudinal creepage √(1 − η²) at which the wheel locks, dimensionless.
+    /// Speeds at which the surfaces of wheel and rail pass through the contact, in m/s.
+    pub fn surface_speeds(&self) -> [f64; 2] {
+        let rail = match self.reference_speed {
+            ReferenceSpeed::Vehicle => self.speed,
+            ReferenceSpeed::Mean => (1.0 + 0.5 * self.creepage_x) * self.speed,
+        };
+        [self.circumferential_speed(), rail].map(f64::abs)
+    }
+
+    /// Longitudinal creepage at which the wheel locks: √(1 − η²) or 2, dimensionless.
     fn locking_creepage(&self) -> f64 {
-        (1.0 - self.creepage_y.powi(2)).sqrt()
+        match self.reference_speed {
+            ReferenceSpeed::Vehicle => (1.0 - self.creepage_y.powi(2)).sqrt(),
+            ReferenceSpeed::Mean => 2.0,
+        }
     }
 
     /// Rigid slip of the wheel over the rail at a point (in m), divided by the speed;
@@ -117,10 +149,39 @@ impl Kinematics {
     }
 
     /// Derivatives of ln(v0/(ωR)) with respect to ξ and η, dimensionless.
-    pub fn contact_time_ratio_by_creepage(&self) -> [f64; 2] {
-        let along = (1.0 - self.creepage_y.powi(2)).sqrt();
-        let contact_time_ratio = (along - self.creepage_x).recip();
-        [contact_time_ratio, contact_time_ratio * self.creepage_y / along]
+    pub(crate) fn contact_time_ratio_by_creepage(&self) -> [f64; 2] {
+        match self.reference_speed {
+            ReferenceSpeed::Vehicle => {
+                let along = self.locking_creepage();
+                let contact_time_ratio = (along - self.creepage_x).recip();
+                [contact_time_ratio, contact_time_ratio * self.creepage_y / along]
+            }
+            ReferenceSpeed::Mean => [(1.0 - 0.25 * self.creepage_x.powi(2)).recip(), 0.0],
+        }
+    }
+
+    /// The same motion at another longitudinal creepage, at which ln(v0/(ωR)) differs by `change`.
+    pub(crate) fn with_contact_time_ratio(&self, change: f64) -> Self {
+        let [wheel, rail] = self.surface_speeds();
+        let creepage_x = match self.reference_speed {
+            ReferenceSpeed::Vehicle => {
+                self.creepage_x + wheel / self.speed * (1.0 - (-change).exp())
+            }
+            ReferenceSpeed::Mean => {
+                let rail = rail * change.exp();
+                2.0 * (rail - wheel) / (rail + wheel)
+            }
+        };
+        Self { creepage_x, ..*self }
+    }
+
+    /// Derivatives of the logarithms of the times in which both surfaces pass with respect to
+    /// ln(v0/(ωR)), dimensionless.
+    pub(crate) fn contact_times_by_ratio(&self) -> [f64; 2] {
+        match self.reference_speed {
+            ReferenceSpeed::Vehicle => [1.0, 0.0],
+            ReferenceSpeed::Mean => [0.5 + 0.25 * self.creepage_x, -0.5 + 0.25 * self.creepage_x],
+        }
     }
 
     /// Checks that the wheel rolls: a speed, finite creepages, ω R > 0.
@@ -156,6 +217,40 @@ mod tests {
         }
     }
 
+    /// v0 = 30 m/s, ωR = 27 m/s.
+    #[test]
+    fn the_mean_speed_lies_between_those_of_the_surfaces() {
+        let mean = Kinematics {
+            creepage_x: 3.0 / 28.5,
+            reference_speed: ReferenceSpeed::Mean,
+            ..Kinematics::free_rolling(28.5)
+        };
+        let [wheel, rail] = mean.surface_speeds();
+        assert_relative_eq!(wheel, 27.0, max_relative = 1e-14);
+        assert_relative_eq!(rail, 30.0, max_relative = 1e-14);
+        assert!(Kinematics { creepage_x: 1.9, ..mean }.check().is_ok());
+        assert!(Kinematics { creepage_x: 2.0, ..mean }.check().is_err());
+        for motion in [mean, Kinematics::from_wheel(30.0, 58.0, 0.46, 0.02)] {
+            let ratio = |motion: &Kinematics| {
+                let [wheel, rail] = motion.surface_speeds();
+                (rail / wheel).ln()
+            };
+            let changed = motion.with_contact_time_ratio(1e-6);
+            assert_relative_eq!(ratio(&changed) - ratio(&motion), 1e-6, max_relative = 1e-6);
+            let [by_x, _] = motion.contact_time_ratio_by_creepage();
+            let step = changed.creepage_x - motion.creepage_x;
+            assert_relative_eq!(by_x * step, 1e-6, max_relative = 1e-5);
+            let times = |motion: &Kinematics| {
+                motion.surface_speeds().map(|speed| (motion.speed / speed).ln())
+            };
+            for body in [0, 1] {
+                let change = times(&changed)[body] - times(&motion)[body];
+                let expected = 1e-6 * motion.contact_times_by_ratio()[body];
+                assert_relative_eq!(change, expected, epsilon = 1e-11);
+            }
+        }
+    }
+
     #[test]
     fn circumferential_speed_undoes_the_creepages() {
         let kinematics = Kinematics::from_wheel(30.0, 60.0, 0.46, 0.02);
@@ -166,7 +261,12 @@ mod tests {
     /// given.
     #[test]
     fn the_reference_point_does_not_change_the_motion() {
-        let one = Kinematics { speed: 30.0, creepage_x: 0.002, creepage_y: -0.001, spin: 0.7 };
+        let one = Kinematics {
+            creepage_x: 0.002,
+            creepage_y: -0.001,
+            spin: 0.7,
+            ..Kinematics::free_rolling(30.0)
+        };
         let other = one.at([3e-3, -8e-3]);
         for [x, y] in [[0.0, 0.0], [5e-3, 2e-3], [-1e-3, 7e-3]] {
             let [here, there] = [one.rigid_slip(x, y), other.rigid_slip(x - 3e-3, y + 8e-3)];
@@ -177,7 +277,7 @@ mod tests {
 
     #[test]
     fn a_locked_wheel_is_no_rolling() {
-        let locked = Kinematics { speed: 30.0, creepage_x: 1.0, creepage_y: 0.0, spin: 0.0 };
+        let locked = Kinematics { creepage_x: 1.0, ..Kinematics::free_rolling(30.0) };
         assert!(locked.check().unwrap_err().to_string().contains("a locked wheel"));
         let reversed = Kinematics { creepage_x: 1.5, ..locked };
         assert!(reversed.check().unwrap_err().to_string().contains("a reversed wheel"));
@@ -185,7 +285,12 @@ mod tests {
 
     #[test]
     fn driving_and_concave_signs_are_legal() {
-        let driving = Kinematics { speed: 30.0, creepage_x: -0.3, creepage_y: 0.1, spin: -2.0 };
+        let driving = Kinematics {
+            creepage_x: -0.3,
+            creepage_y: 0.1,
+            spin: -2.0,
+            ..Kinematics::free_rolling(30.0)
+        };
         assert_eq!(driving.check(), Ok(()));
     }
 }

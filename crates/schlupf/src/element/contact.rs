@@ -1,5 +1,6 @@
 //! The element of one contact.
 
+use crate::bodies::ReferenceSpeed;
 use crate::numerics::dual::{Dual, Number};
 use crate::reporting::{Error, Quantity, require_positive};
 use crate::solver::simplified::EllipticContact;
@@ -12,7 +13,7 @@ use super::law::Law;
 use super::memory::{Memory, Patch};
 use super::patch::{Patches, Pressed};
 use super::rolling::Rolling;
-use super::settings::Settings;
+use super::settings::{Motion, Settings};
 use super::signals::{self, FACTOR, INPUTS, NORMAL, OUTPUTS, Signals, VARIABLES};
 
 /// Friction below which a patch is one of this friction, so that it has a time scale;
@@ -53,7 +54,11 @@ impl Contact {
         }
         let contact = EllipticContact::new(problem)?;
         let patches = Patches::new(problem, &contact, settings.normal)?;
-        let law = Law::new(problem, method, &contact)?;
+        let mut moving = problem.clone();
+        if settings.motion == Motion::Velocities {
+            moving.kinematics.reference_speed = ReferenceSpeed::Mean;
+        }
+        let law = Law::new(&moving, method, &contact)?;
         let flash = Flash::new(&problem.interface);
         let signals = Signals::new(&settings, &law, [patches.has_approach(), flash.is_some()]);
         let memory = Memory::new(&contact, problem.interface.poisson_ratio(), law.has_limit());

@@ -145,7 +145,7 @@ impl Law {
     ) -> [Dual<VARIABLES>; 3] {
         let normal = NormalSummary { semi_axis_x: a, semi_axis_y: b, ..self.contact.normal };
         let contact = self.contact.resized(normal);
-        let motion = Kinematics { speed: 1.0, creepage_x, creepage_y, spin };
+        let motion = Kinematics { creepage_x, creepage_y, spin, ..Kinematics::free_rolling(1.0) };
         let found = TableContact::at(table, shape, contact).force(&motion, limit);
         let force = [found.force.x, found.force.y, found.force.moment_z.unwrap_or(0.0)];
         std::array::from_fn(|row| {

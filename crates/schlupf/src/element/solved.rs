@@ -163,7 +163,8 @@ impl Solved {
         self.posed = [f64::NAN; VARIABLES];
         let problem = &mut self.problem;
         let spin = self.units.length * spin;
-        problem.kinematics = Kinematics { speed, creepage_x, creepage_y, spin };
+        problem.kinematics =
+            Kinematics { speed, creepage_x, creepage_y, spin, ..self.own.kinematics };
         if is_other {
             problem.interface = self.units.interface(&self.own.interface, factor)?;
             problem.interface.wheel.bulk_temperature = wheel;

@@ -89,9 +89,9 @@ impl Interface {
     /// Péclet numbers of the two bodies passing, at the speeds of `kinematics`, through a contact
     /// of semi-axes a and b (in m).
     pub fn peclet(&self, kinematics: &Kinematics, semi_axes: [f64; 2]) -> Peclet {
-        let wheel_speed = kinematics.speed / self.conduction(kinematics).contact_time_ratio();
+        let times = self.conduction(kinematics).contact_times();
         let diffusivities = [&self.wheel, &self.rail].map(|body| body.material.diffusivity());
-        Peclet::new(semi_axes, [wheel_speed, kinematics.speed], diffusivities)
+        Peclet::new(semi_axes, times.map(|time| kinematics.speed / time), diffusivities)
     }
 
     /// Friction in a cell at y (in m) with a temperature rise times effusivity (in W √s/m²) and a

@@ -236,6 +236,7 @@ impl History {
             creepage_x: at(&self.creepage_x, otherwise.creepage_x),
             creepage_y: at(&self.creepage_y, otherwise.creepage_y),
             spin: at(&self.spin, otherwise.spin),
+            reference_speed: otherwise.reference_speed,
         }
     }
 
@@ -269,6 +270,7 @@ impl History {
             creepage_x: over(&self.creepage_x, otherwise.creepage_x),
             creepage_y: over(&self.creepage_y, otherwise.creepage_y),
             spin: over(&self.spin, otherwise.spin),
+            reference_speed: otherwise.reference_speed,
         }
     }
 
@@ -359,8 +361,7 @@ mod tests {
 
     use super::*;
 
-    const ROLLING: Kinematics =
-        Kinematics { speed: 30.0, creepage_x: 0.0, creepage_y: 0.001, spin: 0.0 };
+    const ROLLING: Kinematics = Kinematics { creepage_y: 0.001, ..Kinematics::free_rolling(30.0) };
 
     /// A wheel that nearly stops rolls no farther in a step than elsewhere.
     #[test]

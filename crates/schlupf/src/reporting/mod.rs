@@ -12,8 +12,8 @@ mod columns;
 
 pub use columns::{Column, Record, Value, columns, distinct};
 pub use error::{
-    CalibrationError, CurveError, Error, FitCause, FitError, FitStop, ForceError, MethodPurpose, Place,
-    StateError, SurfaceError, WheelRailError,
+    CalibrationError, CurveError, Error, FitCause, FitError, FitStop, ForceError, MethodPurpose,
+    Place, StateError, SurfaceError, WheelRailError,
 };
 pub(crate) use error::{require, require_at, require_finite, require_positive, require_several};
 pub use message::{Message, Names, Subject, Words, cut, messages, quoted, quoted_path, shortened};

@@ -3,7 +3,7 @@
 use super::contact_plane::ContactPlane;
 use super::pair::Pair;
 use super::pose::{Pose, cross, dot, minus, plus};
-use crate::bodies::Kinematics;
+use crate::bodies::{Kinematics, ReferenceSpeed};
 
 /// Motion of a wheelset. Of rail and wheel the velocities are those of their
 /// [deviations](super::Deviation).
@@ -149,5 +149,6 @@ pub(super) fn creepages(plane: &ContactPlane, moving: &Moving) -> Kinematics {
         creepage_x: at_origin[0] / (level * speed),
         creepage_y: dot(at_origin, plane.across()) / speed,
         spin: dot(turning, plane.normal()) / speed,
+        reference_speed: ReferenceSpeed::Mean,
     }
 }

@@ -147,7 +147,7 @@ impl Solver for TimeStep {
 /// One step over a distance (in m) with constant creepages, or the shift that they are; nothing in
 /// steady rolling.
 fn history(kinematics: &Kinematics, (step, distance): (Step, f64)) -> Option<History> {
-    let Kinematics { speed, creepage_x, creepage_y, spin } = *kinematics;
+    let Kinematics { speed, creepage_x, creepage_y, spin, .. } = *kinematics;
     Some(match step {
         Step::Settle => return None,
         // The rolling speed of a contact is not quite that of the wheelset.

@@ -19,7 +19,7 @@ use schlupf::solver::simplified::FastContact;
 use schlupf::{Options, Problem, Quantity, unwatched};
 
 const MOTION: Kinematics =
-    Kinematics { speed: 20.0, creepage_x: 1e-3, creepage_y: -5e-4, spin: 0.2 };
+    Kinematics { creepage_x: 1e-3, creepage_y: -5e-4, spin: 0.2, ..Kinematics::free_rolling(20.0) };
 
 const VELOCITIES: Settings = Settings {
     motion: Motion::Velocities,

@@ -20,7 +20,7 @@ use schlupf::normal::{AtLoad, Grid, VectorField};
 use schlupf::{Error, Method, Options, Problem, unwatched};
 
 const MOTION: Kinematics =
-    Kinematics { speed: 20.0, creepage_x: 1e-3, creepage_y: -5e-4, spin: 0.2 };
+    Kinematics { creepage_x: 1e-3, creepage_y: -5e-4, spin: 0.2, ..Kinematics::free_rolling(20.0) };
 
 const BY_CREEPAGES: Settings = Settings {
     motion: Motion::Creepages,

@@ -57,7 +57,8 @@ fn in_one_direction(speeds: &[f64]) -> Vec<DataPoint> {
     for speed in speeds {
         for total in TOTALS {
             let [creepage_x, creepage_y] = [0.8 * total, 0.601 * total].map(digits);
-            let kinematics = Kinematics { speed: *speed, creepage_x, creepage_y, spin: 0.0 };
+            let kinematics =
+                Kinematics { creepage_x, creepage_y, ..Kinematics::free_rolling(*speed) };
             let condition = Condition { kinematics, load: None };
             for component in [Component::Longitudinal, Component::Lateral] {
                 let force_ratio = force(&kinematics)[component.index()];

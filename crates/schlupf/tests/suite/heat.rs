@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::common::{cells, problem, rolling, solve};
+use crate::common::{cells, motions, problem, rolling, solve};
 use approx::assert_relative_eq;
 use schlupf::analysis::temperature_field::{Side, TemperatureField};
 use schlupf::bodies::{Body, Material};
@@ -138,6 +138,24 @@ fn velocity_partition_heats_both_surfaces_alike() {
     slide.interface.heat.partition = Partition::Velocity;
     let hottest = solve(&slide, &cells(20)).temperature.unwrap();
     assert_relative_eq!(hottest.max_rise_wheel, hottest.max_rise_rail, max_relative = 1e-12);
+}
+
+/// A wheel of aluminium that slides at 30 m/s over the rail, 27 m/s of its own circumference.
+#[test]
+fn creepages_that_refer_to_the_mean_speed_give_the_same_temperatures() {
+    let mut slide = full_slide(Arc::new(Duhamel));
+    let aluminium = Material { conductivity: 200.0, density: 2700.0, ..Material::STEEL };
+    let wheel = Body { bulk_temperature: 150.0, material: aluminium, ..Body::STEEL };
+    slide.interface.wheel = wheel;
+    slide.interface.heat.partition = Partition::Velocity;
+    let [by_vehicle, by_mean] = motions([30.0, 27.0]).map(|motion| {
+        slide.kinematics = motion;
+        let found = solve(&slide, &cells(20)).temperature.unwrap();
+        [found.max_rise_wheel, found.max_rise_rail]
+    });
+    for (one, other) in by_vehicle.into_iter().zip(by_mean) {
+        assert_relative_eq!(one, other, max_relative = 1e-12);
+    }
 }
 
 /// A floor keeps the friction from vanishing, and the solution says what is hot.

@@ -412,7 +412,8 @@ fn points_at_several_speeds_and_loads_fit_together() {
     for (speed, load) in [(10.0, None), (30.0, None), (20.0, Some(80e3))] {
         for creepage in [1e-3, 4e-3, 0.01, 0.05, 0.1] {
             let (creepage_x, creepage_y) = (creepage, 0.5 * creepage);
-            let kinematics = Kinematics { speed, creepage_x, creepage_y, spin: 0.0 };
+            let kinematics =
+                Kinematics { creepage_x, creepage_y, ..Kinematics::free_rolling(speed) };
             let condition = Condition { kinematics, load };
             let force = reference.force_ratio(&condition, &unwatched).unwrap().unwrap().value;
             for component in [Component::Longitudinal, Component::Lateral] {
@@ -550,7 +551,7 @@ fn contact_curve(name: &str) -> Vec<DataPoint> {
     let records = reader.records().map(Result::unwrap).filter(|record| &record[0] == name);
     let point = |record: csv::StringRecord| {
         let creepage_x: f64 = record[1].parse().unwrap();
-        let kinematics = Kinematics { speed: 10.0, creepage_x, creepage_y: 0.0, spin: 0.0 };
+        let kinematics = Kinematics { creepage_x, ..Kinematics::free_rolling(10.0) };
         DataPoint {
             condition: Condition { kinematics, load: None },
             component: Component::Longitudinal,

@@ -101,7 +101,7 @@ fn assert_same_contact(file: &Solution, patch: &Solution) {
         assert_relative_eq!(one.friction, other.friction, max_relative = 1e-6);
     }
     // Power about the origin of the file, with its own creepages and its own moment.
-    let Kinematics { speed, creepage_x, creepage_y, spin } = file.kinematics;
+    let Kinematics { speed, creepage_x, creepage_y, spin, .. } = file.kinematics;
     if let Resultant { x, y, moment_z: Some(moment_z) } = file.force {
         let power = -speed * (creepage_x * x + creepage_y * y + spin * moment_z);
         assert_relative_eq!(power, patch.power.unwrap().creep, max_relative = 1e-6);

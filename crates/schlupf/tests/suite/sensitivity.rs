@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::common::{half_space, problem, rolling};
 use schlupf::analysis::calibration::KalkerBed;
-use schlupf::bodies::{Material, contact_modulus};
+use schlupf::bodies::{Material, ReferenceSpeed, contact_modulus};
 use schlupf::elasticity::elastic_layer::{ElasticLayer, Springs};
 use schlupf::elasticity::{CalibratedLayer, HalfSpace, Winkler};
 use schlupf::interface::friction::{
@@ -216,6 +216,8 @@ fn with_heat_that_lowers_friction() {
     hot.interface.wheel.bulk_temperature = 120.0;
     hot.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     check("Duhamel", &hot, &falling, &incremental);
+    hot.kinematics.reference_speed = ReferenceSpeed::Mean;
+    check("mean speed", &hot, &falling, &incremental);
     hot.interface.heat =
         Heat { model: Some(Arc::new(ConstantSource)), partition: Partition::Given(0.5) };
     check("constant source", &hot, &falling, &incremental);

@@ -265,12 +265,36 @@ fn hertz(load: f64) -> Arc<Hertz> {
     Arc::new(Hertz::new(wheel, rail, modulus, load).unwrap())
 }
 
+/// A wheel of aluminium, with creepages that refer to the speed of the vehicle or to the mean.
+#[test]
+fn the_reference_of_creepages_does_not_change_temperatures() {
+    let (rail, slip) = (speed(2.0), -0.3 * speed(2.0));
+    let mut slide = slide(A, rail, slip, Partition::Velocity);
+    slide.interface.wheel =
+        Body { bulk_temperature: 40.0, material: ALUMINIUM, ..slide.interface.wheel };
+    let [by_vehicle, by_mean] = common::motions([rail, rail - slip]).map(|motion| {
+        slide.kinematics = motion;
+        let found = solve(&slide, &cells(16));
+        let hottest = found.temperature.unwrap();
+        [hottest.max_rise_wheel, hottest.max_rise_rail, found.peclet[0], found.peclet[1]]
+    });
+    println!("{by_vehicle:?} {by_mean:?}");
+    for (one, other) in by_vehicle.into_iter().zip(by_mean) {
+        assert_relative_eq!(one, other, max_relative = 1e-9);
+    }
+}
+
 /// The same on elastic bodies: derivatives by creepage and load agree with differences of
 /// solutions.
 #[test]
 fn derivatives_know_the_conduction_along_the_surface() {
-    let mut base = problem(rolling(-0.05, 0.01, 0.0));
-    base.kinematics.speed = 0.3;
+    for motion in common::motions([0.3, 0.315]) {
+        check_derivatives(Kinematics { creepage_y: 0.01, ..motion });
+    }
+}
+
+fn check_derivatives(motion: Kinematics) {
+    let mut base = problem(motion);
     base.interface.friction.law = Arc::new(TemperatureLinear::new(0.4, 60.0, 0.0).unwrap());
     base.interface.heat = Heat { model: Some(Arc::new(Duhamel)), partition: Partition::Velocity };
     base.interface.elasticity = common::half_space();

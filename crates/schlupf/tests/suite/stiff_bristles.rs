@@ -65,7 +65,11 @@ fn any_creepage_is_found_at_once() {
 /// for seconds.
 #[test]
 fn stiff_bristles_with_friction_memory() {
-    let at = |speed, x, y| Kinematics { speed, creepage_x: x, creepage_y: y, spin: 0.0 };
+    let at = |speed, x, y| Kinematics {
+        creepage_x: x,
+        creepage_y: y,
+        ..Kinematics::free_rolling(speed)
+    };
     let falling = |mut problem: Problem, coefficient: f64, half_speed: f64| {
         let terms = SlipTerms::new(coefficient, 0.5 * coefficient, half_speed, None).unwrap();
         problem.interface.friction.law = Arc::new(Exponential(terms));
@@ -98,7 +102,11 @@ fn stiff_bristles_with_friction_memory() {
 /// The same without memory, with constant friction and with heat.
 #[test]
 fn stiff_bristles() {
-    let at = |speed, x, y| Kinematics { speed, creepage_x: x, creepage_y: y, spin: 0.0 };
+    let at = |speed, x, y| Kinematics {
+        creepage_x: x,
+        creepage_y: y,
+        ..Kinematics::free_rolling(speed)
+    };
     let constant = |mut problem: Problem, coefficient: f64| {
         problem.interface.friction.law = Arc::new(Constant::new(coefficient).unwrap());
         problem

@@ -87,7 +87,7 @@ fn carried_away(problem: &Problem, solution: &Solution, field: &TemperatureField
     const LAYERS: u32 = 300;
     let grid = solution.state.grid;
     let conduction = problem.interface.conduction(&solution.kinematics);
-    let speeds = [30.0 / conduction.contact_time_ratio(), 30.0];
+    let speeds = conduction.contact_times().map(|time| 30.0 / time);
     let bodies = [(Side::Wheel, problem.interface.wheel), (Side::Rail, problem.interface.rail)];
     [0, 1].map(|k| {
         let (side, body) = bodies[k];
@@ -131,7 +131,7 @@ fn wheel_and_rail_carry_away_the_friction_power() {
             let conduction = sliding.interface.conduction(&solution.kinematics);
             let beta = 1.772_453_850_905_516 * 0.906_402_477_055_477 / 0.919_062_526_848_883;
             let width = (2.0 * 6e-3_f64).sqrt() * 5e-3 * beta;
-            let root = (30.0 / conduction.contact_time_ratio() / std::f64::consts::PI).sqrt();
+            let root = (30.0 / conduction.contact_times()[0] / std::f64::consts::PI).sqrt();
             let step = bulk - conduction.entry_temperature;
             let exact = 2.0 * sliding.interface.wheel.material.effusivity() * step * root * width;
             assert_relative_eq!(exchanged, exact, max_relative = 5e-3);

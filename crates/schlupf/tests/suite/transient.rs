@@ -331,7 +331,7 @@ fn a_history_starts_with_a_shift() {
 }
 
 fn rolling_not_at_all() -> Kinematics {
-    Kinematics { speed: 0.0, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 }
+    Kinematics::free_rolling(0.0)
 }
 
 /// A patch that shrinks faster than the wheel rolls and grows again converges at every step and

@@ -108,10 +108,9 @@ pub fn solution(recipe: Recipe) -> Solution {
 fn kinematics(recipe: Recipe) -> Kinematics {
     let slip = 0.008;
     Kinematics {
-        speed: 30.0,
         creepage_x: slip * recipe.direction.cos(),
         creepage_y: slip * recipe.direction.sin(),
-        spin: 0.0,
+        ..Kinematics::free_rolling(30.0)
     }
 }
 

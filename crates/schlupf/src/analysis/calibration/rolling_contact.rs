@@ -51,10 +51,10 @@ impl RollingContact {
         let strain = FRICTION * 2.0 / 3.0 * PI * PEAK_PRESSURE / self.bodies.shear_modulus();
         let CreepCoefficients { c11, c22, c23, .. } = self.coefficients;
         Kinematics {
-            speed: 1.0,
             creepage_x: along * strain / c11,
             creepage_y: across * strain / c22,
             spin: spin * strain / (c23 * SIZE),
+            ..Kinematics::free_rolling(1.0)
         }
     }
 }

@@ -26,7 +26,12 @@ impl Creepages {
 
     /// Kinematics with these creepages at a speed (in m/s).
     pub fn at_speed(&self, speed: f64) -> Kinematics {
-        Kinematics { speed, creepage_x: self.x, creepage_y: self.y, spin: self.spin }
+        Kinematics {
+            creepage_x: self.x,
+            creepage_y: self.y,
+            spin: self.spin,
+            ..Kinematics::free_rolling(speed)
+        }
     }
 
     pub(super) fn components(&self) -> [f64; 3] {
@@ -132,22 +137,24 @@ impl Path {
             require_finite(Quantity::CreepageY, creepages.y)?;
             require_finite(Quantity::Spin, creepages.spin)?;
         }
-        let (abscissa, component): (Abscissa, fn(&Creepages) -> f64) =
-            if start.x != end.x && start.y != end.y && is_fixed_direction(&start, &end) {
-                let larger = if start.x.hypot(start.y) > end.x.hypot(end.y) { start } else { end };
-                let direction = larger.y.atan2(larger.x);
-                let range = [start, end].map(|c| c.x * direction.cos() + c.y * direction.sin());
-                let abscissa = Varied::Creepage(Abscissa::Total { direction });
-                return Ok(Self { start, end, abscissa, range });
-            } else if start.x != end.x {
-                (Abscissa::CreepageX, |creepages| creepages.x)
-            } else if start.y != end.y {
-                (Abscissa::CreepageY, |creepages| creepages.y)
-            } else if start.spin != end.spin {
-                (Abscissa::Spin, |creepages| creepages.spin)
-            } else {
-                return Err(CurveError::NoRange { quantity: Quantity::Spin, value: end.spin }.into());
-            };
+        let (abscissa, component): (Abscissa, fn(&Creepages) -> f64) = if start.x != end.x
+            && start.y != end.y
+            && is_fixed_direction(&start, &end)
+        {
+            let larger = if start.x.hypot(start.y) > end.x.hypot(end.y) { start } else { end };
+            let direction = larger.y.atan2(larger.x);
+            let range = [start, end].map(|c| c.x * direction.cos() + c.y * direction.sin());
+            let abscissa = Varied::Creepage(Abscissa::Total { direction });
+            return Ok(Self { start, end, abscissa, range });
+        } else if start.x != end.x {
+            (Abscissa::CreepageX, |creepages| creepages.x)
+        } else if start.y != end.y {
+            (Abscissa::CreepageY, |creepages| creepages.y)
+        } else if start.spin != end.spin {
+            (Abscissa::Spin, |creepages| creepages.spin)
+        } else {
+            return Err(CurveError::NoRange { quantity: Quantity::Spin, value: end.spin }.into());
+        };
         let range = [component(&start), component(&end)];
         Ok(Self { start, end, abscissa: Varied::Creepage(abscissa), range })
     }
@@ -181,7 +188,9 @@ impl Path {
     pub fn in_direction(range: [f64; 2], direction: f64, spin: [f64; 2]) -> Result<Self, Error> {
         require_finite(Quantity::Direction, direction)?;
         if range[0] == range[1] {
-            return Err(CurveError::NoRange { quantity: Quantity::Creepage, value: range[1] }.into());
+            return Err(
+                CurveError::NoRange { quantity: Quantity::Creepage, value: range[1] }.into()
+            );
         }
         let [start, end] = [0, 1].map(|end| {
             let [x, y] = components(range[end], direction);

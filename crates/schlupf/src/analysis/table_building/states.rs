@@ -76,8 +76,12 @@ impl StateSolver {
     /// The force under normalised creepages, extrapolated from two grids.
     pub fn solve(&mut self, creepages: [f64; 3], watch: Watch) -> Result<Solved, Error> {
         let [along, across, spin] = creepages.map(|creepage| creepage / self.unit);
-        self.problem.kinematics =
-            Kinematics { speed: 1.0, creepage_x: along, creepage_y: across, spin: spin / SIZE };
+        self.problem.kinematics = Kinematics {
+            creepage_x: along,
+            creepage_y: across,
+            spin: spin / SIZE,
+            ..Kinematics::free_rolling(1.0)
+        };
         let coarse = Self::on(&mut self.coarse, &self.problem, watch)?;
         let extrapolation = coarse.extrapolation;
         let is_accurate = extrapolation.is_some_and(|extrapolation| {

@@ -101,7 +101,7 @@ impl ContactConduction {
         let mut scaled = patch.grid;
         scaled.spacing_x *= scale;
         scaled.spacing_y *= scale;
-        let speeds = [speed / conduction.contact_time_ratio(), speed];
+        let speeds = conduction.contact_times().map(|time| speed / time);
         let influences = [0, 1].map(|body| {
             let (diffusivity, effusivity) =
                 (materials[body].diffusivity(), materials[body].effusivity());
@@ -394,7 +394,7 @@ mod tests {
         let contact = source.normal_contact(None).unwrap();
         let patch = Patch::new(&contact, Grid::across(&contact.extent(), cells, cells));
         let speed = peclet * Material::STEEL.diffusivity() / RADIUS;
-        let kinematics = Kinematics { speed, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 };
+        let kinematics = Kinematics::free_rolling(speed);
         let given = Partition::Given(0.0);
         let conductors = Conductors {
             conduction: Conduction::new(&given, &Body::STEEL, &Body::STEEL, &kinematics),

@@ -26,8 +26,8 @@ use crate::bodies::{Body, Kinematics};
 /// assert!(schlupf::Problem::builder().heat(heat).build().is_ok());
 /// ```
 pub trait PartitionLaw: Debug + Send + Sync {
-    /// The share, dimensionless, between 0 and 1, at the circumferential speed of the wheel and the
-    /// speed v0, in m/s.
+    /// The share, dimensionless, between 0 and 1, at the speeds with which the surfaces of wheel
+    /// and rail pass through the contact, in m/s.
     fn share(&self, speeds: [f64; 2]) -> f64;
 }
 
@@ -35,13 +35,13 @@ pub trait PartitionLaw: Debug + Send + Sync {
 #[derive(Debug, Clone)]
 pub enum Partition {
     /// Prescribed, dimensionless, between 0 and 1 (0.5 in the paper). Both bodies then pass through
-    /// the contact at the speed v0.
+    /// the contact at the speed of its frame.
     Given(f64),
     /// From equal surface temperatures: β_w √(ωR) / (β_w √(ωR) + β_r √v0). Each body passes at its
     /// own speed.
     Velocity,
-    /// By a law. Both bodies then pass through the contact at the speed v0. Where heat spreads
-    /// sideways, derivatives with respect to creepages take the share as fixed.
+    /// By a law. Both bodies then pass through the contact at the speed of its frame. Where heat
+    /// spreads sideways, derivatives with respect to creepages take the share as fixed.
     Law(Arc<dyn PartitionLaw>),
 }
 
@@ -63,18 +63,16 @@ impl Partition {
         match self {
             Self::Given(share) => Some(*share),
             Self::Velocity => None,
-            Self::Law(law) => {
-                Some(law.share([kinematics.circumferential_speed(), kinematics.speed]))
-            }
+            Self::Law(law) => Some(law.share(kinematics.surface_speeds())),
         }
     }
 
-    /// Derivative of the share of a law with respect to ln(v0/(ωR)) at constant v0.
+    /// Derivative of the share of a law with respect to ln(v0/(ωR)).
     fn share_by_time_ratio(&self, kinematics: &Kinematics) -> f64 {
         const STEP: f64 = 1e-5;
         let Self::Law(law) = self else { return 0.0 };
-        let rolling = kinematics.circumferential_speed();
-        let share = |step: f64| law.share([rolling * (-step).exp(), kinematics.speed]);
+        let share =
+            |step: f64| law.share(kinematics.with_contact_time_ratio(step).surface_speeds());
         (share(STEP) - share(-STEP)) / (2.0 * STEP)
     }
 }
@@ -98,25 +96,26 @@ pub struct Conduction {
     share: f64,
     /// Its derivative with respect to ln(v0/(ωR)) by a law.
     share_by_time_ratio: f64,
-    contact_time_ratio: f64,
+    contact_times: [f64; 2],
+    /// Derivatives of their logarithms with respect to ln(v0/(ωR)).
+    contact_times_by_ratio: [f64; 2],
 }
 
 impl Conduction {
     /// Conduction in wheel and rail at the speeds of `kinematics`.
     pub fn new(partition: &Partition, wheel: &Body, rail: &Body, kinematics: &Kinematics) -> Self {
         let effusivity = [wheel.material.effusivity(), rail.material.effusivity()];
-        // Ratio of the contact times of the materials of wheel and rail.
-        let contact_time_ratio = match partition {
-            Partition::Given(_) | Partition::Law(_) => 1.0,
+        let contact_times = match partition {
+            Partition::Given(_) | Partition::Law(_) => [1.0; 2],
             // A ratio of speeds, also for bodies at rest.
             Partition::Velocity => {
-                Kinematics { speed: 1.0, ..*kinematics }.circumferential_speed().recip()
+                Kinematics { speed: 1.0, ..*kinematics }.surface_speeds().map(f64::recip)
             }
         };
-        let drawn = [effusivity[0] / contact_time_ratio.sqrt(), effusivity[1]];
+        let drawn = [0, 1].map(|body| effusivity[body] / contact_times[body].sqrt());
         let wheel_weight = drawn[0] / (drawn[0] + drawn[1]);
         let share = partition.share(kinematics).unwrap_or(wheel_weight);
-        let rise_per_share = [contact_time_ratio.sqrt() / effusivity[0], effusivity[1].recip()];
+        let rise_per_share = drawn.map(f64::recip);
         let bulk = [wheel.bulk_temperature, rail.bulk_temperature];
         Self {
             entry_temperature: wheel_weight * bulk[0] + (1.0 - wheel_weight) * bulk[1],
@@ -127,7 +126,8 @@ impl Conduction {
             follows_speed: *partition == Partition::Velocity,
             share,
             share_by_time_ratio: partition.share_by_time_ratio(kinematics),
-            contact_time_ratio,
+            contact_times,
+            contact_times_by_ratio: kinematics.contact_times_by_ratio(),
         }
     }
 
@@ -151,9 +151,10 @@ impl Conduction {
         self.wheel_weight
     }
 
-    /// Ratio of the contact times of the materials of wheel and rail, dimensionless.
-    pub fn contact_time_ratio(&self) -> f64 {
-        self.contact_time_ratio
+    /// Times in which the materials of wheel and rail pass through the contact over that of its
+    /// frame, dimensionless.
+    pub fn contact_times(&self) -> [f64; 2] {
+        self.contact_times
     }
 
     /// Surface temperatures of wheel and rail (in degC) for a rise times effusivity, in W √s/m².
@@ -175,11 +176,13 @@ impl Conduction {
             let of_share = self.wheel_weight * wheel - (1.0 - self.wheel_weight) * rail;
             return self.share_by_time_ratio * of_share * rise_times_effusivity;
         }
-        // With β_w √(ωR/v0) = D the wheel's weight is D/(D + β_r), both factors are 1/(D + β_r),
-        // and d ln D = −½ d ln(v0/ωR).
+        // With D = β/√t of each body the wheel's weight is D_w/(D_w + D_r), both factors are
+        // 1/(D_w + D_r), and d ln D = −½ d ln t.
+        let [wheel, rail] = self.contact_times_by_ratio;
         let weight = self.wheel_weight;
-        let entry = -0.5 * weight * (1.0 - weight) * (self.bulk[0] - self.bulk[1]);
-        entry + 0.5 * weight * self.contact_factor() * rise_times_effusivity
+        let entry = weight * (1.0 - weight) * (self.bulk[0] - self.bulk[1]) * (rail - wheel);
+        let rise = (weight * wheel + (1.0 - weight) * rail) * self.contact_factor();
+        0.5 * (entry + rise * rise_times_effusivity)
     }
 
     /// Derivative of [`Self::contact_temperature`], in m² √s K/W.
@@ -203,7 +206,7 @@ mod tests {
     use crate::bodies::Material;
 
     fn kinematics(creepage_x: f64) -> Kinematics {
-        Kinematics { speed: 30.0, creepage_x, creepage_y: 0.0, spin: 0.0 }
+        Kinematics { creepage_x, ..Kinematics::free_rolling(30.0) }
     }
 
     /// With the partition from the velocities both surfaces are equally hot, whatever their

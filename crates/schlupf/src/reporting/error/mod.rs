@@ -59,13 +59,13 @@ messages! {
     "no-rolling" NoRolling {
         /// Longitudinal creepage, dimensionless.
         creepage_x: f64,
-        /// That at which the wheel locks, √(1 − η²), dimensionless.
+        /// That at which the wheel locks, dimensionless.
         limit: f64,
         /// Circumferential speed of the wheel, in m/s.
         rolling: f64,
     } Quantity::CreepageX, |name, words| format!(
-        "{name} must be below √(1 − η²) = {}, at which the wheel locks, but is {creepage_x}: a {} \
-         wheel with a circumferential speed of {} m/s",
+        "{name} must be below {}, at which the wheel locks, but is {creepage_x}: a {} wheel with a \
+         circumferential speed of {} m/s",
         readable(*limit),
         if *rolling == 0.0 { "locked" } else { "reversed" },
         readable(*rolling)

@@ -73,7 +73,7 @@ mod tests {
     #[test]
     fn vollebregt_2022_force_of_a_small_creepage() {
         let coefficients = CreepCoefficients { c11: 3.7451, c22: 3.0301, c23: 0.9432, c33: 1.9779 };
-        let kinematics = Kinematics { speed: 30.0, creepage_x: 1e-5, creepage_y: 0.0, spin: 0.0 };
+        let kinematics = Kinematics { creepage_x: 1e-5, ..Kinematics::free_rolling(30.0) };
         let axes = [3.535_533_9e-3, 7.071_067_8e-3];
         let force = coefficients.force(&kinematics, axes, 82.031_25e9);
         assert_relative_eq!(force.x / (0.3 * 52_359.878), -0.00488, max_relative = 4e-3);
@@ -85,7 +85,7 @@ mod tests {
     fn spin_and_lateral_creepage_are_reciprocal() {
         let coefficients = CreepCoefficients { c11: 4.12, c22: 3.67, c23: 1.47, c33: 1.19 };
         let of = |creepage_y: f64, spin: f64| {
-            let kinematics = Kinematics { speed: 30.0, creepage_x: 0.0, creepage_y, spin };
+            let kinematics = Kinematics { creepage_y, spin, ..Kinematics::free_rolling(30.0) };
             coefficients.force(&kinematics, [2e-3, 8e-3], 82e9)
         };
         let (creeping, spinning) = (of(1e-4, 0.0), of(0.0, 1e-4));

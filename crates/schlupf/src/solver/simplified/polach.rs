@@ -183,7 +183,12 @@ mod tests {
             (2e-3, 0.0, -0.3),
             (0.0, 0.0, 0.5),
         ] {
-            let motion = Kinematics { speed: 20.0, creepage_x: xi, creepage_y: eta, spin };
+            let motion = Kinematics {
+                creepage_x: xi,
+                creepage_y: eta,
+                spin,
+                ..Kinematics::free_rolling(20.0)
+            };
             let at = |limit: f64, area_adhesion: f64, area_slip: f64| {
                 let reduction = AreaReduction { area_adhesion, area_slip };
                 let found = force(&contact, &motion, limit, reduction);

@@ -136,7 +136,7 @@ fn exchanged(problem: &Problem, patch: &Patch, now: &Snapshot) -> f64 {
     }
     let conduction = &now.conduction;
     let step = conduction.bulk_temperatures()[0] - conduction.entry_temperature;
-    chill(problem, patch, now.kinematics.speed / conduction.contact_time_ratio()) * step
+    chill(problem, patch, now.kinematics.speed / conduction.contact_times()[0]) * step
 }
 
 /// Heat flow through the contact divided by the step from the wheel's bulk temperature to its

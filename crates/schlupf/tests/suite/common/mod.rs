@@ -6,7 +6,7 @@ pub mod transients;
 
 use std::sync::Arc;
 
-use schlupf::bodies::{Kinematics, Material};
+use schlupf::bodies::{Kinematics, Material, ReferenceSpeed};
 use schlupf::elasticity::elastic_layer::{ElasticLayer, LayerStiffness};
 use schlupf::elasticity::{Elasticity, HalfSpace};
 use schlupf::interface::Incremental;
@@ -40,7 +40,21 @@ pub fn quantiles(mut values: Vec<f64>) -> [f64; 3] {
 
 /// Rolling at 30 m/s with the given creepages and spin (in 1/m).
 pub fn rolling(creepage_x: f64, creepage_y: f64, spin: f64) -> Kinematics {
-    Kinematics { speed: 30.0, creepage_x, creepage_y, spin }
+    Kinematics { creepage_x, creepage_y, spin, ..Kinematics::free_rolling(30.0) }
+}
+
+/// A wheel whose circumference has the second of two speeds (in m/s), over a rail that passes at the
+/// first: creepages that refer to that of the vehicle, and to the mean.
+pub fn motions([rail, wheel]: [f64; 2]) -> [Kinematics; 2] {
+    let by_vehicle =
+        Kinematics { creepage_x: (rail - wheel) / rail, ..Kinematics::free_rolling(rail) };
+    let speed = 0.5 * (rail + wheel);
+    let by_mean = Kinematics {
+        creepage_x: (rail - wheel) / speed,
+        reference_speed: ReferenceSpeed::Mean,
+        ..Kinematics::free_rolling(speed)
+    };
+    [by_vehicle, by_mean]
 }
 
 /// The isotropic layer c = 1e13 N/m³, g = 3.24e7 N/m.

@@ -376,7 +376,7 @@ impl<'a> Derivatives<'a> {
 /// The motion of the frame alone.
 fn standing(problem: &Problem) -> Kinematics {
     let speed = problem.kinematics.speed;
-    Kinematics { speed, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 }
+    Kinematics::free_rolling(speed)
 }
 
 fn scaled(resultant: &Resultant, factor: f64) -> Resultant {

@@ -374,10 +374,8 @@ impl Scaling {
         if self == Self::Size {
             return Conductors { scale: change.exp(), ..conductors };
         }
-        let motion = problem.kinematics;
-        let rolling = motion.circumferential_speed() / motion.speed;
-        let creepage_x = motion.creepage_x + rolling * (1.0 - (-change).exp());
-        let conduction = problem.interface.conduction(&Kinematics { creepage_x, ..motion });
+        let motion = problem.kinematics.with_contact_time_ratio(change);
+        let conduction = problem.interface.conduction(&motion);
         Conductors { conduction, ..conductors }
     }
 }

@@ -375,10 +375,10 @@ mod tests {
             [0.0, 0.0, 3.0],
         ];
         creepages.into_iter().map(|[creepage_x, creepage_y, spin]| Kinematics {
-            speed: 30.0,
             creepage_x,
             creepage_y,
             spin,
+            ..Kinematics::free_rolling(30.0)
         })
     }
 
@@ -440,8 +440,7 @@ mod tests {
     fn models_that_are_not_linear_are_followed() {
         let [hot, ..] = laws();
         let (mut problem, mut fastsim, contact) = set_up(hot, (Brush::KALKER, None));
-        problem.kinematics =
-            Kinematics { speed: 30.0, creepage_x: 0.1, creepage_y: 0.0, spin: 0.0 };
+        problem.kinematics = Kinematics { creepage_x: 0.1, ..Kinematics::free_rolling(30.0) };
         let exact = fastsim.force(&problem, &contact).x;
         problem.interface.heat =
             Heat { model: Some(Arc::new(ConstantSource)), ..problem.interface.heat };
@@ -465,8 +464,7 @@ mod tests {
             let kind = (Brush::KALKER, None);
             let mut fastsim = Fastsim::new(&problem, &options, kind, &normal).unwrap();
             for creepage_x in [1e-3, 3e-3, 1e-2] {
-                problem.kinematics =
-                    Kinematics { speed: 40.0, creepage_x, creepage_y: 0.0, spin: 0.0 };
+                problem.kinematics = Kinematics { creepage_x, ..Kinematics::free_rolling(40.0) };
                 let force = fastsim.force(&problem, &contact);
                 let limit = 0.4 * 80e3 * contact.lever();
                 assert!(force.moment_z.unwrap().abs() < 1e-9 * limit, "{cells_y}: {force:?}");

@@ -12,7 +12,7 @@ use crate::solver::settings;
 use super::March;
 
 /// Speed and creepages of bodies that do not roll.
-const AT_REST: Kinematics = Kinematics { speed: 0.0, creepage_x: 0.0, creepage_y: 0.0, spin: 0.0 };
+const AT_REST: Kinematics = Kinematics::free_rolling(0.0);
 
 impl March<'_> {
     /// A shift at the first time of the present part of the history, under its load or its forces.
