@@ -373,7 +373,8 @@ fn given_points_are_joined_by_straight_lines() {
     let given = drawing(&family);
     let places = |svg: &str| first_line(svg).matches(['M', 'L']).count();
     assert!(places(&smooth) > 50);
-    assert_eq!(places(&given), 21);
+    // The maximum lies between two of them.
+    assert_eq!(places(&given), 21 + 1);
 }
 
 /// Values of a range are written in full where they name a state, but not in a legend.

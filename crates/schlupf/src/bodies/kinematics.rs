@@ -26,8 +26,6 @@ impl ReferencePoint {
 
 /// The speed to which creepages refer, and with which the contact frame moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum ReferenceSpeed {
     /// That of the vehicle, v0: the surface of the rail passes at it.
     #[default]
@@ -53,7 +51,7 @@ pub struct Kinematics {
     /// Spin creepage φ, in 1/m.
     pub spin: f64,
     /// What the speed is.
-    #[cfg_attr(feature = "serde", serde(default))]
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub reference_speed: ReferenceSpeed,
 }
 

@@ -139,6 +139,11 @@ fn compare(row: &Row, solution: &WheelSolution, tolerance: &[f64; 6]) {
     check("y on the wheel", 1e3 * contact.wheel_position, -sign * of[6], place);
     let solved = &contact.solution;
     let kinematics = &solved.kinematics;
+    let motion = &row.wheel.motion;
+    let [of_wheel, of_rail] = kinematics.surface_speeds();
+    check("speed of the rail", of_rail, motion.speed, 1e-9);
+    let around = motion.angular_velocity * contact.rolling_radius;
+    check("speed of the wheel", of_wheel / around, 1.0, 1e-3);
     check("ξ", kinematics.creepage_x, -of[7], creepage);
     check("η", kinematics.creepage_y, of[8], creepage);
     check("φ", 1e-3 * kinematics.spin, of[9], 0.25 * creepage);

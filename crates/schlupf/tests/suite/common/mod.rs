@@ -43,8 +43,8 @@ pub fn rolling(creepage_x: f64, creepage_y: f64, spin: f64) -> Kinematics {
     Kinematics { creepage_x, creepage_y, spin, ..Kinematics::free_rolling(30.0) }
 }
 
-/// A wheel whose circumference has the second of two speeds (in m/s), over a rail that passes at the
-/// first: creepages that refer to that of the vehicle, and to the mean.
+/// A rail that passes at the first of two speeds (in m/s) below a wheel whose circumference has the
+/// second: by creepages that refer to that of the vehicle, and to the mean.
 pub fn motions([rail, wheel]: [f64; 2]) -> [Kinematics; 2] {
     let by_vehicle =
         Kinematics { creepage_x: (rail - wheel) / rail, ..Kinematics::free_rolling(rail) };
