@@ -21,7 +21,7 @@ pub fn print(failure: &Failure) {
                 errors.iter().map(|error| render(&Report::new(error))).collect();
             reports.join("\n")
         }
-        other => format!("error: {other}\n"),
+        other => render(&Report::plain(other.to_string())),
     };
     let _ = stderr().write_all(text.as_bytes());
 }
@@ -52,7 +52,8 @@ fn render(report: &Report) -> String {
     };
     let mut text = String::new();
     match handler.with_links(false).render_report(&mut text, report) {
-        Ok(()) => text,
+        // As the argument parser writes it.
+        Ok(()) => text.strip_prefix("  error:").map(|rest| format!("error:{rest}")).unwrap_or(text),
         Err(fmt::Error) => format!("error: {report}\n"),
     }
 }
@@ -89,6 +90,10 @@ impl Report {
             _ => (None, Vec::new()),
         };
         Self { message, help, source, labels }
+    }
+
+    fn plain(message: String) -> Self {
+        Self { message, help: None, source: None, labels: Vec::new() }
     }
 }
 

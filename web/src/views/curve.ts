@@ -172,6 +172,7 @@ export class CurveView {
         doc: '',
         kind: 'points',
         units: '',
+        bounds: [null, null],
       }
     );
   }

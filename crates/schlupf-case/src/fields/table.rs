@@ -222,7 +222,7 @@ section! {
     "creepage_x" [CreepageX] Kind::Number, CREEPAGE, Text("0.0"),
         "ξ, longitudinal creepage: positive when braking", example("0.008"),
         usually(PART_OF_SPEED);
-    "angular_velocity" [] quantity(&Measure::ANGULAR_VELOCITY), TURNING, Nothing,
+    "angular_velocity" [AngularVelocity] quantity(&Measure::ANGULAR_VELOCITY), TURNING, Nothing,
         "ω of the wheel, in place of creepage_x", example("64.7 rad/s");
     "wheel_radius" [] quantity(&Measure::LENGTH), ROLLING_RADIUS, Same(field!("wheel.radius_x")),
         "R, rolling radius that goes with angular_velocity or wheel_torque", example("0.46 m"),
