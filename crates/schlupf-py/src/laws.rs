@@ -12,7 +12,7 @@ use schlupf::interface::heat::PartitionLaw;
 pub struct Functions {
     /// μ of temperatures above the reference (in K), slip speeds (in m/s) and places y (in m).
     pub friction: Option<Py<PyAny>>,
-    /// Share of the wheel in the heat, of its circumferential speeds and speeds v0, in m/s.
+    /// Share of the wheel in the heat, of the speeds of both surfaces, in m/s.
     pub partition: Option<Py<PyAny>>,
 }
 

@@ -113,8 +113,7 @@ fn is_optional(field: &fields::Field) -> bool {
 }
 
 /// A field of a request: name, kind, how often it is given, whether without its name, default as
-/// text, SI unit, what its numbers must be between, choices, columns of tables with their units,
-/// meaning.
+/// text, SI unit, bounds of its numbers, choices, columns of tables with their units, meaning.
 fn of_request(field: &Field) -> Value {
     let tables = field.form.tables();
     json!({

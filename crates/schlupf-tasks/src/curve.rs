@@ -211,8 +211,8 @@ impl Request {
 
     /// The points along a path.
     fn sampling(&self, path: &Path) -> Sampling {
-        let is_abscissa = |quantity: Quantity| quantity == path.quantity();
-        if let Some((.., values)) = self.each().find(|(_, quantity, _)| is_abscissa(*quantity)) {
+        let abscissa = path.quantity();
+        if let Some((.., values)) = self.each().find(|(_, quantity, _)| *quantity == abscissa) {
             return Sampling::At(values.to_vec());
         }
         if let Some((.., values)) = self.each().next() {

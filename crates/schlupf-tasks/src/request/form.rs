@@ -88,7 +88,7 @@ impl Form {
         }
     }
 
-    /// The ends of what is allowed, where it is a number between two.
+    /// Bounds of its numbers, where it has some.
     pub fn bounds(self) -> [Option<f64>; 2] {
         match self {
             Self::Count(ends) => ends.map(|end| Some(end as f64)),

@@ -6,7 +6,7 @@ use crate::common::{RECIPE, solution};
 use schlupf::analysis::creep_curve::{
     CreepCurve, Creepages, InitialSlope, Maximum, Path, Point, Sampling,
 };
-use schlupf::bodies::ReferencePoint;
+use schlupf::bodies::{Kinematics, ReferencePoint};
 use schlupf::normal::NormalSummary;
 use schlupf::reporting::Message;
 use schlupf::solution::{Area, Power, Resultant, Work};
@@ -21,7 +21,7 @@ const LOAD: f64 = 80e3;
 fn made_up(path: Path, bound: f64) -> CreepCurve {
     let sampling = Sampling::Refined(21);
     let point = |abscissa: f64| {
-        let kinematics = path.at(abscissa).at_speed(30.0);
+        let kinematics = path.at(abscissa).in_place_of(&Kinematics::free_rolling(30.0));
         let slip = 200.0 * abscissa;
         let size = bound * slip / (1.0 + slip * slip).sqrt() * (1.0 - 3.0 * abscissa.abs());
         let [x, y] = [kinematics.creepage_x, kinematics.creepage_y + 0.002 * kinematics.spin];

@@ -136,11 +136,11 @@ impl TemperatureField {
             .seen_from(ReferencePoint::Patch)
             .unwrap_or((solution.kinematics, solution.force));
         let conduction = problem.interface.conduction(&motion);
-        let conductor = |body: &Body, of: usize| Conductor {
+        let conductor = |body: &Body, k: usize| Conductor {
             bulk: body.bulk_temperature,
             step: conduction.entry_temperature - body.bulk_temperature,
-            share: conduction.shares()[of],
-            contact_time: conduction.contact_times()[of],
+            share: conduction.shares()[k],
+            contact_time: conduction.contact_times()[k],
             effusivity: body.material.effusivity(),
             diffusivity: body.material.diffusivity(),
         };

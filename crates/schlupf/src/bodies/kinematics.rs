@@ -24,14 +24,22 @@ impl ReferencePoint {
     }
 }
 
-/// The speed to which creepages refer, and with which the contact frame moves.
+/// The speed to which creepages refer, and at which the contact frame moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum ReferenceSpeed {
     /// That of the vehicle, v0: the surface of the rail passes at it.
     #[default]
     Vehicle,
-    /// The mean (v0 + ωR)/2 of those at which both surfaces pass (Kalker 1990).
+    /// The mean (v0 + ωR)/2 of those at which both surfaces pass (Kalker 1990). Creepages that
+    /// spin adds away from the reference point count half for either surface.
     Mean,
+}
+
+#[cfg(feature = "serde")]
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
 }
 
 /// How the wheel moves over the rail.
@@ -42,7 +50,7 @@ pub enum ReferenceSpeed {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Kinematics {
-    /// Speed V of the contact frame, in m/s: mostly that of the vehicle, v0.
+    /// Speed V of the contact frame, in m/s: usually that of the vehicle, v0.
     pub speed: f64,
     /// Longitudinal creepage ξ, dimensionless; positive when braking.
     pub creepage_x: f64,
@@ -50,8 +58,8 @@ pub struct Kinematics {
     pub creepage_y: f64,
     /// Spin creepage φ, in 1/m.
     pub spin: f64,
-    /// What the speed is.
-    #[cfg_attr(feature = "serde", serde(skip))]
+    /// Which speed that is.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_default"))]
     pub reference_speed: ReferenceSpeed,
 }
 
@@ -105,7 +113,8 @@ impl Kinematics {
         part * self.speed
     }
 
-    /// Speeds at which the surfaces of wheel and rail pass through the contact, in m/s.
+    /// Speeds at which the surfaces of wheel and rail pass through the contact, in m/s; forwards or
+    /// backwards, as heat has no direction.
     pub fn surface_speeds(&self) -> [f64; 2] {
         let rail = match self.reference_speed {
             ReferenceSpeed::Vehicle => self.speed,
@@ -160,12 +169,13 @@ impl Kinematics {
 
     /// The same motion at another longitudinal creepage, at which ln(v0/(ωR)) differs by `change`.
     pub(crate) fn with_contact_time_ratio(&self, change: f64) -> Self {
-        let [wheel, rail] = self.surface_speeds();
         let creepage_x = match self.reference_speed {
             ReferenceSpeed::Vehicle => {
-                self.creepage_x + wheel / self.speed * (1.0 - (-change).exp())
+                let rolling = self.locking_creepage() - self.creepage_x;
+                self.creepage_x + rolling * (1.0 - (-change).exp())
             }
             ReferenceSpeed::Mean => {
+                let (wheel, rail) = (2.0 - self.creepage_x, 2.0 + self.creepage_x);
                 let rail = rail * change.exp();
                 2.0 * (rail - wheel) / (rail + wheel)
             }

@@ -95,7 +95,7 @@ impl Contact {
     /// With the derivatives that the variables have: with respect to inputs and states, or none.
     fn find<const N: usize>(&mut self, variables: &[Dual<N>], found: &mut Evaluation) -> Status {
         let (rolling, pressed, friction) = self.acting(variables);
-        let (mut creepages, mut speed) = (rolling.creepages, rolling.reference_speed);
+        let (mut creepages, mut speed) = (rolling.creepages, rolling.positive_speed);
         if let Some(&[x, y, spin]) = variables[INPUTS..].first_chunk() {
             let shift = [x, y, spin];
             let patch = self.remembering(variables, friction);
@@ -128,7 +128,7 @@ impl Contact {
         let [a, b] = semi_axes;
         let rise = self
             .flash
-            .map_or(power, |flash| flash.max_rise(power, (semi_axes, rolling.reference_speed)));
+            .map_or(power, |flash| flash.max_rise(power, (semi_axes, rolling.positive_speed)));
         let all: [_; OUTPUTS.len()] =
             [&x, &y, &moment, &load, &pressed.approach, &a, &b, &friction, &power, &rise];
         for (row, place) in self.signals.places.iter().enumerate() {

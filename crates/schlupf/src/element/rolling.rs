@@ -24,7 +24,7 @@ pub(super) struct Rolling<T> {
     /// Creepages in the direction of rolling forwards, without memory: dimensionless, and 1/m.
     pub creepages: [T; 3],
     /// To which they refer, in m/s, above zero.
-    pub reference_speed: T,
+    pub positive_speed: T,
     /// v_s, in m/s.
     standstill_speed: f64,
     /// Whether forces pass smoothly through standstill: creepages change their sign there.
@@ -42,17 +42,17 @@ impl<T: Number> Rolling<T> {
                 let sign = if last.value() < 0.0 { -1.0 } else { 1.0 };
                 let creepages = [x, y, spin].map(|creepage| creepage * sign);
                 let is_slow = last.value().abs() < standstill_speed;
-                let reference_speed = if is_slow { T::from(standstill_speed) } else { last.abs() };
+                let positive_speed = if is_slow { T::from(standstill_speed) } else { last.abs() };
                 let (speed, is_smooth) = (last, false);
-                Self { slip, speed, creepages, reference_speed, standstill_speed, is_smooth }
+                Self { slip, speed, creepages, positive_speed, standstill_speed, is_smooth }
             }
             Motion::Velocities => {
                 let around = last * settings.rolling_radius;
                 let (slip, speed) = ([x - around, y, spin], (x + around) * 0.5);
-                let reference_speed = speed.hypot(T::from(standstill_speed));
-                let creepages = slip.map(|slip| slip / reference_speed);
+                let positive_speed = speed.hypot(T::from(standstill_speed));
+                let creepages = slip.map(|slip| slip / positive_speed);
                 let is_smooth = true;
-                Self { slip, speed, creepages, reference_speed, standstill_speed, is_smooth }
+                Self { slip, speed, creepages, positive_speed, standstill_speed, is_smooth }
             }
         }
     }
@@ -92,7 +92,7 @@ impl<T: Number> Rolling<T> {
         let slip = self.slip[0].hypot(self.slip[1]);
         let least = T::from(SMALL_CREEPAGE);
         let total = creepages[0].hypot(creepages[1]);
-        (slip + self.reference_speed * least) / (total + least)
+        (slip + self.positive_speed * least) / (total + least)
     }
 
     /// Coefficient of friction at the slip speed and at the temperature of the entering material,

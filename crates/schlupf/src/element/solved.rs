@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use crate::bodies::Kinematics;
+use crate::bodies::{Kinematics, ReferenceSpeed};
 use crate::normal::AtLoad;
 use crate::numerics::dual::{Dual, Number};
 use crate::reporting::{Error, unwatched};
@@ -79,8 +79,8 @@ impl Solved {
 
     /// Fx, Fy (in N) and Mz (in N m); `None` where they are not found.
     pub fn force<const N: usize>(&mut self, at: &Acting<Dual<N>>) -> Option<[Dual<N>; 3]> {
-        let [xi, eta, spin] = slow(at.creepages);
-        let stretch = stretch(at.creepages);
+        let reference = self.own.kinematics.reference_speed;
+        let ([xi, eta, spin], stretch) = stretched(at.creepages, reference);
         let [wheel, rail] = at.temperatures;
         let speed = at.speed * stretch;
         let variables = [xi, eta, spin, speed, at.load, at.friction_factor, wheel, rail];
@@ -224,18 +224,19 @@ impl Solved {
 /// What counts as small for a difference, each in the unit of its variable.
 const SMALLEST: [f64; VARIABLES] = [1e-4, 1e-4, 1e-2, 0.0, 0.0, 1e-3, 100.0, 100.0];
 
-/// √⁸(1 + (2|ξ|)⁸), by which creepages shrink and the speed grows, so that a wheel that spins or
-/// slides at standstill rolls and has the same slip: 1 + 3·10⁻⁷ at a creepage of 0.1.
-fn stretch<T: Number>([xi, eta, _]: [T; 3]) -> T {
-    let double = (xi * xi + eta * eta) * 4.0;
-    let fourth = double * double;
-    (T::from(1.0) + fourth * fourth).powf(0.125)
-}
-
-/// Creepages at the stretched speed.
-fn slow<T: Number>(creepages: [T; 3]) -> [T; 3] {
-    let stretch = stretch(creepages);
-    creepages.map(|creepage| creepage / stretch)
+/// Creepages and the factor by which they shrink while the speed grows, so that a wheel that spins
+/// or slides at standstill rolls and has the same slip: √⁸(1 + m⁸) with m below one where it
+/// rolls, by 3·10⁻⁷ more than one at a creepage of 0.1.
+fn stretched<T: Number>([xi, eta, spin]: [T; 3], reference: ReferenceSpeed) -> ([T; 3], T) {
+    // Of the vehicle's speed a wheel locks at ξ = 1, of the mean at 2.
+    let along = match reference {
+        ReferenceSpeed::Vehicle => 4.0,
+        ReferenceSpeed::Mean => 0.28,
+    };
+    let square = xi * xi * along + eta * eta * 4.0;
+    let fourth = square * square;
+    let stretch = (T::from(1.0) + fourth * fourth).powf(0.125);
+    ([xi, eta, spin].map(|creepage| creepage / stretch), stretch)
 }
 
 /// With a solver of its own, which has solved nothing yet.

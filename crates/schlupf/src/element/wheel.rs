@@ -350,7 +350,7 @@ impl Wheel {
             spin,
             friction,
             self.flash
-                .map_or(power, |flash| flash.max_rise(power, ([a, b], rolling.reference_speed))),
+                .map_or(power, |flash| flash.max_rise(power, ([a, b], rolling.positive_speed))),
             force_x,
             force_y,
             moment_z,

@@ -41,7 +41,7 @@ macro_rules! quantities {
 }
 
 quantities! {
-    Speed "speed" "v0" "m/s" "speed of the vehicle and of the contact frame"
+    Speed "speed" "v0" "m/s" "speed of the vehicle, or of the contact frame"
     CreepageX "creepage_x" "ξ" "" "longitudinal creepage"
     CreepageY "creepage_y" "η" "" "lateral creepage"
     Spin "spin" "φ" "1/m" "spin creepage"

@@ -3,6 +3,7 @@
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
+use crate::common::motions;
 use schlupf::analysis::damage::{
     ArchardWear, CrackFunction, EnergyWear, Laws, Profile, ShakedownLimits, State, SurfaceFatigue,
     WearMap, of_passage, of_run,
@@ -295,6 +296,25 @@ fn a_sliding_passage_has_closed_forms() {
     assert_eq!(passage.melting, None);
     near(passage.t_gamma.without_spin, creepage * friction * load, 1e-4);
     near(passage.crack_damage, CrackFunction::default().of(passage.t_gamma.without_spin), 1e-12);
+}
+
+/// Wear per distance along the rail, but for the elastic part of the slip.
+#[test]
+fn the_reference_of_creepages_does_not_change_wear() {
+    let problem = Problem::builder().build().unwrap();
+    let mut problem = problem.with_interface(|interface| interface.heat = Heat::none());
+    problem.interface.contact_law = ContactLaw::Coulomb;
+    let steel = Material::STEEL;
+    problem.interface.elasticity = Arc::new(HalfSpace::new(&steel, &steel).unwrap());
+    let options = Options { cells_x: 16, cells_y: 16, ..Options::default() };
+    let [by_vehicle, by_mean] = motions([30.0, 10.0]).map(|kinematics| {
+        problem.kinematics = kinematics;
+        let solution = solver::solve(&problem, &options, &unwatched).unwrap();
+        of_passage(&problem, &solution, &laws()).unwrap().wear.unwrap()
+    });
+    near(by_mean.energy_per_distance, by_vehicle.energy_per_distance, 1e-4);
+    near(by_mean.energy_mass, by_vehicle.energy_mass, 1e-4);
+    near(by_mean.archard_volume, by_vehicle.archard_volume, 1e-4);
 }
 
 /// The pressure of FASTSIM's paraboloid bounds the traction only: the body is worn by that of the

@@ -543,6 +543,27 @@ fn sliding_at_standstill_has_its_slip_speed() {
     }
 }
 
+/// At a creepage of 1 both surfaces are as hot as in the same motion by the vehicle's speed.
+#[test]
+fn heat_follows_the_speeds_of_both_surfaces() {
+    let [rail, wheel] = [30.0, 10.0];
+    let motion = Kinematics { creepage_x: (rail - wheel) / rail, ..Kinematics::free_rolling(rail) };
+    let mut problem = Problem::builder().load(80e3).kinematics(motion).build().unwrap();
+    problem.interface.friction.law = Arc::new(TemperatureLinear::new(0.4, 2e5, 0.1).unwrap());
+    problem.interface.heat = Heat { model: Some(Arc::new(Duhamel)), ..Heat::default() };
+    let fastsim = FastMethod::Fastsim(Brush::KALKER);
+    let expected =
+        FastContact::new(&problem, fastsim.clone(), &Options::default()).unwrap().force(&motion);
+    let expected = expected.unwrap().x;
+    let mut element = element(&problem, &fastsim, VELOCITIES);
+    let mut inputs = element.start();
+    (inputs[0], inputs[3]) = (rail, wheel / VELOCITIES.rolling_radius);
+    let found = evaluate(&mut element, &inputs, &[]).outputs[0];
+    println!("{found} {expected}");
+    assert!(expected.abs() < 0.39 * 80e3, "heat lowers friction");
+    assert_relative_eq!(found, expected, max_relative = 1e-4);
+}
+
 /// Without friction, with hardly any, or with less than none: no forces, and finite rates.
 #[test]
 fn friction_may_vanish() {

@@ -270,8 +270,7 @@ fn hertz(load: f64) -> Arc<Hertz> {
 fn the_reference_of_creepages_does_not_change_temperatures() {
     let (rail, slip) = (speed(2.0), -0.3 * speed(2.0));
     let mut slide = slide(A, rail, slip, Partition::Velocity);
-    slide.interface.wheel =
-        Body { bulk_temperature: 40.0, material: ALUMINIUM, ..slide.interface.wheel };
+    slide.interface.wheel = Body { bulk_temperature: 40.0, material: ALUMINIUM };
     let [by_vehicle, by_mean] = common::motions([rail, rail - slip]).map(|motion| {
         slide.kinematics = motion;
         let found = solve(&slide, &cells(16));

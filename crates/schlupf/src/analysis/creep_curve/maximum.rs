@@ -167,10 +167,10 @@ impl Side<'_, '_> {
                 lower = middle;
             }
         }
-        let speed = highest.kinematics.speed;
+        let reached_at = self.solver.path.at(reached);
         Ok(Some(Maximum {
             abscissa: reached,
-            kinematics: self.solver.path.at(reached).at_speed(speed),
+            kinematics: reached_at.in_place_of(&highest.kinematics),
             is_saturated: true,
             ..Maximum::at(highest)
         }))

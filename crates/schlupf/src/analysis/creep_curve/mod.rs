@@ -225,15 +225,16 @@ pub fn trace(
 pub fn check(problem: &Problem, path: &Path, sampling: &Sampling) -> Result<(), Error> {
     sampling.check()?;
     sampling.check_order(path)?;
-    if let Some(locked) = path.locks_at() {
+    if let Some(locked) = path.locks_at(&problem.kinematics) {
         let quantity = path.quantity();
         return Err(CurveError::Locks { quantity, value: locked }.into());
     }
-    let [start, end] = [path.start(), path.end()].map(|end| end.at_speed(problem.kinematics.speed));
+    let motion = &problem.kinematics;
+    let [start, end] = [path.start(), path.end()].map(|end| end.in_place_of(motion));
     problem.prescribed.check_motion(&start, &end)?;
     let mut there = problem.clone();
     sampling.abscissae(path.range()).into_iter().try_for_each(|abscissa| {
-        there.kinematics = path.at(abscissa).at_speed(problem.kinematics.speed);
+        there.kinematics = path.at(abscissa).in_place_of(motion);
         there.prescribed = path.prescribed(abscissa, &problem.prescribed);
         there.check()
     })
@@ -254,8 +255,8 @@ struct Points<'a> {
 
 impl Points<'_> {
     fn move_to(&mut self, abscissa: f64) {
-        let speed = self.problem.kinematics.speed;
-        self.problem.kinematics = self.path.at(abscissa).at_speed(speed);
+        let motion = &self.problem.kinematics;
+        self.problem.kinematics = self.path.at(abscissa).in_place_of(motion);
         self.problem.prescribed = self.path.prescribed(abscissa, &self.own);
     }
 

@@ -24,14 +24,9 @@ impl Creepages {
         Self { x: kinematics.creepage_x, y: kinematics.creepage_y, spin: kinematics.spin }
     }
 
-    /// Kinematics with these creepages at a speed (in m/s).
-    pub fn at_speed(&self, speed: f64) -> Kinematics {
-        Kinematics {
-            creepage_x: self.x,
-            creepage_y: self.y,
-            spin: self.spin,
-            ..Kinematics::free_rolling(speed)
-        }
+    /// A motion with these creepages in place of its own.
+    pub fn in_place_of(&self, motion: &Kinematics) -> Kinematics {
+        Kinematics { creepage_x: self.x, creepage_y: self.y, spin: self.spin, ..*motion }
     }
 
     pub(super) fn components(&self) -> [f64; 3] {
@@ -302,12 +297,13 @@ impl Path {
 
     /// The first abscissa (dimensionless, or in 1/m for spin), counted from the start, at which the
     /// wheel no longer rolls: it is locked, or η is ±1. `None` if it always rolls, or if a force
-    /// varies.
-    pub fn locks_at(&self) -> Option<f64> {
+    /// varies. `motion` says to which speed creepages refer.
+    pub fn locks_at(&self, motion: &Kinematics) -> Option<f64> {
         if self.force().is_some() {
             return None;
         }
-        let rolls = |abscissa: f64| self.at(abscissa).at_speed(1.0).check().is_ok();
+        let motion = Kinematics { speed: 1.0, ..*motion };
+        let rolls = |abscissa: f64| self.at(abscissa).in_place_of(&motion).check().is_ok();
         let [from, to] = self.range;
         if !rolls(from) {
             return Some(from);
@@ -393,7 +389,7 @@ mod tests {
 
     #[test]
     fn a_wheel_locks_where_its_circumference_stands_still() {
-        let at = |start, end| path(start, end).locks_at();
+        let at = |start, end| path(start, end).locks_at(&Kinematics::free_rolling(1.0));
         assert_eq!(at([0.0; 3], [0.99, 0.0, 0.0]), None);
         assert_eq!(at([0.0; 3], [-5.0, 0.0, 0.0]), None);
         assert_relative_eq!(at([0.0; 3], [1.5, 0.0, 0.0]).unwrap(), 1.0, max_relative = 1e-12);
@@ -411,7 +407,10 @@ mod tests {
         let path = Path::over_force(VariedForce::OverLoad, [-0.1, 0.3], case).unwrap();
         assert_eq!((path.abscissa(), path.at(0.2)), (None, Creepages { x: 0.0, ..case }));
         assert_eq!(path.quantity(), Quantity::ForceOverLoad);
-        assert_eq!((path.has_origin(), path.locks_at()), (false, None));
+        assert_eq!(
+            (path.has_origin(), path.locks_at(&Kinematics::free_rolling(1.0))),
+            (false, None)
+        );
         let braking = Some(LongitudinalForce::OverLoad(0.2));
         assert_eq!(path.prescribed(0.2, &own), PrescribedForces { x: braking, ..own });
         for range in [[2.0, 2.0], [0.0, f64::INFINITY]] {

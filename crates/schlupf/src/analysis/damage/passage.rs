@@ -132,10 +132,11 @@ pub struct Melting {
 pub fn of_passage(problem: &Problem, solution: &Solution, laws: &Laws) -> Result<Passage, Error> {
     laws.check()?;
     let normal = &solution.normal;
+    let [_, speed] = solution.kinematics.surface_speeds();
     let state = State {
         distance: 1.0,
         middle: 0.5,
-        speed: solution.kinematics.speed,
+        speed,
         position_y: 0.0,
         rail_position_y: 0.0,
         is_further_contact: false,

@@ -26,7 +26,7 @@ use crate::bodies::{Body, Kinematics};
 /// assert!(schlupf::Problem::builder().heat(heat).build().is_ok());
 /// ```
 pub trait PartitionLaw: Debug + Send + Sync {
-    /// The share, dimensionless, between 0 and 1, at the speeds with which the surfaces of wheel
+    /// The share, dimensionless, between 0 and 1, at the speeds at which the surfaces of wheel
     /// and rail pass through the contact, in m/s.
     fn share(&self, speeds: [f64; 2]) -> f64;
 }
@@ -116,11 +116,16 @@ impl Conduction {
         let wheel_weight = drawn[0] / (drawn[0] + drawn[1]);
         let share = partition.share(kinematics).unwrap_or(wheel_weight);
         let rise_per_share = drawn.map(f64::recip);
+        // The same of both, also where one of them stands still.
+        let factor = match partition {
+            Partition::Velocity => [(drawn[0] + drawn[1]).recip(); 2],
+            _ => [share * rise_per_share[0], (1.0 - share) * rise_per_share[1]],
+        };
         let bulk = [wheel.bulk_temperature, rail.bulk_temperature];
         Self {
             entry_temperature: wheel_weight * bulk[0] + (1.0 - wheel_weight) * bulk[1],
             bulk,
-            factor: [share * rise_per_share[0], (1.0 - share) * rise_per_share[1]],
+            factor,
             rise_per_share,
             wheel_weight,
             follows_speed: *partition == Partition::Velocity,

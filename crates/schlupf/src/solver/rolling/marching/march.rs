@@ -255,9 +255,7 @@ impl<'a> March<'a> {
         march.now.traction = march.elements.iter().flat_map(|e| e.traction).collect();
         march.now.scaled_rise = march.elements.iter().map(|e| e.scaled_rise).collect();
         march.largest_traction = norm(&march.now.traction);
-        let Kinematics { reference_speed, .. } = kinematics;
-        let over_step = state.motion.map(|motion| Kinematics { reference_speed, ..motion });
-        march.now.over_step = over_step.unwrap_or(kinematics);
+        march.now.over_step = state.motion.unwrap_or(kinematics);
         if !are_apart {
             march.displace();
         }
