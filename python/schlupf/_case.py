@@ -282,8 +282,8 @@ class Case(Sections, Tasks):
         extent : ((float, float), (float, float)), optional
             Ranges of x and y, in m, that contain the contact; needed with `pressure`.
         partition : callable, optional
-            Share of the wheel in the frictional heat, from 0 to 1, of ``(wheel_speed, rail_speed)``,
-            at which their surfaces pass through the contact, in m/s.
+            Share of the wheel in the frictional heat, from 0 to 1, of the speeds at which the
+            surfaces of wheel and rail pass, in m/s.
 
         Examples
         --------

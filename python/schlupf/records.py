@@ -83,7 +83,7 @@ class Kinematics(Record):
     """``kinematics`` of a result."""
 
     speed: Found[float] = Found()
-    """speed of the vehicle and of the contact frame (m/s)."""
+    """speed of the vehicle, or of the contact frame (m/s)."""
     creepage_x: Found[float] = Found()
     """longitudinal creepage."""
     creepage_y: Found[float] = Found()
@@ -442,7 +442,7 @@ class Contact(Record):
     turn: Found[float] = Found()
     status: Found[Status] = Found()
     speed: Found[float] = Found()
-    """speed of the vehicle and of the contact frame (m/s)."""
+    """speed of the vehicle, or of the contact frame (m/s)."""
     creepage_x: Found[float] = Found()
     """longitudinal creepage."""
     creepage_y: Found[float] = Found()

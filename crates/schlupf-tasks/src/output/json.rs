@@ -77,7 +77,7 @@ pub(crate) struct Document<'a> {
     method: Method,
     status: Status,
     normal: &'a NormalSummary,
-    kinematics: &'a Kinematics,
+    kinematics: KinematicsEntry,
     reference: Reference,
     #[serde(skip_serializing_if = "Option::is_none")]
     contact_law: Option<&'a ContactLaw>,
@@ -105,6 +105,22 @@ struct Temperatures<'a> {
     largest: Row<'a, Temperature>,
     peclet_wheel: f64,
     peclet_rail: f64,
+}
+
+/// Speed and creepages. What speed that is follows from the case.
+#[derive(Serialize)]
+pub(super) struct KinematicsEntry {
+    speed: f64,
+    creepage_x: f64,
+    creepage_y: f64,
+    spin: f64,
+}
+
+impl KinematicsEntry {
+    pub fn of(motion: &Kinematics) -> Self {
+        let Kinematics { speed, creepage_x, creepage_y, spin, .. } = *motion;
+        Self { speed, creepage_x, creepage_y, spin }
+    }
 }
 
 /// The reference point of creepages and moments in the document, and their values for each of the
@@ -150,7 +166,7 @@ impl<'a> Document<'a> {
             method: solution.method.clone(),
             status: solution.status,
             normal: &solution.normal,
-            kinematics: &solution.kinematics,
+            kinematics: KinematicsEntry::of(&solution.kinematics),
             reference: Reference::new(solution),
             contact_law: None,
             force: &solution.force,

@@ -2,7 +2,6 @@
 
 use schlupf::Status;
 use schlupf::analysis::damage::{Passage, PassageProfile, WearCells};
-use schlupf::bodies::Kinematics;
 use schlupf::normal::NormalSummary;
 use schlupf::reporting::Message;
 use schlupf::solution::Resultant;
@@ -10,7 +9,7 @@ use serde::Serialize;
 
 use super::WearReport;
 use crate::output::damage::json::LawsEntry;
-use crate::output::json::{PROGRAM, text};
+use crate::output::json::{KinematicsEntry, PROGRAM, text};
 use crate::output::table::Arrays;
 
 /// The damage as a JSON document: SI units.
@@ -21,7 +20,7 @@ pub(super) fn document(report: &WearReport) -> String {
         program: PROGRAM,
         title: &report.title,
         status: solution.status,
-        kinematics: &solution.kinematics,
+        kinematics: KinematicsEntry::of(&solution.kinematics),
         normal: &solution.normal,
         force: &solution.force,
         laws: LawsEntry::of(&report.laws),
@@ -37,7 +36,7 @@ struct Document<'a> {
     program: &'static str,
     title: &'a str,
     status: Status,
-    kinematics: &'a Kinematics,
+    kinematics: KinematicsEntry,
     normal: &'a NormalSummary,
     force: &'a Resultant,
     laws: LawsEntry,
