@@ -462,6 +462,8 @@ for (const [name, counted] of [
 test('a long curve tells how far it is and can be cancelled', () =>
   withPage({}, '#case=half_space&view=curve', async (page, errors) => {
     for (const cells of ['grid.cells_x', 'grid.cells_y']) await give(page, cells, '60');
+    const bounds = ['min', 'max'].map((name) => page.getAttribute('#curve-points', name));
+    assert.deepEqual(await Promise.all(bounds), ['2', '10000']);
     await page.fill('#curve-points', '201');
     await page.press('#curve-points', 'Enter');
     const running = page.locator('#panel-curve .inquiry').first();

@@ -2,6 +2,7 @@
 
 use crate::common::{RECIPE, Recipe, solution};
 use schlupf::Solution;
+use schlupf::bodies::ReferenceSpeed;
 use schlupf_tasks::output::figures::{Figure, FigureError, drawings, names, render};
 
 fn text_of(svg: &str) -> String {
@@ -140,6 +141,18 @@ fn nothing_to_draw_is_an_error() {
     let mut solution = solution(RECIPE);
     solution.normal.semi_axis_x = f64::NAN;
     assert_eq!(drawings("", &solution).unwrap_err(), FigureError::NoPatch);
+}
+
+#[test]
+fn the_speed_to_which_creepages_refer_is_named() {
+    let mut solution = solution(RECIPE);
+    for (speed, name) in
+        [(ReferenceSpeed::Vehicle, "v0 = 30 m/s"), (ReferenceSpeed::Mean, "V = 30 m/s")]
+    {
+        solution.kinematics.reference_speed = speed;
+        let text = text_of(&drawings("a case", &solution).unwrap()[0].1);
+        assert!(text.contains(name), "{text}");
+    }
 }
 
 #[test]

@@ -32,7 +32,8 @@ impl Flash {
     ///
     /// with the effusivity β, of the hotter surface under the problem's partition of heat: heat
     /// flows perpendicular to the surface only (Carslaw and Jaeger 1959, section 2.9), which fast
-    /// rolling makes it do. Exact in sliding under Coulomb's law.
+    /// rolling makes it do. Exact in sliding under Coulomb's law, but for the difference of the
+    /// surfaces' speeds: of equal bodies it is 3.5 % too low at a creepage of 1.
     pub fn max_rise<T: Number>(self, power: T, ([a, b], speed): ([T; 2], T)) -> T {
         if power.value() <= 0.0 {
             return T::from(0.0);

@@ -1,6 +1,6 @@
 //! Elements shared by several figures: heading, colour bar, arrows, legend.
 
-use schlupf::bodies::ReferencePoint;
+use schlupf::bodies::{ReferencePoint, ReferenceSpeed};
 use schlupf::{Solution, Status};
 
 use super::color::{ColorScale, INK, LEVELS, MUTED, paint};
@@ -87,7 +87,11 @@ pub(crate) fn conditions(solution: &Solution) -> String {
     if solution.reference == ReferencePoint::File {
         parts.push("at the origin of the file".to_owned());
     }
-    parts.extend([format!("$v$_0 = {} m/s", short(kinematics.speed)), load]);
+    let symbol = match kinematics.reference_speed {
+        ReferenceSpeed::Vehicle => "$v$_0",
+        ReferenceSpeed::Mean => "$V$",
+    };
+    parts.extend([format!("{symbol} = {} m/s", short(kinematics.speed)), load]);
     parts.join(", ")
 }
 

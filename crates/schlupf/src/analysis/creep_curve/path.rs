@@ -132,24 +132,22 @@ impl Path {
             require_finite(Quantity::CreepageY, creepages.y)?;
             require_finite(Quantity::Spin, creepages.spin)?;
         }
-        let (abscissa, component): (Abscissa, fn(&Creepages) -> f64) = if start.x != end.x
-            && start.y != end.y
-            && is_fixed_direction(&start, &end)
-        {
-            let larger = if start.x.hypot(start.y) > end.x.hypot(end.y) { start } else { end };
-            let direction = larger.y.atan2(larger.x);
-            let range = [start, end].map(|c| c.x * direction.cos() + c.y * direction.sin());
-            let abscissa = Varied::Creepage(Abscissa::Total { direction });
-            return Ok(Self { start, end, abscissa, range });
-        } else if start.x != end.x {
-            (Abscissa::CreepageX, |creepages| creepages.x)
-        } else if start.y != end.y {
-            (Abscissa::CreepageY, |creepages| creepages.y)
-        } else if start.spin != end.spin {
-            (Abscissa::Spin, |creepages| creepages.spin)
-        } else {
-            return Err(CurveError::NoRange { quantity: Quantity::Spin, value: end.spin }.into());
-        };
+        let (abscissa, component): (Abscissa, fn(&Creepages) -> f64) =
+            if start.x != end.x && start.y != end.y && is_fixed_direction(&start, &end) {
+                let larger = if start.x.hypot(start.y) > end.x.hypot(end.y) { start } else { end };
+                let direction = larger.y.atan2(larger.x);
+                let range = [start, end].map(|c| c.x * direction.cos() + c.y * direction.sin());
+                let abscissa = Varied::Creepage(Abscissa::Total { direction });
+                return Ok(Self { start, end, abscissa, range });
+            } else if start.x != end.x {
+                (Abscissa::CreepageX, |creepages| creepages.x)
+            } else if start.y != end.y {
+                (Abscissa::CreepageY, |creepages| creepages.y)
+            } else if start.spin != end.spin {
+                (Abscissa::Spin, |creepages| creepages.spin)
+            } else {
+                return Err(no_range(Quantity::Spin, end.spin));
+            };
         let range = [component(&start), component(&end)];
         Ok(Self { start, end, abscissa: Varied::Creepage(abscissa), range })
     }
@@ -167,7 +165,7 @@ impl Path {
         let quantity = force.quantity();
         range.into_iter().try_for_each(|end| require_finite(quantity, end))?;
         if range[0] == range[1] {
-            return Err(CurveError::NoRange { quantity, value: range[1] }.into());
+            return Err(no_range(quantity, range[1]));
         }
         let mut given = creepages;
         match force {
@@ -183,9 +181,7 @@ impl Path {
     pub fn in_direction(range: [f64; 2], direction: f64, spin: [f64; 2]) -> Result<Self, Error> {
         require_finite(Quantity::Direction, direction)?;
         if range[0] == range[1] {
-            return Err(
-                CurveError::NoRange { quantity: Quantity::Creepage, value: range[1] }.into()
-            );
+            return Err(no_range(Quantity::Creepage, range[1]));
         }
         let [start, end] = [0, 1].map(|end| {
             let [x, y] = components(range[end], direction);
@@ -316,6 +312,10 @@ impl Path {
         let [_, locked] = bisection([from, to], f64::MANTISSA_DIGITS, rolls);
         Some(locked)
     }
+}
+
+fn no_range(quantity: Quantity, value: f64) -> Error {
+    CurveError::NoRange { quantity, value }.into()
 }
 
 /// Relative rounding error of computed creepages.
