@@ -11,6 +11,7 @@ from . import _core
 from ._errors import quoted
 from ._status import OF_ELEMENT
 from ._units import is_quantity, magnitude
+from .warnings import emit
 
 if TYPE_CHECKING:
     from typing import Any
@@ -94,6 +95,11 @@ class Element:
     def states(self) -> tuple[Signal, ...]:
         """Its states, in their order: none without memory."""
         return self._states
+
+    @property
+    def messages(self) -> list[tuple[str, str, str]]:
+        """What its method neglects, as warnings: code, field or quantity, text."""
+        return self._element.warnings()
 
     def __repr__(self) -> str:
         """Show the names of the inputs."""
@@ -183,15 +189,25 @@ def _check(name: str, array: NDArray[np.float64], count: int) -> None:
         )
 
 
-def element(case: Case) -> Element:
+def element(case: Case, *, warn: bool = True) -> Element:
     """The force element of a case, for loops: see `Element`.
 
     Section ``element`` of the case says how motion and load are given, and whether it has memory;
     ``solver`` the method of its forces.
+
+    Parameters
+    ----------
+    case
+        The case.
+    warn
+        Whether to issue what the method neglects as warnings.
 
     Raises
     ------
     CaseError
         If the case cannot be one, such as a wheel with profiles and no table of its contacts.
     """
-    return Element(case)
+    made = Element(case)
+    if warn:
+        emit(made.messages, stacklevel=2)
+    return made

@@ -77,6 +77,16 @@ def test_nothing_in_a_loop_raises():
     assert np.isnan(states[1]).all() and np.isfinite(states[[0, 2]]).all()
 
 
+def test_what_a_method_neglects_is_a_warning():
+    """Polach's method takes friction that falls with temperature as cold; the solver does not."""
+    case = schlupf.Case(solver={"method": "polach"})
+    with pytest.warns(schlupf.warnings.ColdFrictionWarning, match="temperature of the entering"):
+        made = schlupf.element(case)
+    assert [code for code, _, _ in made.messages] == ["cold-friction"]
+    assert schlupf.element(case, warn=False).messages == made.messages
+    assert schlupf.element(schlupf.Case(friction={"model": "constant"})).messages == []
+
+
 def test_wrong_shapes_and_names_are_named():
     element = schlupf.element(schlupf.Case(**FAST))
     with pytest.raises(TypeError, match="no input 'lod'; there are velocity_x"):

@@ -23,7 +23,7 @@ module schlupf
 
   public :: schlupf_from_text, schlupf_from_file, schlupf_clone, schlupf_destroy, schlupf_count, &
     schlupf_name, schlupf_unit, schlupf_description, schlupf_find, schlupf_start, &
-    schlupf_evaluate, schlupf_advance, schlupf_forget, schlupf_message
+    schlupf_evaluate, schlupf_advance, schlupf_forget, schlupf_message, schlupf_warnings
 
   interface
     function c_from_text(text, folder, set, count, element) &
@@ -124,20 +124,25 @@ module schlupf
       integer(c_int64_t), value :: element
       integer(c_int32_t) :: status
     end function
-    function c_message(element, message, size) bind(c, name="schlupf_element_message") &
-        result(whole)
-      import
-      integer(c_int64_t), value :: element
-      integer(c_size_t), value :: size
-      character(kind=c_char), intent(out) :: message(*)
-      integer(c_size_t) :: whole
-    end function
     function c_strlen(text) bind(c, name="strlen") result(length)
       import
       type(c_ptr), value :: text
       integer(c_size_t) :: length
     end function
   end interface
+
+  abstract interface
+    function c_text(element, place, size) bind(c) result(whole)
+      import
+      integer(c_int64_t), value :: element
+      integer(c_size_t), value :: size
+      character(kind=c_char), intent(out) :: place(*)
+      integer(c_size_t) :: whole
+    end function
+  end interface
+
+  procedure(c_text), bind(c, name="schlupf_element_message") :: c_message
+  procedure(c_text), bind(c, name="schlupf_element_warnings") :: c_warnings
 
 contains
 
@@ -279,12 +284,26 @@ contains
   function schlupf_message(element) result(text)
     type(schlupf_element), intent(in) :: element
     character(:), allocatable :: text
+    text = text_of(element, c_message)
+  end function
+
+  ! What its method neglects, a line for each warning.
+  function schlupf_warnings(element) result(text)
+    type(schlupf_element), intent(in) :: element
+    character(:), allocatable :: text
+    text = text_of(element, c_warnings)
+  end function
+
+  function text_of(element, of) result(text)
+    type(schlupf_element), intent(in) :: element
+    procedure(c_text) :: of
+    character(:), allocatable :: text
     character(:, kind=c_char), allocatable :: whole
     character(1, kind=c_char) :: none(1)
     integer(c_size_t) :: length
-    length = c_message(element%number, none, 1_c_size_t)
+    length = of(element%number, none, 1_c_size_t)
     allocate(character(length + 1) :: whole)
-    length = c_message(element%number, whole, length + 1)
+    length = of(element%number, whole, length + 1)
     text = whole(:length)
   end function
 

@@ -238,6 +238,14 @@ SchlupfStatus schlupf_element_forget(SchlupfElement element);
  */
 size_t schlupf_element_message(SchlupfElement element, char *message, size_t size);
 
+/**
+ * Copies what the method of an element neglects, whatever the inputs are: a line for each warning,
+ * which begins with its code; empty where there is none. Otherwise like `schlupf_element_message`.
+ *
+ * `warnings` is null or has room for `size` bytes.
+ */
+size_t schlupf_element_warnings(SchlupfElement element, char *warnings, size_t size);
+
 #ifdef __cplusplus
 }  // extern "C"
 #endif  // __cplusplus

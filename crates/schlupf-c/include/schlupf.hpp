@@ -18,7 +18,6 @@ class Error : public std::runtime_error {
 public:
     Error(SchlupfStatus status, const std::string &message)
         : std::runtime_error(message), status(status) {}
-
     SchlupfStatus status;
 };
 
@@ -43,19 +42,18 @@ public:
     /** From the text of a case; `folder` is where its files are. */
     static Element from_text(const std::string &text, const std::vector<std::string> &overrides = {},
                              const std::string &folder = "") {
-        const std::vector<const char *> set = pointers(overrides);
         Element made;
-        made.check(schlupf_element_from_text(text.c_str(), folder.c_str(), set.data(), set.size(),
-                                             &made.element_));
+        made.check(schlupf_element_from_text(text.c_str(), folder.c_str(), pointers(overrides).data(),
+                                             overrides.size(), &made.element_));
         return made;
     }
 
     /** From a case file. */
     static Element from_file(const std::string &path,
                              const std::vector<std::string> &overrides = {}) {
-        const std::vector<const char *> set = pointers(overrides);
         Element made;
-        made.check(schlupf_element_from_file(path.c_str(), set.data(), set.size(), &made.element_));
+        made.check(schlupf_element_from_file(path.c_str(), pointers(overrides).data(),
+                                             overrides.size(), &made.element_));
         return made;
     }
 
@@ -77,7 +75,6 @@ public:
 
     /** How many SCHLUPF_INPUTS, SCHLUPF_OUTPUTS or SCHLUPF_STATES there are, and what. */
     std::size_t count(int kind) const { return schlupf_element_count(element_, kind); }
-
     std::vector<Quantity> quantities(int kind) const {
         std::vector<Quantity> all(count(kind));
         for (std::size_t k = 0; k < all.size(); ++k)
@@ -121,15 +118,19 @@ public:
                                        states.size(), duration);
     }
 
-    std::string message() const {
-        std::string text(schlupf_element_message(element_, nullptr, 0) + 1, '\0');
-        schlupf_element_message(element_, &text[0], text.size());
-        text.pop_back();
-        return text;
-    }
+    std::string message() const { return text(schlupf_element_message); }
+    /** What its method neglects, a line for each warning. */
+    std::string warnings() const { return text(schlupf_element_warnings); }
 
 private:
     Element() = default;
+
+    std::string text(std::size_t (*of)(SchlupfElement, char *, std::size_t)) const {
+        std::string text(of(element_, nullptr, 0) + 1, '\0');
+        of(element_, &text[0], text.size());
+        text.pop_back();
+        return text;
+    }
 
     static std::vector<const char *> pointers(const std::vector<std::string> &texts) {
         std::vector<const char *> all;
@@ -140,7 +141,6 @@ private:
     void check(SchlupfStatus status) const {
         if (status != SCHLUPF_FOUND) throw Error(status, message());
     }
-
     SchlupfElement element_ = 0;
 };
 

@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
+use schlupf::Warning;
 use schlupf::element::{Element, Evaluation};
-use schlupf_case::{CaseErrors, CaseFile, Folder, Overrides};
+use schlupf_case::{CaseErrors, CaseFile, FieldNames, Folder, Overrides};
 
 use crate::Status;
 use crate::trouble::Trouble;
@@ -58,6 +59,17 @@ impl Held {
     /// The element, or why there is none.
     pub fn contact(&mut self) -> Result<&mut Contact, Trouble> {
         self.contact.as_mut().map_err(|trouble| trouble.clone())
+    }
+
+    /// What the method of its case neglects, a line for each warning.
+    pub fn warnings(&self) -> String {
+        let warnings = self.contact.iter().flat_map(|contact| contact.element.warnings());
+        let line = |warning: &Warning| {
+            let message = warning.message(&FieldNames::CASE);
+            format!("{}: {}", message.code, message.text)
+        };
+        let lines = warnings.map(line);
+        lines.collect::<Vec<_>>().join("\n")
     }
 
     /// What is wrong: with the case, or else with the last call.

@@ -321,13 +321,42 @@ pub unsafe extern "C" fn schlupf_element_message(
     message: *mut c_char,
     size: usize,
 ) -> usize {
+    // SAFETY: that of this function.
+    unsafe { put_text_of(element, Held::message, message, size) }
+}
+
+/// Copies what the method of an element neglects, whatever the inputs are: a line for each warning,
+/// which begins with its code; empty where there is none. Otherwise like `schlupf_element_message`.
+///
+/// # Safety
+/// `warnings` is null or has room for `size` bytes.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn schlupf_element_warnings(
+    element: Element,
+    warnings: *mut c_char,
+    size: usize,
+) -> usize {
+    // SAFETY: that of this function.
+    unsafe { put_text_of(element, Held::warnings, warnings, size) }
+}
+
+/// Copies a text of an element, or why there is none; returns the bytes of the whole text.
+///
+/// # Safety
+/// `place` is null or has room for `size` bytes.
+unsafe fn put_text_of(
+    element: Element,
+    text: fn(&Held) -> String,
+    place: *mut c_char,
+    size: usize,
+) -> usize {
     let work = || {
-        let text = table::with(element, |held| held.message());
+        let text = table::with(element, |held| text(held));
         text.unwrap_or_else(|status| Trouble::Status(status).to_string())
     };
     let text = catch_unwind(work).unwrap_or_default();
     // SAFETY: that of this function.
-    unsafe { pointers::put_text(&text, message, size) };
+    unsafe { pointers::put_text(&text, place, size) };
     text.len()
 }
 

@@ -119,6 +119,20 @@ fn threads_give_what_one_gives() {
     }
 }
 
+/// What a method neglects, with its code; nothing of a wrong case.
+#[test]
+fn warnings_are_lines() {
+    assert_eq!(Handle::of_method("polach").warnings(), "");
+    let layer = "layer.yield_stress=100 MPa";
+    let layer = ["layer.thickness=10 um", "layer.shear_modulus=8 GPa", layer];
+    let (element, status) = Handle::new(CASE, &[&layer[..], &["solver.method=polach"]].concat());
+    assert_eq!(status, 0, "{}", element.message());
+    let warnings = element.warnings();
+    let codes: Vec<_> = warnings.lines().map(|line| line.split(':').next().unwrap()).collect();
+    assert_eq!(codes, ["no-yield"], "{warnings}");
+    assert_eq!(Handle::new("nonsense", &[]).0.warnings(), "");
+}
+
 /// A wrong case is a code and a message, and so is a file that is not there.
 #[test]
 fn wrong_cases_have_a_message() {

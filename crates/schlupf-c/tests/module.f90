@@ -14,6 +14,7 @@ program module_test
   call schlupf_destroy(one)
   call check(schlupf_from_text('solver.method = "polach"', one, ["friction.model=constant"]) &
     == schlupf_found)
+  call check(schlupf_warnings(one) == "")
   call check(schlupf_name(one, schlupf_outputs, 1) == "force_x")
   allocate (outputs(schlupf_count(one, schlupf_outputs)))
   call check(schlupf_name(one, schlupf_inputs, 5) == "load")
@@ -37,6 +38,9 @@ program module_test
   call check(states(1) > 0)
   deallocate (outputs)
   call schlupf_destroy(other)
+  call check(schlupf_from_text('solver.method = "polach"', one) == schlupf_found)
+  call check(index(schlupf_warnings(one), "cold-friction: ") == 1)
+  call schlupf_destroy(one)
 
 contains
 

@@ -76,7 +76,8 @@ pub fn fmu(arguments: &Fmu) -> Result<u8, Failure> {
     let unit = Unit::of(&file, &progress.watch())?;
     drop(progress);
     let notices = file.notices();
-    notices.iter().filter(|notice| !is_of_solution(notice)).for_each(report::warn);
+    let notices = notices.iter().filter(|notice| !is_of_solution(notice));
+    notices.chain(unit.warnings()).for_each(report::warn);
     let bytes = unit.to_bytes(version, &binaries);
     let bytes = bytes.map_err(|error| Failure::file(&arguments.output, io::Error::other(error)))?;
     let size = bytes.len();

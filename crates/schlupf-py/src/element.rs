@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use pyo3::sync::MutexExt;
 use schlupf::Watch;
 use schlupf::element::{Given, Rows, Signal, Status};
-use schlupf_case::CaseErrors;
+use schlupf_case::{CaseErrors, FieldNames};
 
 use crate::case_file::CaseFile;
 use crate::errors;
@@ -56,6 +56,13 @@ impl Element {
     fn signals(&self, py: Python<'_>) -> [Vec<Described>; 3] {
         let element = self.own(py);
         [element.inputs(), element.outputs(), element.states()].map(described)
+    }
+
+    /// Code, quantity and text of each warning.
+    fn warnings(&self, py: Python<'_>) -> Vec<(String, String, String)> {
+        let element = self.own(py);
+        let messages = element.warnings().iter().map(|warning| warning.message(&FieldNames::CASE));
+        messages.map(|told| (told.code.to_owned(), told.quantity, told.text)).collect()
     }
 
     /// The inputs of the case.

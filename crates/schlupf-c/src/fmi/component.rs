@@ -3,6 +3,8 @@
 use std::ffi::{CStr, CString, c_char};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use schlupf_case::FieldNames;
+
 use super::instance::{Failure, Instance, State, error};
 
 /// What becomes of a call, with the numbers of both standards.
@@ -10,6 +12,7 @@ use super::instance::{Failure, Instance, State, error};
 #[repr(C)]
 pub enum Status {
     Ok = 0,
+    Warning = 1,
     Discard = 2,
     Error = 3,
 }
@@ -18,6 +21,7 @@ impl Status {
     fn category(self) -> &'static CStr {
         match self {
             Self::Ok => c"logAll",
+            Self::Warning => c"logStatusWarning",
             Self::Discard => c"logStatusDiscard",
             Self::Error => c"logStatusError",
         }
@@ -53,7 +57,12 @@ pub struct Component {
 pub fn instantiate(log: Log, make: impl FnOnce() -> Result<Instance, String>) -> *mut Component {
     let made = catch_unwind(AssertUnwindSafe(make));
     match made.unwrap_or_else(|_| Err(INTERNAL.to_owned())) {
-        Ok(instance) => Box::into_raw(Box::new(Component { instance, log })),
+        Ok(instance) => {
+            for warning in instance.warnings() {
+                log.tell(Status::Warning, &warning.text(&FieldNames::CASE));
+            }
+            Box::into_raw(Box::new(Component { instance, log }))
+        }
         Err(message) => {
             log.tell(Status::Error, &message);
             std::ptr::null_mut()

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use schlupf::element::{Element, Evaluation, Status};
-use schlupf::unwatched;
+use schlupf::{Warning, unwatched};
 use schlupf_case::fmu::{Resources, Role, Variable, variables};
 
 /// Why a function does not do its work.
@@ -80,6 +80,11 @@ impl Instance {
             element,
             status: None,
         })
+    }
+
+    /// What its method neglects.
+    pub fn warnings(&self) -> &[Warning] {
+        self.element.warnings()
     }
 
     fn role(&self, reference: u32) -> Result<Role, Failure> {

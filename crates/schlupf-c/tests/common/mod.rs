@@ -11,7 +11,7 @@ use schlupf_c::interface::{
     Code, Element, SCHLUPF_INPUTS, SCHLUPF_OUTPUTS, SCHLUPF_STATES, schlupf_element_advance,
     schlupf_element_count, schlupf_element_destroy, schlupf_element_evaluate,
     schlupf_element_evaluate_rows, schlupf_element_from_text, schlupf_element_message,
-    schlupf_element_start,
+    schlupf_element_start, schlupf_element_warnings,
 };
 
 pub const METHODS: [&str; 4] = ["kalker-linear", "shen-hedrick-elkins", "polach", "table"];
@@ -64,8 +64,16 @@ impl Handle {
     }
 
     pub fn message(&self) -> String {
+        self.text(schlupf_element_message)
+    }
+
+    pub fn warnings(&self) -> String {
+        self.text(schlupf_element_warnings)
+    }
+
+    fn text(&self, of: unsafe extern "C" fn(Element, *mut c_char, usize) -> usize) -> String {
         let mut text = [1; 1000];
-        let size = unsafe { schlupf_element_message(self.0, text.as_mut_ptr(), text.len()) };
+        let size = unsafe { of(self.0, text.as_mut_ptr(), text.len()) };
         assert_eq!(text[size.min(text.len() - 1)], 0);
         unsafe { CStr::from_ptr(text.as_ptr()) }.to_str().unwrap().to_owned()
     }

@@ -3,10 +3,12 @@
 use std::io::{Cursor, Write};
 
 use schlupf::Watch;
+use schlupf::reporting::Message;
 use zip::ZipWriter;
 use zip::result::ZipError;
 use zip::write::SimpleFileOptions;
 
+use crate::FieldNames;
 use crate::case_file::CaseFile;
 use crate::error::CaseErrors;
 use crate::fmu::description::{self, Heading, IDENTIFIER, Version};
@@ -28,6 +30,7 @@ pub struct Fmu {
     title: String,
     resources: Resources,
     variables: Vec<Variable>,
+    warnings: Vec<Message>,
 }
 
 impl Fmu {
@@ -37,7 +40,14 @@ impl Fmu {
     /// A case that has no force element.
     pub fn of(file: &CaseFile, watch: Watch) -> Result<Self, CaseErrors> {
         let (resources, element) = Resources::of(file, watch)?;
-        Ok(Self { title: file.title()?, resources, variables: variables(&element) })
+        let warnings = element.warnings().iter().map(|warning| warning.message(&FieldNames::CASE));
+        let (variables, warnings) = (variables(&element), warnings.collect());
+        Ok(Self { title: file.title()?, resources, variables, warnings })
+    }
+
+    /// What the method of its element neglects.
+    pub fn warnings(&self) -> &[Message] {
+        &self.warnings
     }
 
     /// Its variables, in the order of their value references.

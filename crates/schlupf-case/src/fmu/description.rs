@@ -53,7 +53,8 @@ pub(super) fn description(heading: &Heading, variables: &[Variable]) -> String {
          <ModelExchange {abilities}/>\n\
          <CoSimulation {abilities} canHandleVariableCommunicationStepSize=\"true\"/>\n\
          <UnitDefinitions>\n{}</UnitDefinitions>\n\
-         <LogCategories><Category name=\"logStatusDiscard\"/><Category name=\"logStatusError\"/>\
+         <LogCategories><Category name=\"logStatusWarning\"/>\
+         <Category name=\"logStatusDiscard\"/><Category name=\"logStatusError\"/>\
          </LogCategories>\n\
          <ModelVariables>\n{all}</ModelVariables>\n\
          <ModelStructure>\n{}</ModelStructure>\n\

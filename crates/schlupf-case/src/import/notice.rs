@@ -32,6 +32,11 @@ messages! {
         three flexibilities towards one and takes cells as a whole: forces differ by 1 to 4 % of the \
         friction limit".to_owned();
 
+    /// FaStrip is replaced by what it approximates.
+    "no-strips" NoStrips {} field!("solver.method").as_str(), |subject, words| "FaStrip (M = 5 to 7) \
+        approximates elastic half-spaces, which are solved here: its own forces differ by some per \
+        cent of the friction limit".to_owned();
+
     /// Influences on a curved surface follow its turn.
     "bent-half-spaces" BentHalfSpaces {} field!("normal.method").as_str(), |subject, words| "D = 4: the \
         half-spaces are bent along the surface, as with C3 = 4; with C3 = 2 the largest pressure is \

@@ -2,8 +2,8 @@
 
 use crate::support::Bench;
 
-/// A ball that brakes, a second case for FaStrip, which is not available, and a third one
-/// with more creepage.
+/// A ball that brakes, a second case for FASTSIM with a given flexibility, which is not available,
+/// and a third one with more creepage.
 const INPUT: &str = "\
 % A ball that brakes
  3  MODULE
@@ -20,12 +20,12 @@ const INPUT: &str = "\
 
  3  MODULE
   203100    P-B-T-N-F-S
-  102500    L-D-C-M-Z-E
+  102200    L-D-C-M-Z-E
  0100111    H-G-I-A-O-W-R
  52359.878 0.002 0.0 0.0    FN, CKSI, CETA, CPHI
  0d 0.25 30000.   CHI, DQ, VELOC
  0.28 0.28 82031.25 82031.25   POISS 1,2, GG 1,2
- 1. 1. 1.   K0_MF, ALFAMF, BETAMF
+ 1e-5 1. 1. 1.   FLX, K0_MF, ALFAMF, BETAMF
 
  3  MODULE
   203100    P-B-T-N-F-S
@@ -54,7 +54,7 @@ fn what_is_available_is_written() {
         "wrote ball_1.toml: A ball that brakes\nwrote ball_3.toml: ball.inp, case 3\n\
          case 2: not available, see the errors\n"
     );
-    let fast = "ball.inp:16:6: M = 5: FaStrip is not available";
+    let fast = "ball.inp:16:6: M = 2: FASTSIM with a flexibility FLX that is given";
     assert_eq!(run.stderr.matches(fast).count(), 1, "{}", run.stderr);
     assert!(
         run.stderr.contains("G, I, A, O, W, MAXGS … EPS, DQ, FACPHI set CONTACT's own"),
@@ -83,7 +83,7 @@ fn existing_files_stay() {
     let run = bench.run(&["import", "ball.inp", "--force"]);
     assert_eq!(run.code, Some(2), "{}", run.stderr);
     assert!(bench.read("ball_3.toml").contains("creepage_x = 0.003"));
-    let end = INPUT.find("\n 3  MODULE\n  203100    P-B-T-N-F-S\n  102500").unwrap();
+    let end = INPUT.find("\n 3  MODULE\n  203100    P-B-T-N-F-S\n  102200").unwrap();
     bench.write("one.inp", &format!("{}\n 0\n", &INPUT[..end]));
     let run = bench.run(&["import", "one.inp", "--wheel-body", "2"]);
     assert_eq!(run.code, Some(0), "{}", run.stderr);
@@ -99,7 +99,7 @@ fn existing_files_stay() {
 #[test]
 fn encodings_of_input_files() {
     let bench = Bench::new();
-    let end = INPUT.find("\n 3  MODULE\n  203100    P-B-T-N-F-S\n  102500").unwrap();
+    let end = INPUT.find("\n 3  MODULE\n  203100    P-B-T-N-F-S\n  102200").unwrap();
     let text = format!("{}\n 0\n", &INPUT[..end]);
     let utf_16 = text.encode_utf16().flat_map(u16::to_le_bytes);
     let encoded: [(&str, Vec<u8>); 4] = [
@@ -123,7 +123,7 @@ fn encodings_of_input_files() {
 #[test]
 fn a_distance_is_a_file_of_its_own() {
     let bench = Bench::new();
-    let end = INPUT.find("\n 3  MODULE\n  203100    P-B-T-N-F-S\n  102500").unwrap();
+    let end = INPUT.find("\n 3  MODULE\n  203100    P-B-T-N-F-S\n  102200").unwrap();
     let area = " 1\n 40 40 -8. -8. 0.4 0.4\n 1 1\n 0.0016 0.0004 0.0016 0 0 0\n 0\n";
     let text = INPUT[..end].replace(" -3\n 22 22 5.0 5.0 1.1   MX, MY, AA, BB, SCALE\n", area);
     bench.write("skew.inp", &text);
@@ -292,7 +292,7 @@ const POSITION: &str = "\
 #[test]
 fn wrong_values_are_told_at_their_line_and_column() {
     let bench = Bench::new();
-    let end = INPUT.find("\n 3  MODULE\n  203100    P-B-T-N-F-S\n  102500").unwrap();
+    let end = INPUT.find("\n 3  MODULE\n  203100    P-B-T-N-F-S\n  102200").unwrap();
     for (from, to, told) in [
         (" 0d 0.25 30000.", " 0d 0.25 -30000.", "ball.inp:9:10: kinematics.speed must be"),
         (" 0.28 0.28 82031", " 0.28 0,28 82031", "ball.inp:10:7: POISS2 must be a number, but is"),

@@ -7,10 +7,10 @@ use crate::numerics::dual::{Dual, Number};
 use crate::numerics::interpolation::Cubics;
 use crate::problem::look_up_table::LookUpTable;
 use crate::problem::{AreaReduction, FastMethod};
-use crate::reporting::Error;
+use crate::reporting::{Error, Warning};
 use crate::solver::kalker_coefficients::interpolated_coefficients;
 use crate::solver::reference::CreepCoefficients;
-use crate::solver::simplified::{Ellipse, polach, shen_hedrick_elkins};
+use crate::solver::simplified::{Ellipse, polach, shen_hedrick_elkins, warnings};
 
 /// ξ, η, φ, the friction limit, a and b.
 pub(super) const VARIABLES: usize = 6;
@@ -60,6 +60,11 @@ impl AnyEllipse {
             shear_modulus: bodies.shear_modulus(),
             layer_compliance: interface.layer_compliance(),
         })
+    }
+
+    /// What the method neglects of an interface.
+    pub fn warnings(&self, interface: &Interface) -> Vec<Warning> {
+        warnings::of_interface(interface, &self.method)
     }
 
     /// Whether it has a moment.

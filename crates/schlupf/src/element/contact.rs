@@ -2,8 +2,9 @@
 
 use crate::bodies::ReferenceSpeed;
 use crate::numerics::dual::{Dual, Number};
-use crate::reporting::{Error, Quantity, require_positive};
-use crate::solver::simplified::EllipticContact;
+use crate::reporting::{Error, Quantity, Warning, require_positive};
+use crate::solver::rolling;
+use crate::solver::simplified::{self, EllipticContact};
 use crate::{Method, Options, Problem};
 
 use super::acting::Acting;
@@ -31,6 +32,8 @@ pub(super) struct Contact {
     law: Law,
     memory: Memory,
     flash: Option<Flash>,
+    /// What the method neglects.
+    pub warnings: Vec<Warning>,
 }
 
 impl Contact {
@@ -59,10 +62,17 @@ impl Contact {
             moving.kinematics.reference_speed = ReferenceSpeed::Mean;
         }
         let law = Law::new(&moving, method, &contact)?;
+        let warnings = match method.0 {
+            Method::Full => rolling::shared::warnings::of_any_motion(problem, &contact.normal),
+            Method::Fast(fast) => {
+                simplified::warnings::of_any_motion(problem, &contact.normal, fast)
+            }
+        };
         let flash = Flash::new(&problem.interface);
         let signals = Signals::new(&settings, &law, [patches.has_approach(), flash.is_some()]);
         let memory = Memory::new(&contact, problem.interface.poisson_ratio(), law.has_limit());
-        Ok(Self { settings, signals, problem: problem.clone(), patches, law, memory, flash })
+        let problem = problem.clone();
+        Ok(Self { settings, signals, problem, patches, law, memory, flash, warnings })
     }
 
     pub fn signals(&self) -> &Signals {

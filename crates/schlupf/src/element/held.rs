@@ -1,6 +1,6 @@
 //! What a simulator holds.
 
-use crate::reporting::Error;
+use crate::reporting::{Error, Warning};
 use crate::{Method, Options, Problem};
 
 use super::contact::Contact;
@@ -100,6 +100,27 @@ impl Element {
         match &self.kind {
             Kind::Contact(contact) => contact.start(),
             Kind::Wheel(wheel) => wheel.start(),
+        }
+    }
+
+    /// What its method neglects, whatever the inputs are.
+    ///
+    /// ```
+    /// use schlupf::element::{Element, Settings};
+    /// use schlupf::problem::{FastMethod, Method};
+    /// use schlupf::{Options, Problem};
+    ///
+    /// // Friction falls with the temperature of the contact, which the method does not find.
+    /// let problem = Problem::builder().load(80e3).build()?;
+    /// let method = Method::Fast(FastMethod::ShenHedrickElkins);
+    /// let element = Element::new(&problem, (&method, &Options::default()), Settings::default())?;
+    /// assert_eq!(element.warnings()[0].code(), "cold-friction");
+    /// # Ok::<(), schlupf::Error>(())
+    /// ```
+    pub fn warnings(&self) -> &[Warning] {
+        match &self.kind {
+            Kind::Contact(contact) => &contact.warnings,
+            Kind::Wheel(wheel) => &wheel.warnings,
         }
     }
 

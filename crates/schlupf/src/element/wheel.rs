@@ -9,7 +9,7 @@ use std::sync::Arc;
 use crate::Method;
 use crate::interface::Interface;
 use crate::numerics::dual::Dual;
-use crate::reporting::{Error, Quantity, WheelRailError, require_positive};
+use crate::reporting::{Error, Quantity, Warning, WheelRailError, require_positive};
 use crate::wheel_rail::{ContactTable, Motion as RigidMotion, OfPose, Side, TabulatedContact};
 
 use super::any_ellipse::AnyEllipse;
@@ -110,6 +110,8 @@ pub(super) struct Wheel {
     flash: Option<Flash>,
     settings: Settings,
     start: Vec<f64>,
+    /// What the method neglects.
+    pub warnings: Vec<Warning>,
 }
 
 /// Of one contact.
@@ -147,6 +149,7 @@ impl Wheel {
         }
         let law =
             AnyEllipse::new(interface, method).ok_or(WheelRailError::MethodOfElement {})??;
+        let warnings = law.warnings(interface);
         let [wheel, rail] = [&interface.wheel, &interface.rail].map(|body| body.bulk_temperature);
         let start = pose.into_iter().chain([
             motion.speed,
@@ -163,7 +166,7 @@ impl Wheel {
         // The rolling speed of a contact stands for the angular velocity times a radius of one.
         let settings = Settings { motion: Motion::Velocities, rolling_radius: 1.0, ..settings };
         let (flash, interface) = (Flash::new(interface), interface.clone());
-        Ok(Self { table, side, motion, interface, law, flash, settings, start })
+        Ok(Self { table, side, motion, interface, law, flash, settings, start, warnings })
     }
 
     pub fn inputs() -> Vec<Signal> {

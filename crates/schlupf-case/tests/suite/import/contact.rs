@@ -560,7 +560,11 @@ fn digits_that_are_not_available_are_named() {
         ),
         (&[("022020", "022120"), (gg, "GG 1,2\n 1 -1 1 1\n")], 13, "FG2 = -1: must not be neg"),
         (&[("022020", "022220"), (gg, "GG 1,2\n 1e-5 1 1 0\n")], 6, "M = 2: FASTSIM with a flexib"),
-        (&[("022020", "022520"), (gg, "GG 1,2\n 1 1 0\n")], 6, "M = 5: FaStrip is not available"),
+        (
+            &[("022020", "022520"), (gg, "GG 1,2\n 0.5 1 0\n")],
+            13,
+            "K0_MF = 0.5: FaStrip with reduced slopes",
+        ),
         (
             &[("022020", "024020"), (" 0.28 0.28", " 0 1 2\n 0 0 1 0.1\n 0.28 0.28")],
             6,
@@ -662,12 +666,12 @@ fn everything_is_told_once() {
         BALL,
         &[
             ("203100", "213100"),
-            ("022020", "022520"),
-            (gg, "GG 1,2\n 1e-4\n 1 1 0\n"),
+            ("022020", "022220"),
+            (gg, "GG 1,2\n 1e-4\n 1e-5 1 1 0\n"),
             (" 0 MODULE\n", ""),
         ],
     );
-    let second = " 3\n 203100\n 100500\n 0100111\n 52359.878 0.002 0 0\n 0\n";
+    let second = " 3\n 203100\n 100200\n 0100111\n 52359.878 0.002 0 0\n 0\n";
     let found = errors(&(several + second));
     assert_eq!(found.len(), 3, "{found:#?}");
 }

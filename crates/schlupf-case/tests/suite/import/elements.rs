@@ -137,6 +137,8 @@ fn what_differs_is_told() {
     assert_eq!(codes(&with(BALL, &fastsim)), expected);
     let straight = with(&with(BALL, &fastsim), &[("-0.0005 0.0002", "0. 0.")]);
     assert_eq!(codes(&straight), expected[..2]);
+    let strips = [("022020", "022520"), ("GG 1,2\n", "GG 1,2\n 1 1 0\n")];
+    assert_eq!(codes(&with(BALL, &strips)), ["settings-left-out", "no-strips"]);
     let moved = "1\n 60 60 -5.5 -6.0 0.2 0.2\n 1 1\n .0017 0 .0017 -.0017 -.001 0";
     assert_eq!(codes(&with(BALL, &[(AREA, moved)])), ["settings-left-out", "moment-at-middle"]);
     let second = " 3\n 223100\n 122320\n 0100111\n 52359.878 0.002 0 0\n 0. 0.25 30000.\n \

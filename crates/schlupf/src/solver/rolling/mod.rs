@@ -1,6 +1,6 @@
 //! Rolling: the material moves through the contact, and every step is an equilibrium.
 
-mod shared;
+pub(crate) mod shared;
 pub mod marching;
 pub mod steady;
 mod from_steady;

@@ -17,7 +17,7 @@ mod fastsim;
 pub mod polach;
 pub mod shen_hedrick_elkins;
 mod tabulated;
-mod warnings;
+pub(crate) mod warnings;
 
 use std::f64::consts::PI;
 use std::sync::Arc;

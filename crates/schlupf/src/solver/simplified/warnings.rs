@@ -1,5 +1,6 @@
 //! Warnings of the fast methods for whoever uses the results.
 
+use crate::interface::Interface;
 use crate::interface::friction::FrictionState;
 use crate::normal::{NormalSummary, Pressure};
 use crate::problem::look_up_table::LookUpTable;
@@ -25,7 +26,7 @@ pub(super) fn of(
 }
 
 /// What the method neglects whatever the motion is.
-pub(super) fn of_any_motion(
+pub(crate) fn of_any_motion(
     problem: &Problem,
     normal: &NormalSummary,
     method: &FastMethod,
@@ -36,21 +37,28 @@ pub(super) fn of_any_motion(
         _ => of_slender_patch(normal, name),
     });
     warnings.extend(of_shape(problem, name));
-    let elasticity = &problem.interface.elasticity;
+    warnings.extend(problem.interface.beyond_elastic(normal.peak_pressure));
+    warnings.extend(of_interface(&problem.interface, method));
+    warnings
+}
+
+/// What the method neglects of an interface.
+pub(crate) fn of_interface(interface: &Interface, method: &FastMethod) -> Vec<Warning> {
+    let name = method.name();
+    let elasticity = &interface.elasticity;
     let unlike = elasticity.pressure_coupling().map(|coupling| coupling.constant);
     let unlike = unlike.filter(|constant| *constant != 0.0);
     let unlike = unlike.map(|constant| Warning::DissimilarBodies { constant });
-    warnings.extend(unlike.or_else(|| elasticity.caveat()));
-    warnings.extend(problem.interface.beyond_elastic(normal.peak_pressure));
-    if problem.interface.friction_memory().is_some() {
+    let mut warnings = Vec::from_iter(unlike.or_else(|| elasticity.caveat()));
+    if interface.friction_memory().is_some() {
         warnings.push(Warning::NoMemory { method: name });
     }
-    let may_yield = problem.interface.layer.is_some_and(|layer| layer.yield_limit().is_some());
+    let may_yield = interface.layer.is_some_and(|layer| layer.yield_limit().is_some());
     if may_yield && !method.has_fields() {
         warnings.push(Warning::NoYield { method: name });
     }
     let is_cold = !method.has_fields() && *method != FastMethod::KalkerLinear;
-    if is_cold && depends_on_temperature(problem) {
+    if is_cold && depends_on_temperature(interface) {
         warnings.push(Warning::ColdFriction { method: name });
     }
     warnings
@@ -105,11 +113,10 @@ pub(super) fn of_power(power: Power) -> Option<Warning> {
     (gap > part * creep.abs()).then_some(Warning::PowerGap { friction, creep, part })
 }
 
-fn depends_on_temperature(problem: &Problem) -> bool {
+fn depends_on_temperature(interface: &Interface) -> bool {
     let at = |temperature: f64| {
         let state = FrictionState { temperature, ..FrictionState::default() };
-        problem.interface.friction.law.respond(&state).coefficient
+        interface.friction.law.respond(&state).coefficient
     };
-    problem.interface.heat.model.is_some()
-        && [30.0, 300.0, 3000.0].into_iter().any(|t| at(t) != at(0.0))
+    interface.heat.model.is_some() && [30.0, 300.0, 3000.0].into_iter().any(|t| at(t) != at(0.0))
 }

@@ -68,9 +68,12 @@ pub fn method(
 ) {
     let material = control.material;
     match material.whole() {
-        0 | 4 => {
+        0 | 4..=7 => {
             if material.is(4) {
                 third_body(case, elastic);
+            }
+            if material.value > 4.0 {
+                fastrip(case, material, elastic);
             }
             case.document.text(field!("elasticity.model"), "half-space");
             case.document.text(field!("contact_law.model"), "coulomb");
@@ -96,11 +99,7 @@ pub fn method(
             "FASTSIM with a flexibility FLX that is given is not available",
             "M = 3 finds the flexibilities from Kalker's coefficients",
         ),
-        _ => case.refuse(
-            material,
-            "FaStrip is not available",
-            "M = 3 is FASTSIM, M = 0 solves all equations",
-        ),
+        _ => case.refuse(material, "must be 0 to 7", ""),
     }
     bound(case, control);
     if control.damping.value >= 2.0 {
@@ -169,6 +168,16 @@ fn slope_reduction(elastic: &Elastic) -> ([Given; 3], bool) {
     let given = std::array::from_fn(|k| elastic.model.get(k).copied().unwrap_or(none));
     let [initial, limit, _] = given;
     (given, initial.is(1) && limit.is(1))
+}
+
+/// FaStrip approximates the equations that are solved here.
+fn fastrip(case: &mut Translation, material: Given, elastic: &Elastic) {
+    case.notice(Notice::NoStrips {}, material);
+    let ([initial, ..], is_plain) = slope_reduction(elastic);
+    if material.is(5) && !is_plain {
+        let what = "FaStrip with reduced slopes is not available";
+        case.refuse(initial, what, "M = 3 is modified FASTSIM; K0_MF = ALFAMF = 1 reduces nothing");
+    }
 }
 
 fn fastsim(case: &mut Translation, control: &Control, elastic: &Elastic) {

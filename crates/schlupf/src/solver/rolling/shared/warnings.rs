@@ -1,5 +1,6 @@
 //! Warnings of the full solver for whoever uses the results.
 
+use crate::normal::NormalSummary;
 use crate::problem::{Options, Problem};
 use crate::reporting::Warning;
 use crate::solver::summary::snapshot::{Snapshot, View};
@@ -14,13 +15,8 @@ const LARGEST_EDGE_DISPLACEMENT: f64 = 0.01;
 /// Largest fraction of the friction power that the bristles may return without a warning.
 const LARGEST_RETURNED_POWER: f64 = 0.01;
 
-/// All warnings of the solution.
-pub(crate) fn warnings(
-    problem: &Problem,
-    options: &Options,
-    contact: &mut DiscreteContact,
-    now: &Snapshot,
-) -> Vec<Warning> {
+/// What the solver neglects whatever the motion is.
+pub(crate) fn of_any_motion(problem: &Problem, normal: &NormalSummary) -> Vec<Warning> {
     let mut warnings: Vec<Warning> = problem.interface.elasticity.caveat().into_iter().collect();
     let coupling = problem.interface.elasticity.pressure_coupling();
     warnings.extend(
@@ -31,9 +27,20 @@ pub(crate) fn warnings(
             },
         ),
     );
-    warnings.extend(problem.interface.elasticity.caveat_of_parts(contact.normal.parts));
+    warnings.extend(problem.interface.elasticity.caveat_of_parts(normal.parts));
     warnings.extend(problem.normal.caveat());
-    warnings.extend(problem.interface.beyond_elastic(contact.normal.peak_pressure));
+    warnings.extend(problem.interface.beyond_elastic(normal.peak_pressure));
+    warnings
+}
+
+/// All warnings of the solution.
+pub(crate) fn warnings(
+    problem: &Problem,
+    options: &Options,
+    contact: &mut DiscreteContact,
+    now: &Snapshot,
+) -> Vec<Warning> {
+    let mut warnings = of_any_motion(problem, &contact.normal);
     let view = View { normal: &contact.normal, patch: &contact.patch, now };
     warnings.extend(summary::caveats::of_temperatures(problem, view));
     let edge = contact.edge_displacement(&now.traction);
