@@ -43,6 +43,10 @@ const FOR_DAMAGE: [FieldPath; 6] = fields![
     "rail.density",
 ];
 
+fn is_for_damage(field: &Field) -> bool {
+    field.section() == "damage" || FOR_DAMAGE.contains(&field.path)
+}
+
 /// A case with its problem.
 #[derive(Debug, Clone)]
 pub struct Case {
@@ -202,7 +206,7 @@ impl CaseFile {
     /// A wheel without a rolling radius.
     pub fn damage_laws(&self) -> Result<Laws, CaseError> {
         let laws = Laws {
-            wheel_radius: self.settings.number(field!("kinematics.wheel_radius"))?,
+            wheel_radius: read::rolling_radius(&self.settings)?,
             densities: self.materials().map(|material| material.density),
             ..read::damage(&self.settings)?
         };
@@ -298,11 +302,23 @@ impl CaseFile {
         read(text).or_else(|_| read(&Self::text_for_damage(text, name)?))
     }
 
+    /// Refuses overrides of what does not count for damage by states that are known.
+    ///
+    /// # Errors
+    /// The first field of that kind.
+    pub fn refuse_for_damage(&self, assignments: &[String]) -> Result<(), CaseError> {
+        let path = |assignment: &String| Some(fields::find(assignment.split_once('=')?.0.trim())?);
+        let mut given = assignments.iter().filter_map(path);
+        let Some(Field { path, .. }) = given.find(|field| !is_for_damage(field)) else {
+            return Ok(());
+        };
+        let message = format!("{path} would be ignored: the states of the table are solved");
+        Err(self.settings.error(*path, message))
+    }
+
     fn text_for_damage(text: &str, name: &str) -> Result<String, CaseError> {
         let mut kept = edited::Edited::new(&Source { name: name.into(), text: text.into() })?;
-        let is_needed =
-            |field: &Field| field.section() == "damage" || FOR_DAMAGE.contains(&field.path);
-        for field in fields::all().filter(|field| !is_needed(field)) {
+        for field in fields::all().filter(|field| !is_for_damage(field)) {
             kept.remove(&field.path);
         }
         Ok(kept.finish())
@@ -485,7 +501,7 @@ impl Case {
     /// Rolling radius of the wheel (in m), where it has one: it may be straight where the pressure
     /// does not follow from the radii.
     pub fn wheel_radius(&self) -> Option<f64> {
-        self.file.settings.number(field!("kinematics.wheel_radius")).ok()
+        read::rolling_radius(&self.file.settings).ok()
     }
 
     /// Files that the case names, each with the field that does, whether that has an effect or not.

@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueHint};
-use schlupf::reporting::Message;
 use schlupf_case::fmu::{Binary, Fmu as Unit, Role, Version};
 
 use crate::arguments::CaseArguments;
@@ -76,8 +75,7 @@ pub fn fmu(arguments: &Fmu) -> Result<u8, Failure> {
     let unit = Unit::of(&file, &progress.watch())?;
     drop(progress);
     let notices = file.notices();
-    let notices = notices.iter().filter(|notice| !is_of_solution(notice));
-    notices.chain(unit.warnings()).for_each(report::warn);
+    notices.iter().chain(unit.warnings()).for_each(report::warn);
     let bytes = unit.to_bytes(version, &binaries);
     let bytes = bytes.map_err(|error| Failure::file(&arguments.output, io::Error::other(error)))?;
     let size = bytes.len();
@@ -86,11 +84,6 @@ pub fn fmu(arguments: &Fmu) -> Result<u8, Failure> {
         stdout::write(&summary(arguments, &unit, &binaries, size))?;
     }
     Ok(SUCCESS)
-}
-
-/// Whether the notice is about the rolling radius, which solutions seldom need but velocities do.
-fn is_of_solution(notice: &Message) -> bool {
-    notice.code == "no-effect" && notice.quantity == "kinematics.wheel_radius"
 }
 
 /// Platforms with their libraries, each once.

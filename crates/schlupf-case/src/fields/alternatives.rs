@@ -294,10 +294,6 @@ impl Alternatives {
 
 /// Fields that count only beside one of others that have no default.
 const COMPANIONS: &[(FieldPath, &[FieldPath])] = &[
-    (
-        field!("kinematics.wheel_radius"),
-        &fields!["kinematics.angular_velocity", "kinematics.wheel_torque"],
-    ),
     (field!("rail.origin_z"), &fields!["rail.origin_y"]),
     (field!("left_rail.origin_z"), &fields!["left_rail.origin_y", "rail.origin_y"]),
     (field!("right_rail.origin_z"), &fields!["right_rail.origin_y", "rail.origin_y"]),

@@ -226,7 +226,7 @@ section! {
         "ω of the wheel, in place of creepage_x", example("64.7 rad/s");
     "wheel_radius" [] quantity(&Measure::LENGTH), ROLLING_RADIUS, Same(field!("wheel.radius_x")),
         "R, rolling radius that goes with angular_velocity or wheel_torque", example("0.46 m"),
-        usually(WHEEL_RADIUS);
+        idle_with(NORMAL_MODEL, WHEEL_RAIL), usually(WHEEL_RADIUS);
     "creepage_y" [CreepageY] Kind::Number, Inside(-1.0, 1.0), Text("0.0"), "η, lateral creepage",
         idle_with(NORMAL_MODEL, WHEEL_RAIL);
     "yaw_angle" [] quantity(&Measure::ANGLE), Inside(-FRAC_PI_2, FRAC_PI_2), Nothing,

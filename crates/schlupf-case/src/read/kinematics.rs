@@ -33,6 +33,14 @@ pub fn speed(settings: &Settings) -> Result<f64, CaseError> {
     Err(settings.error(TURNING, message))
 }
 
+/// Rolling radius of the wheel, in m: with two profiles the nominal one.
+pub fn rolling_radius(settings: &Settings) -> Result<f64, CaseError> {
+    settings.number(match settings.chosen(field!("normal.model"))? {
+        NormalModel::WheelRail => field!("wheel.radius_x"),
+        _ => field!("kinematics.wheel_radius"),
+    })
+}
+
 /// Creepages as given, or from the angular velocity and the yaw angle, in any combination.
 pub fn kinematics(settings: &Settings) -> Result<Kinematics, CaseError> {
     let speed = speed(settings)?;

@@ -32,6 +32,7 @@ use schlupf::{Error, Options, Problem, Watch};
 pub use cooling::{cooling, missing as missing_cooling};
 pub use damage::damage;
 pub use history::unusual as unusual_history;
+pub use kinematics::rolling_radius;
 pub use options::{driver, element, method};
 pub use subsurface::subsurface;
 
@@ -280,7 +281,7 @@ impl Parts {
             method: method(settings)?,
             driver: driver(settings)?,
             options: options(settings)?,
-            radius: settings.number(field!("kinematics.wheel_radius"))?,
+            radius: rolling_radius(settings)?,
             known: None,
         })
     }

@@ -1,5 +1,6 @@
 //! `[grid]`, `[solver]`, `[fastsim]` and `[element]`.
 
+use super::kinematics::rolling_radius;
 use crate::FieldPath;
 use std::sync::Arc;
 
@@ -48,7 +49,7 @@ pub fn element(settings: &Settings) -> Result<element::Settings, CaseError> {
         },
         has_memory: settings.flag(field!("element.memory"))?,
         standstill_speed: settings.number(field!("element.standstill_speed"))?,
-        rolling_radius: settings.number(field!("kinematics.wheel_radius"))?,
+        rolling_radius: rolling_radius(settings)?,
     })
 }
 

@@ -9,6 +9,7 @@ use schlupf::{Error, Method, Watch};
 
 use super::friction;
 use super::history::starts_rolling;
+use super::kinematics::rolling_radius;
 use super::pairs::{self, Placed};
 use super::roughness::OfRoughness;
 use crate::FieldPath;
@@ -68,6 +69,7 @@ pub fn request(settings: &Settings) -> Result<Option<WheelRequest>, CaseError> {
             roll: settings.optional_number(ROLL)?.unwrap_or(0.0),
         },
         motion: motion(settings)?,
+        follows: !settings.is_given(field!("wheelset.vertical_velocity")),
         drive: drive(settings)?,
         support: support(settings)?,
         joining: Joining {
@@ -200,7 +202,7 @@ fn over_time(
         );
         return Err(settings.error(TIME, message));
     }
-    let radius = settings.number(field!("kinematics.wheel_radius"))?;
+    let radius = rolling_radius(settings)?;
     let instants = times.iter().enumerate().map(|(row, time)| {
         let wheel = at(settings, wheel, row, radius);
         wheel.check().map_err(|error| settings.explain(&error))?;
@@ -398,10 +400,7 @@ fn drive(settings: &Settings) -> Result<Drive, CaseError> {
         force.is_none(),
         "kinematics.force_x is not given",
     )?;
-    let drive = force.or(coefficient).or(torque).unwrap_or(Drive::AngularVelocity);
-    let reason = "the wheel turns as its force or torque makes it, with wheel.radius_x";
-    refuse_idle(settings, field!("kinematics.wheel_radius"), drive.is_force(), reason)?;
-    Ok(drive)
+    Ok(force.or(coefficient).or(torque).unwrap_or(Drive::AngularVelocity))
 }
 
 /// An error if a field is given that would be ignored.
@@ -432,13 +431,15 @@ fn motion(settings: &Settings) -> Result<Motion, CaseError> {
                 format!("{CREEPAGE} must be below 1, at which the wheel locks, but is {creepage}");
             return Err(settings.error(CREEPAGE, message));
         }
-        (1.0 - creepage) * speed / settings.number(field!("kinematics.wheel_radius"))?
+        (1.0 - creepage) * speed / rolling_radius(settings)?
     };
     Ok(Motion {
         speed,
         curve_radius: settings.number(field!("track.curve_radius"))?,
         lateral_velocity: settings.number(field!("wheelset.lateral_velocity"))?,
-        vertical_velocity: settings.number(field!("wheelset.vertical_velocity"))?,
+        vertical_velocity: settings
+            .optional_number(field!("wheelset.vertical_velocity"))?
+            .unwrap_or(0.0),
         angular_velocity,
         roll_rate: settings.number(field!("wheelset.roll_rate"))?,
         yaw_rate: settings.number(field!("wheelset.yaw_rate"))?,

@@ -224,13 +224,23 @@ fn the_speed_over_time_is_read() {
     assert_eq!((history.creepage_x, history.load), (None, None));
 }
 
+/// The rolling radius counts for damage and heat per revolution, too, and so does the radius that is
+/// its default; not on two profiles, whose nominal radius it is.
 #[test]
-fn a_rolling_radius_without_angular_velocity_is_noticed() {
+fn a_rolling_radius_is_noticed_on_two_profiles_only() {
     let text = "[kinematics]\nwheel_radius = \"0.4 m\"";
-    let expected = "case.toml:2:16: kinematics.wheel_radius has no effect without \
-                    kinematics.angular_velocity or kinematics.wheel_torque";
-    assert_eq!(texts(&read(text, &[]).notices), [expected]);
-    assert_eq!(texts(&read(text, &["kinematics.angular_velocity=60 rad/s"]).notices), [""; 0]);
+    assert_eq!(texts(&read(text, &[]).notices), [""; 0]);
+    let ellipse = "[wheel]\nradius_x = \"0.2 m\"\n[normal]\nmodel = \"ellipse\"\nload = \"50 kN\"\n\
+                   semi_axis_x = \"5 mm\"\nsemi_axis_y = \"5 mm\"\n";
+    assert_eq!(texts(&read(ellipse, &[]).notices), [""; 0]);
+    let profiles = "[wheel]\nprofile = \"S1002\"\n[rail]\nprofile = \"60E1\"\n\
+                    [normal]\nmodel = \"wheel-rail\"\nload = \"80 kN\"\n";
+    let posed = read(&format!("{text}\n{profiles}"), &[]);
+    let expected = "case.toml:2:16: kinematics.wheel_radius has no effect with normal.model = \
+                    \"wheel-rail\"";
+    assert_eq!(texts(&posed.notices), [expected]);
+    let turning = |case: &Case| case.wheel.as_ref().unwrap().angular_velocity;
+    assert_eq!(turning(&posed), turning(&read(profiles, &[])));
 }
 
 #[test]

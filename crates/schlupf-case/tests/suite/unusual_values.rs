@@ -74,7 +74,7 @@ fn a_file_over_time_is_looked_at() {
 #[test]
 fn fields_without_effect_are_not_looked_at() {
     let ellipse = "[normal]\nmodel = \"ellipse\"\nsemi_axis_x = \"6 mm\"\nsemi_axis_y = \"5 mm\"\nload = \"80 kN\"\n";
-    let warnings = warned(&format!("{ellipse}[wheel]\nradius_x = \"460 m\""));
+    let warnings = warned(&format!("{ellipse}[rail]\nradius_y = \"4600 m\""));
     assert_eq!(warnings.iter().map(|(code, _)| *code).collect::<Vec<_>>(), ["no-effect"]);
 }
 

@@ -76,6 +76,7 @@ fn random_wheel(random: &mut Random, pair: &Arc<Pair>) -> WheelOnRail {
         side: Side::Left,
         position,
         motion,
+        follows: false,
         drive: Drive::AngularVelocity,
         support: Support::Force(random.between([20e3, 120e3])),
         joining: Joining::default(),

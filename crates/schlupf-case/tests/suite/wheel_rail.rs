@@ -336,10 +336,6 @@ fn a_force_turns_the_wheel() {
             format!("{}force_axis = \"track\"\n", other("traction_coefficient = 0.08")),
             "wheelset.force_axis would be ignored: kinematics.force_x is not given",
         ),
-        (
-            other("wheel_torque = \"-1 kN m\"\nwheel_radius = \"0.4 m\""),
-            "kinematics.wheel_radius would be ignored",
-        ),
     ] {
         let error = drive(&wrong).unwrap_err();
         assert!(error.contains(words), "{error}\n{words}");

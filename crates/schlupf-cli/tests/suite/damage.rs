@@ -150,6 +150,29 @@ fn laws_are_those_of_the_case_behind_a_table() {
     }
 }
 
+/// Overrides of a study are solved, as in its case; a table that is solved refuses them.
+#[test]
+fn overrides_count_for_states_that_are_not_solved_yet() {
+    let bench = bench(false);
+    let sweep = bench.run(&["sweep", "study.toml", "--output", "table.csv"]);
+    assert_eq!(sweep.code, Some(0), "{}", sweep.stderr);
+    let slow = ["--set", "kinematics.speed=5 m/s", "--set", "friction.model=constant"];
+    let overridden = document(&bench, &[&["study.toml"], &slow[..]].concat());
+    let case = bench.read("case.toml");
+    let own = "[kinematics]\nspeed = \"5 m/s\"\n[friction]\nmodel = \"constant\"\n";
+    bench.write("case.toml", &format!("{case}{own}"));
+    let written = document(&bench, &["study.toml"]);
+    assert_eq!(overridden["energy"], written["energy"]);
+    assert_ne!(overridden["energy"], document(&bench, &["table.csv"])["energy"]);
+    let refused = damage(&bench, &["table.csv", "--set", "normal.load=20 kN"]);
+    assert_eq!(refused.code, Some(2), "{}", refused.stdout);
+    assert!(
+        refused.stderr.contains("normal.load would be ignored: the states"),
+        "{}",
+        refused.stderr
+    );
+}
+
 /// Polach's method has no moment: with spin its friction power is unknown, of those states alone.
 #[test]
 fn states_without_friction_power_are_left_out_and_told() {
@@ -223,11 +246,7 @@ fn what_is_no_run_is_refused() {
     refused(&["study.toml"], "at least 2 states, but has 1");
     refused(&["none.csv", "--set", "damage.hardness=-1 GPa"], "damage.hardness must be");
     refused(&["none.csv", "--set", "damage.wear_rate_mild=5 ug"], "must be a mass per energy");
-    let straight = ["normal.model=ellipse", "normal.semi_axis_x=5 mm", "normal.semi_axis_y=5 mm"];
-    let straight = straight.iter().flat_map(|field| ["--set", field]);
-    let straight: Vec<&str> =
-        ["none.csv", "--set", "wheel.radius_x=inf"].into_iter().chain(straight).collect();
-    refused(&straight, "wheel.radius_x");
+    refused(&["none.csv", "--set", "wheel.radius_x=inf"], "wheel.radius_x");
     bench.write("empty.toml", "[vary]\n");
     let empty = bench.run(&["sweep", "empty.toml", "--output", "e.csv"]);
     assert_eq!(empty.code, Some(2), "{}", empty.stderr);

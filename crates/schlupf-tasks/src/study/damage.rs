@@ -9,7 +9,7 @@ use crate::states::{CONTACTS, NO_CONTACT};
 use schlupf::analysis::damage::{self, Laws, State};
 use schlupf::reporting::Message;
 use schlupf::{Status, Watch};
-use schlupf_case::{CaseErrors, CaseFile, FieldPath, InputFile, Setting, field};
+use schlupf_case::{CaseFile, FieldPath, InputFile, Setting, field};
 
 use crate::TaskError;
 use crate::request::{Kind, request};
@@ -61,11 +61,7 @@ impl Task for Damage {
         _wanted: &Wanted,
         watch: Watch,
     ) -> Result<Found<DamageReport>, TaskError> {
-        let case_of = |own: Option<&CaseFile>| match own {
-            Some(own) if of.is_default => own.with(of.overrides.0, of.overrides.1),
-            _ => Ok(of.case.clone()),
-        };
-        let found = plan(&request.run.path(), case_of)?.find_in(of.scratch, watch)?;
+        let found = plan(&request.run.path(), of)?.find_in(of.scratch, watch)?;
         Ok(found.into())
     }
 }
@@ -82,17 +78,19 @@ struct Plan {
     is_of_table: bool,
 }
 
-/// Opens a run: the table of a study, or a study (.toml) of states along a run.
-/// `case_of` tells the case with the laws, from that of the study, which its table keeps.
+/// Opens a run: the table of a study, or a study (.toml) of states along a run. Without a case of
+/// its own the laws are those of the study's, which its table keeps, and overrides are of that.
 ///
 /// # Errors
-/// A study or case that is wrong, and states that are no run.
-fn plan(
-    path: &Path,
-    case_of: impl FnOnce(Option<&CaseFile>) -> Result<CaseFile, CaseErrors>,
-) -> Result<Plan, StudyError> {
+/// A study or case that is wrong, states that are no run, and overrides of what a table has solved.
+fn plan(path: &Path, of: &Given) -> Result<Plan, StudyError> {
+    let (option, assignments) = of.overrides;
     let is_study = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
-    let study = if is_study { Some(Study::from_path(path)?) } else { None };
+    let mut study = if is_study { Some(Study::from_path(path)?) } else { None };
+    if let Some(own) = study.as_mut().filter(|_| of.is_default && !assignments.is_empty()) {
+        let case = own.case_file().with(option, assignments)?;
+        *own = Study::from_path_with(path, Some(&case))?;
+    }
     let of_table = if let Some(study) = &study {
         let of = |name: &str| {
             let carried = study.design.carried().iter().find(|column| column.name == name)?;
@@ -107,7 +105,15 @@ fn plan(
     } else {
         case_in(path)?
     };
-    let case = case_of(study.as_ref().map(Study::case_file).or(of_table.as_ref()))?;
+    let case = match (&study, &of_table) {
+        (Some(study), _) if of.is_default => study.case_file().clone(),
+        (None, Some(table)) if of.is_default => {
+            let case = table.with(option, assignments)?;
+            case.refuse_for_damage(assignments)?;
+            case
+        }
+        _ => of.case.clone(),
+    };
     let laws = case.damage_laws()?;
     let is_of_table = of_table.is_some();
     Ok(Plan { path: path.to_owned(), study, case, laws, is_of_table })

@@ -64,6 +64,11 @@ impl Study {
     /// # Errors
     /// A file that cannot be read, or in which something is wrong.
     pub fn from_path(path: &Path) -> Result<Self, StudyError> {
+        Self::from_path_with(path, None)
+    }
+
+    /// The same with another case, if there is one, in place of that which it names.
+    pub(crate) fn from_path_with(path: &Path, case: Option<&CaseFile>) -> Result<Self, StudyError> {
         let bytes = File::open(path).and_then(read_case);
         let bytes = bytes.map_err(|cause| StudyError::file(path, cause))?;
         let name = path.display().to_string();
@@ -72,7 +77,7 @@ impl Study {
             CaseError::new("", "the study must be text in UTF-8, but is not", place)
         })?;
         let folder = path.parent().unwrap_or(Path::new(""));
-        let mut study = Self::from_str(&text, &name, folder, None)?;
+        let mut study = Self::from_str(&text, &name, folder, case)?;
         study.inputs.insert(0, path.to_owned());
         Ok(study)
     }

@@ -104,6 +104,7 @@ fn manchester() -> Vec<WheelOnRail> {
         side: if is_left { Side::Left } else { Side::Right },
         position: Position { lateral: -1e-3 * y, yaw: -yaw, roll },
         motion: Motion::straight(2.0, -pitch_rate),
+        follows: false,
         drive: Drive::AngularVelocity,
         support: Support::Force(10e3),
         joining: Joining::default(),

@@ -18,6 +18,7 @@
 //! Limits: the wheel has one temperature apart from a thin skin; temperature-dependent friction is
 //! that of the warm wheel; radiation and heat from brake blocks or bearings are neglected.
 
+use crate::bodies::Kinematics;
 use crate::normal::Grid;
 use crate::normal::patch::Patch;
 use crate::problem::Problem;
@@ -26,7 +27,7 @@ use crate::reporting::{
     require_positive, within,
 };
 use crate::solution::{Solution, Status};
-use crate::solver::reference_point::AtPatch;
+use crate::solver::reference_point::place;
 use crate::solver::{Solver, summary};
 
 /// Cooling of a wheel by the air.
@@ -109,11 +110,8 @@ pub fn bulk_temperature(
     watch: Watch,
 ) -> Result<BulkTemperature, Error> {
     check(problem, cooling)?;
-    let at = AtPatch::new(problem, watch)?;
-    let mut balance =
-        Balance { problem: at.problem.clone(), cooling: *cooling, solver, watch, iterations: 0 };
-    let found = balance.find()?;
-    Ok(BulkTemperature { solution: at.back(found.solution), ..found })
+    let (problem, motion) = (problem.clone(), problem.kinematics);
+    Balance { problem, motion, cooling: *cooling, solver, watch, iterations: 0 }.find()
 }
 
 /// Performs all checks possible before the first solution.
@@ -129,8 +127,9 @@ pub fn check(problem: &Problem, cooling: &Cooling) -> Result<(), Error> {
 }
 
 struct Balance<'a> {
-    /// With the creepages at the centre of the patch.
     problem: Problem,
+    /// At the centre of the patch in the last steady state, whose forces may be given.
+    motion: Kinematics,
     cooling: Cooling,
     solver: &'a mut dyn Solver,
     watch: Watch<'a>,
@@ -161,7 +160,9 @@ impl Balance<'_> {
             let (purpose, method) = (MethodPurpose::BulkTemperature, solution.method.name());
             return Err(Error::OtherMethod { purpose, method });
         };
-        let partition = self.problem.interface.conduction(&solution.kinematics);
+        let [x, y] = place(self.problem.reference, &solution.normal)?;
+        self.motion = solution.kinematics.at([-x, -y]);
+        let partition = self.problem.interface.conduction(&self.motion);
         Ok(BulkTemperature {
             temperature,
             entry_temperature: partition.entry_temperature,
@@ -181,8 +182,8 @@ impl Balance<'_> {
     /// Heat flow through the contact divided by the step from the wheel's bulk temperature to its
     /// contact temperature, in W/K.
     fn chill(&self) -> Result<f64, Error> {
-        let conduction = self.problem.interface.conduction(&self.problem.kinematics);
-        let wheel_speed = self.problem.kinematics.speed / conduction.contact_times()[0];
+        let conduction = self.problem.interface.conduction(&self.motion);
+        let wheel_speed = self.motion.speed / conduction.contact_times()[0];
         let normal = self.problem.normal.normal_contact(None)?;
         let options = self.solver.options();
         let grid = Grid::across(&normal.extent(), options.cells_x, options.cells_y);
@@ -192,7 +193,7 @@ impl Balance<'_> {
     /// A temperature at which the wheel loses more heat than it receives with the friction of a
     /// cold wheel; below the one at which friction vanishes.
     fn hottest(&self, cold: &BulkTemperature) -> Result<f64, Error> {
-        let weight = self.problem.interface.conduction(&self.problem.kinematics).wheel_weight();
+        let weight = self.problem.interface.conduction(&self.motion).wheel_weight();
         let through = (1.0 - weight) * self.chill()?;
         let air = self.cooling.film_coefficient * self.cooling.area;
         let rail = self.problem.interface.rail.bulk_temperature;

@@ -97,6 +97,11 @@ impl ThirdBodyLayer {
         self.thickness / self.shear_modulus
     }
 
+    /// How fast its limit grows with the plastic displacement, in Pa/m: zero where it does not.
+    pub(crate) fn hardening(&self) -> f64 {
+        self.yielding.map_or(0.0, |limit| limit.hardening.max(0.0))
+    }
+
     /// Whether its limit changes with the plastic displacement.
     pub(crate) fn hardens(&self) -> bool {
         self.yielding.is_some_and(|limit| limit.hardening != 0.0)

@@ -70,7 +70,7 @@ pub(super) struct Settled {
     pub rounds: usize,
 }
 
-/// Fewest cells each way on which friction is first estimated.
+/// Fewest cells along or across on which friction is first estimated.
 const FEWEST_CELLS: usize = 8;
 
 /// Accuracy of that estimate, dimensionless.
@@ -106,9 +106,13 @@ impl WheelOnRail {
         tangential: &Tangential,
         watch: Watch,
     ) -> Result<Found, Error> {
+        let Options { cells_x, cells_y, .. } = *tangential.options;
+        // As wide for their length as those asked for.
+        let fewest = FEWEST_CELLS as f64 / cells_x.min(cells_y) as f64;
+        let fewer = |count: usize| (fewest.clamp(0.5, 1.0) * count as f64).ceil() as usize;
         let coarse = Options {
-            cells_x: (tangential.options.cells_x / 2).max(FEWEST_CELLS),
-            cells_y: (tangential.options.cells_y / 2).max(FEWEST_CELLS),
+            cells_x: fewer(cells_x),
+            cells_y: fewer(cells_y),
             tolerance: tangential.options.tolerance.max(ESTIMATE),
             keeps_state: false,
             ..tangential.searching()

@@ -8,7 +8,7 @@ use super::drive::Drive;
 use super::equilibrium::{Lowered, Lowering};
 use super::pair::Pair;
 use super::patch::ContactPatch;
-use super::pose::Pose;
+use super::pose::{Pose, dot};
 use super::pressed::Pressed;
 use super::rows::{Passing, RowsMove};
 use super::side::Side;
@@ -77,6 +77,8 @@ pub(super) struct Sliding<'a> {
     pub side: Side,
     /// How the wheelset moves, as seen from the left.
     pub motion: Motion,
+    /// Whether it follows the surfaces vertically, in place of the vertical velocity of its motion.
+    pub follows: bool,
     /// What turns it.
     pub drive: Drive,
     /// With what the rows of a contact move.
@@ -160,9 +162,30 @@ impl Sliding<'_> {
     }
 
     fn moving(&self, pressed: &Pressed, angular_velocity: f64) -> Moving {
-        let motion = Motion { angular_velocity, ..self.motion };
+        let mut motion = Motion { angular_velocity, ..self.motion };
+        if self.follows {
+            motion.vertical_velocity = self.following(motion);
+        }
+        self.moving_by(pressed, &motion)
+    }
+
+    fn moving_by(&self, pressed: &Pressed, motion: &Motion) -> Moving {
         let bodies = (self.lowering.pair, &self.pose());
-        Moving::new(bodies, (&pressed.plane, pressed.approach), &motion)
+        Moving::new(bodies, (&pressed.plane, pressed.approach), motion)
+    }
+
+    /// The vertical velocity (in m/s) at which the vertical force stays what it is: contacts push
+    /// each other aside by their stiffness, which is in proportion to force over approach.
+    fn following(&self, motion: Motion) -> f64 {
+        let level = Motion { vertical_velocity: 0.0, ..motion };
+        let mut sums = [0.0; 2];
+        for contact in self.lowered.contacts.iter().filter(|contact| contact.approach > 0.0) {
+            let normal = contact.plane.normal();
+            let vertical = contact.force / contact.approach * normal[2];
+            let parting = dot(self.moving_by(contact, &level).velocity([0.0; 3]), normal);
+            sums = [sums[0] + vertical * parting, sums[1] + vertical * normal[2]];
+        }
+        if sums[1] > 0.0 { -sums[0] / sums[1] } else { motion.vertical_velocity }
     }
 
     /// How much of the motion of its rows a contact takes.

@@ -60,6 +60,9 @@ pub struct WheelOnRail {
     pub position: Position,
     /// How it moves.
     pub motion: Motion,
+    /// Whether a wheel under a force follows surfaces that change along the way: its vertical
+    /// velocity is then that at which its contacts stay pressed, in place of that of its motion.
+    pub follows: bool,
     /// What turns it: with a force the angular velocity of its motion is found, and that given is
     /// not used.
     pub drive: Drive,
@@ -361,9 +364,13 @@ impl WheelOnRail {
             Side::Right => self.motion.mirrored(),
         };
         let variation = self.friction_variation.as_ref();
+        let pair = self.pair();
+        let is_varying = pair.wheel().is_varying() || pair.rail().is_varying();
+        let follows = self.follows && is_varying && matches!(self.support, Support::Force(_));
         Sliding {
             side,
             motion,
+            follows,
             drive,
             rows,
             variation,

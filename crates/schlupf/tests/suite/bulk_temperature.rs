@@ -6,6 +6,7 @@ use schlupf::analysis::bulk_temperature::{BulkTemperature, Cooling, bulk_tempera
 use schlupf::bodies::Material;
 use schlupf::interface::friction::{TemperatureLinear, TemperaturePiecewiseLinear};
 use schlupf::interface::heat::{Duhamel, Heat, Partition};
+use schlupf::problem::LongitudinalForce;
 use schlupf::solver::SteadySolver;
 use schlupf::{Problem, Quantity, Status, unwatched};
 use std::sync::Arc;
@@ -45,6 +46,18 @@ fn the_balance_closes() {
             max_relative = 1e-5
         );
     }
+}
+
+/// A force in place of the creepage that causes it warms the wheel alike.
+#[test]
+fn a_prescribed_force_is_that_of_its_creepage() {
+    let given = warmed(&braking(0.004), &COOLING);
+    let mut driven = braking(0.0);
+    driven.prescribed.x = Some(LongitudinalForce::Force(given.solution.force.x));
+    let found = warmed(&driven, &COOLING);
+    assert_relative_eq!(found.solution.kinematics.creepage_x, 0.004, max_relative = 1e-4);
+    assert_relative_eq!(found.temperature, given.temperature, max_relative = 1e-5);
+    assert_relative_eq!(found.entry_temperature, given.entry_temperature, max_relative = 1e-5);
 }
 
 /// Ertz and Knothe 2002: without air the rail alone cools the wheel. With equal bodies, half of the

@@ -64,6 +64,7 @@ fn wheel(pairs: Sides<Arc<Pair>>, normal_method: NormalMethod) -> WheelOnRail {
         side: Side::Left,
         position: Position { lateral: 0.0, yaw: 0.0, roll: 0.0 },
         motion: Motion::straight(RADIUS, 1.001),
+        follows: false,
         drive: Drive::AngularVelocity,
         support: Support::Force(10e3),
         joining: Joining::default(),

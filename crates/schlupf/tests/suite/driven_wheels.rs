@@ -70,6 +70,7 @@ fn wheel(pair: &Arc<Pair>, side: Side, position: Position, drive: Drive) -> Whee
         position,
         // Where a force turns the wheel, its angular velocity is not used.
         motion: Motion::straight(2.0, 4.0),
+        follows: false,
         drive,
         support: Support::Force(10e3),
         joining: Joining::default(),

@@ -62,6 +62,7 @@ fn contacts_of_wheels_on_rails_are_found_directly() {
             side: Side::Left,
             position: Position { lateral, yaw: 0.0, roll: 0.0 },
             motion: Motion::straight(20.0, random.between(43.35, 43.5)),
+            follows: false,
             drive: Drive::AngularVelocity,
             support: Support::Force([40e3, 80e3, 120e3][random.between(0.0, 3.0) as usize]),
             joining: Joining::default(),

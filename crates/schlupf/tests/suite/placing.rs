@@ -73,6 +73,7 @@ fn on(pairs: Sides<Arc<Pair>>, side: Side, support: Support) -> WheelOnRail {
         side,
         position: Position { lateral: 0.0, yaw: 0.0, roll: 0.0 },
         motion: Motion::straight(2.0, radius),
+        follows: false,
         drive: Drive::AngularVelocity,
         support,
         joining: Joining::default(),

@@ -83,6 +83,7 @@ fn on(wheel: Surface, rail: Surface, support: Support) -> WheelOnRail {
         side: Side::Left,
         position: Position { lateral: 0.0, yaw: 0.0, roll: 0.0 },
         motion: Motion::straight(10.0, 10.0 / RADIUS),
+        follows: true,
         drive: Drive::AngularVelocity,
         support,
         joining: Joining::default(),
@@ -187,6 +188,55 @@ fn an_eccentric_wheel_is_a_displaced_cylinder() {
         let [one, other] =
             [&wheel, &round].map(|wheel| wheel.contacts[0].solution.normal.peak_pressure);
         close("peak", one / other, 1.0, 2e-3);
+    }
+}
+
+/// Contacts at an angle, under yaw: a rail that rises and a wheel whose radius changes move the
+/// wheelset up or down, and the material slides across as on the level rail and the round wheel.
+/// A vertical velocity that says the same changes nothing, and one of zero slides by its part.
+#[test]
+fn a_wheel_that_climbs_slides_no_further_across() {
+    const SLOPE: f64 = 0.1;
+    let eccentricity = 1e-3;
+    let radius = |angle: f64| {
+        let across = eccentricity * angle.sin();
+        eccentricity * angle.cos() + (RADIUS * RADIUS - across * across).sqrt()
+    };
+    let cone = |r: f64| curve(move |y| RADIUS - r + SLOPE * y, WIDTH, Quantity::WheelProfile);
+    let around: Vec<Section> = (0..90)
+        .map(|k| -3.2 + 6.4 * f64::from(k) / 89.0)
+        .map(|u| section(u, cone(radius(u))))
+        .collect();
+    let quantity = Quantity::WheelProfile;
+    let around = Arc::new(Sections::new(&around, Interpolation::Through, quantity).unwrap());
+    let rail = |rise: f64| {
+        let along = rail_of(move |u, y| crown(y) + SLOPE * y + rise * u, [-0.5, 0.5], 5);
+        Surface::along(along, 0.0)
+    };
+    let yawed = |wheel: Surface, rail: Surface, velocity: Option<f64>| {
+        let mut posed = on(wheel, rail, Support::Force(40e3));
+        posed.position.yaw = 2e-3;
+        posed.follows = velocity.is_none();
+        posed.motion.vertical_velocity = velocity.unwrap_or_default();
+        let solved = solve(&posed);
+        let kinematics = solved.contacts[0].solution.kinematics;
+        ([kinematics.creepage_y, kinematics.spin], posed.motion)
+    };
+    let ([level, spin], motion) = yawed(cone(RADIUS).into(), rail(0.0), None);
+    assert!((level.abs() / 2e-3 - 1.0).abs() < 0.02 && spin.abs() > 0.1, "{level} {spin}");
+    let climbing = 0.02;
+    let pitched = |pitch| Surface::around(Arc::clone(&around), pitch);
+    for (wheel, rise, velocity) in [
+        (cone(RADIUS).into(), climbing, climbing * motion.speed),
+        (pitched(1.2), 0.0, -motion.angular_velocity * eccentricity * 1.2_f64.sin()),
+    ] {
+        let ([across, _], _) = yawed(Surface::clone(&wheel), rail(rise), None);
+        close("across", across, level, 4e-6);
+        let ([given, _], _) = yawed(Surface::clone(&wheel), rail(rise), Some(velocity));
+        close("given", given, level, 4e-6);
+        let ([still, _], _) = yawed(wheel, rail(rise), Some(0.0));
+        let missing = velocity / motion.speed * SLOPE.atan().sin();
+        close("still", (still - level).abs(), missing.abs(), 0.1 * missing.abs());
     }
 }
 

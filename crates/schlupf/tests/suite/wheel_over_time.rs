@@ -61,6 +61,7 @@ fn wheel(pair: &Arc<Pair>, lateral: f64, creepage: f64) -> WheelOnRail {
         side: Side::Left,
         position: Position { lateral, yaw: 0.0, roll: 0.0 },
         motion: Motion::straight(SPEED, (1.0 - creepage) * SPEED / RADIUS),
+        follows: false,
         drive: Drive::AngularVelocity,
         support: Support::Force(10e3),
         joining: Joining::default(),

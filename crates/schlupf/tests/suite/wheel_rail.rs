@@ -52,6 +52,7 @@ fn wheel(pair: &Arc<Pair>, side: Side, position: Position) -> WheelOnRail {
         side,
         position,
         motion: Motion::straight(2.0, 2.0 / 0.46),
+        follows: false,
         drive: Drive::AngularVelocity,
         support: Support::Force(10e3),
         joining: Joining::default(),

@@ -384,3 +384,30 @@ fn a_layer_flows_in_shifts() {
         }
     }
 }
+
+/// A layer that hardens as steeply as it is stiff, on bodies that take up its growth cell by cell
+/// and all together: time steps end in the steady state, with and without spin.
+#[test]
+fn steep_hardening_settles_in_time() {
+    let bodies = [half_space(), Arc::new(Rigid)];
+    for (elasticity, [x, spin]) in bodies.into_iter().zip([[4e-4, 0.0], [2e-3, 0.2]]) {
+        let mut steep = problem(rolling(x, 0.0, spin));
+        steep.interface.elasticity = elasticity;
+        steep.interface.contact_law = ContactLaw::Coulomb;
+        let thin = ThirdBodyLayer::new(10e-6, 4.6e9).unwrap();
+        let limit = YieldLimit { stress: 43e6, hardening: 4e14 };
+        steep.interface.layer = Some(thin.with_yield(limit).unwrap());
+        let speed = steep.kinematics.speed;
+        let force = |passages: f64| {
+            let time = vec![0.0, passages * 2.0 * SEMI_AXES[0] / speed];
+            let history = History { time, ..History::default() };
+            let transient = Transient { problem: steep.clone(), history, initial_state: None };
+            let found = march(&transient, &cells(16), &unwatched).unwrap();
+            assert_eq!(found.status, Status::Converged, "{:?}", found.warnings);
+            found.force.x
+        };
+        let [before, after] = [20.0, 20.0 + 1.0 / 16.0].map(force);
+        assert_relative_eq!(before, after, max_relative = 1e-5);
+        assert_relative_eq!(solve(&steep, &cells(16)).force.x, after, max_relative = 1e-4);
+    }
+}

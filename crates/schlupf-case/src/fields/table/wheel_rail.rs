@@ -68,8 +68,10 @@ section! {
     "lateral_velocity" [LateralVelocity] quantity(&Measure::SPEED), SPEED, Text("0 m/s"),
         "lateral velocity of the middle of the axle", shaping(), with(NORMAL_MODEL, WHEEL_RAIL),
         usually(Magnitude(10.0));
-    "vertical_velocity" [VerticalVelocity] quantity(&Measure::SPEED), SPEED, Text("0 m/s"),
-        "vertical velocity of the middle of the axle", shaping(), with(NORMAL_MODEL, WHEEL_RAIL),
+    "vertical_velocity" [VerticalVelocity] quantity(&Measure::SPEED), SPEED,
+        Computed("0 m/s; under normal.load on slices that with which the wheel follows them"),
+        "vertical velocity of the middle of the axle", shaping(), example("0.1 m/s"),
+        with(NORMAL_MODEL, WHEEL_RAIL),
         usually(Magnitude(10.0));
     "yaw_rate" [YawRate] quantity(&Measure::ANGULAR_VELOCITY), TURNING, Text("0 rad/s"),
         "angular velocity about the vertical axis", shaping(), with(NORMAL_MODEL, WHEEL_RAIL);

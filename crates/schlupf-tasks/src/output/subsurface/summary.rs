@@ -30,7 +30,7 @@ pub(super) fn text(report: &StressReport) -> Summary {
         entry(&mut text, &format!("largest {name}"), value / 1e6, "MPa", &remark);
         let other = match &largest.below {
             Some(below) if *below == largest.anywhere => Some(("on the surface", &largest.surface)),
-            Some(below) => Some(("below the surface", below)),
+            Some(below) => Some(("maximum below", below)),
             None => None,
         };
         if let Some((name, point)) = other {

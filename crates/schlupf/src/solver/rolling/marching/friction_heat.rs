@@ -43,14 +43,14 @@ pub(super) struct FrictionPoint {
 impl FrictionPoint {
     /// What bounds the traction in a cell over the pressure (in Pa) on its covered part,
     /// dimensionless: the coefficient of friction, or less where the layer between the surfaces
-    /// flows.
+    /// flows. With the compliance of the whole patch, in m/Pa.
     pub fn coefficient(
         &self,
         problem: &Problem,
         now: &Snapshot,
         passage: &Passage,
         arrived: &Arrival,
-        pressure: f64,
+        (pressure, compliance): (f64, f64),
     ) -> f64 {
         let friction = self.of_friction(problem, now, passage, arrived);
         let Some(layer) = &problem.interface.layer else { return friction };
@@ -58,9 +58,9 @@ impl FrictionPoint {
         let flow = layer.pass(friction * pressure, arrived.plastic_displacement, [slip; 2]);
         let found = flow.bound / pressure;
         // The slip is that of the step before. A bound that grows takes some of it up, as shear of
-        // the layer; without this a layer that hardens steeply would go up and down with each step.
-        let taken_up = layer.yield_limit().map_or(0.0, |limit| limit.hardening.max(0.0));
-        let share = (1.0 + taken_up * layer.compliance()).recip();
+        // the layer and of the bodies: all of it at most as much as where all of the patch does.
+        // Without this a layer that hardens steeply would go up and down with each step.
+        let share = (1.0 + layer.hardening() * compliance).recip();
         if flow.yields[0] && self.friction > 0.0 {
             self.friction + share * (found - self.friction)
         } else {

@@ -378,6 +378,8 @@ impl<'a> March<'a> {
     /// Friction, Eq. (23), follows the temperature of the arriving element, including the heat that
     /// friction itself generates here now: both are found together.
     fn set_friction(&mut self, arrivals: &[Arrival]) {
+        let hardens = self.problem.interface.layer.is_some_and(|layer| layer.hardening() > 0.0);
+        let compliance = if hardens { self.contact.patch_compliance() } else { 0.0 };
         let patch = &self.contact.patch;
         let at = positions(patch, &self.elements);
         for strip in &patch.strips {
@@ -390,10 +392,10 @@ impl<'a> March<'a> {
                     bound_power: cell.pressure * slip_speed,
                     slip_speed,
                 };
-                let (passage, pressure) =
-                    (Passage::of(patch, strip, k), cell.pressure_where_covered());
+                let passage = Passage::of(patch, strip, k);
+                let cell = (cell.pressure_where_covered(), compliance);
                 self.now.friction[k] =
-                    point.coefficient(self.problem, &self.now, &passage, &arrivals[k], pressure);
+                    point.coefficient(self.problem, &self.now, &passage, &arrivals[k], cell);
             }
         }
     }

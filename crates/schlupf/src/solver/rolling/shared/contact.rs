@@ -315,6 +315,19 @@ impl DiscreteContact {
         settings::rigidity() * self.bristles * self.normal.peak_pressure
     }
 
+    /// Largest displacement where all of the patch has a traction of one, in m/Pa: others of at
+    /// most one displace no cell further.
+    pub fn patch_compliance(&mut self) -> f64 {
+        let mut largest = 0.0_f64;
+        let mut displacement = vec![0.0; 2 * self.patch.len()];
+        for direction in [[1.0, 0.0], [0.0, 1.0]] {
+            let traction = direction.repeat(self.patch.len());
+            self.product(&traction).at_cells(&mut displacement);
+            largest = displacement.iter().fold(largest, |most, u| most.max(u.abs()));
+        }
+        largest
+    }
+
     /// Ratio of displacement to traction of that cell, in m/Pa; zero for rigid bodies.
     pub fn cell_compliance(&self) -> f64 {
         self.cell_stiffness.recip()

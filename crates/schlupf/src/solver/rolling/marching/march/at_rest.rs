@@ -80,8 +80,7 @@ impl March<'_> {
         };
         // A bound that grows takes up some of the slip.
         let compliance = layer.compliance() + self.contact.cell_compliance();
-        let hardening = layer.yield_limit().map_or(0.0, |limit| limit.hardening.max(0.0));
-        let share = (1.0 + hardening * compliance).recip();
+        let share = (1.0 + layer.hardening() * compliance).recip();
         self.now.friction =
             (0..friction.len()).map(|k| flow(k, 0.0).bound / pressures[k]).collect();
         for _ in 0..settings::most_flows() {
