@@ -1,10 +1,9 @@
 //! The solution of a case: steady rolling, or rolling over time.
 
-use std::borrow::Cow;
 
 use crate::output::solution::SolutionReport;
 use schlupf::problem::State;
-use schlupf::reporting::{Message, Words};
+use schlupf::reporting::Message;
 use schlupf::solver::march;
 use schlupf::wheel_rail::WheelSolution;
 use schlupf::{Error, Method, Quantity, Solution, Watch};
@@ -106,24 +105,10 @@ impl Request {
     fn explain(&self, case: &Case, error: &Error) -> CaseError {
         match &self.initial_state {
             // This one is no field of the case file.
-            Some(file) if error.quantity() == Quantity::InitialState => {
-                let name = self.asked.name(INITIAL_STATE);
-                let words = StateFile(format!("{name} {}", file.path().display()));
-                self.asked.refuse(INITIAL_STATE, error.text(&words))
+            Some(_) if error.quantity() == Quantity::InitialState => {
+                self.asked.refuse(INITIAL_STATE, error.text(&FieldNames::CASE))
             }
             _ => case.explain(error),
-        }
-    }
-}
-
-/// What the file of a state is called in messages.
-struct StateFile(String);
-
-impl Words for StateFile {
-    fn word(&self, quantity: Quantity) -> Cow<'static, str> {
-        match quantity {
-            Quantity::InitialState => self.0.clone().into(),
-            other => FieldNames::CASE.word(other),
         }
     }
 }

@@ -67,8 +67,7 @@ impl Requirement {
             Self::Radius(low, high) => {
                 let (low, high) = (readable(low), readable(high));
                 return format!(
-                    "a length other than 0 of between {low} and {high} {unit}: negative where \
-                     concave, \"inf\" where straight"
+                    "between {low} and {high} {unit} in magnitude, or \"inf\" where straight"
                 );
             }
             Self::Magnitude(high) => format!("finite and at most ±{}", readable(high)),
