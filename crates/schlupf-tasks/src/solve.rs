@@ -1,6 +1,5 @@
 //! The solution of a case: steady rolling, or rolling over time.
 
-
 use crate::output::solution::SolutionReport;
 use schlupf::problem::State;
 use schlupf::reporting::Message;

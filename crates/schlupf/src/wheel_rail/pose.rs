@@ -88,7 +88,7 @@ impl Pose {
     /// −R₁₂ dz/dy.
     pub fn silhouette(&self, slope: f64) -> Option<Silhouette> {
         let [along, across, up] = self.rotation[0];
-        let size = along.hypot(up);
+        let size = (along * along + up * up).sqrt();
         let sin = -across / size * slope;
         let cos = (1.0 - sin * sin).sqrt();
         let [from_sin, from_cos] = [up / size, along / size];

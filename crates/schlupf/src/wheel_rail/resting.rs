@@ -36,12 +36,13 @@ pub fn resting_roll(
     place: [f64; 2],
     depths: [f64; 2],
 ) -> Result<f64, Error> {
-    resting_roll_near(0.0, pairs, place, depths)
+    resting_roll_near(0.0, RIGID, pairs, place, depths)
 }
 
-/// The same, from an angle (in rad) nearby.
+/// The same, from an angle nearby to within another one, in rad.
 fn resting_roll_near(
     mut roll: f64,
+    tolerance: f64,
     pairs: &Sides<Arc<Pair>>,
     [lateral, yaw]: [f64; 2],
     depths: [f64; 2],
@@ -62,7 +63,7 @@ fn resting_roll_near(
         let off = difference(roll)?;
         bracket.note(roll, off > 0.0);
         let next = bracket.next(roll - off / slope.through([roll, off]));
-        if (next - roll).abs() < RIGID {
+        if (next - roll).abs() < tolerance {
             return Ok(next);
         }
         roll = next;
@@ -130,14 +131,15 @@ impl WheelOnRail {
         watch: Watch,
     ) -> Result<f64, Error> {
         let place = [self.position.lateral, self.position.yaw];
-        let rigid = resting_roll(&self.pairs, place, [0.0; 2])?;
+        let roll = |from: f64, depths| resting_roll_near(from, SETTLED, &self.pairs, place, depths);
+        let rigid = roll(0.0, [0.0; 2])?;
         let depth = |side: Side| -> Result<f64, Error> {
             let Support::Force(_) = self.support else { return Ok(0.0) };
             let wheel = self.at_roll(side, rigid);
             Ok(wheel.frictionless(Accuracy::Coarse, (tangential, watch))?.at.depth)
         };
         let depths = [depth(Side::Left)?, depth(Side::Right)?];
-        resting_roll_near(rigid, &self.pairs, place, depths)
+        roll(rigid, depths)
     }
 
     /// Both wheels, this one first with what has solved its contacts, from a roll angle (in rad)
