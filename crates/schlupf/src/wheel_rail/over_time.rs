@@ -224,7 +224,13 @@ impl<'a> Rolling<'a> {
             self.time += duration;
             self.distance += self.spacing[0];
             let place = if is_nearest(self.time) { last.time } else { self.time };
-            self.go_on(&at(place), Step::Roll)?;
+            let in_time = |error| match error {
+                Error::WheelRail { error: WheelRailError::Lifted { .. } } => {
+                    Error::AtTime { error: Box::new(error), time: place }
+                }
+                error => error,
+            };
+            self.go_on(&at(place), Step::Roll).map_err(in_time)?;
         }
     }
 
