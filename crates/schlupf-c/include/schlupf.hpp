@@ -126,10 +126,10 @@ private:
     Element() = default;
 
     std::string text(std::size_t (*of)(SchlupfElement, char *, std::size_t)) const {
-        std::string text(of(element_, nullptr, 0) + 1, '\0');
-        of(element_, &text[0], text.size());
-        text.pop_back();
-        return text;
+        std::string copy(of(element_, nullptr, 0) + 1, '\0');
+        of(element_, &copy[0], copy.size());
+        copy.pop_back();
+        return copy;
     }
 
     static std::vector<const char *> pointers(const std::vector<std::string> &texts) {

@@ -64,12 +64,7 @@ impl Held {
     /// What the method of its case neglects, a line for each warning.
     pub fn warnings(&self) -> String {
         let warnings = self.contact.iter().flat_map(|contact| contact.element.warnings());
-        let line = |warning: &Warning| {
-            let message = warning.message(&FieldNames::CASE);
-            format!("{}: {}", message.code, message.text)
-        };
-        let lines = warnings.map(line);
-        lines.collect::<Vec<_>>().join("\n")
+        warnings.map(line).collect::<Vec<_>>().join("\n")
     }
 
     /// What is wrong: with the case, or else with the last call.
@@ -88,6 +83,11 @@ fn element(origin: &Origin<'_>, assignments: &[String]) -> Result<Element, CaseE
         Origin::File(path) => CaseFile::from_path(Path::new(path), set)?,
     };
     Ok(file.pose(&schlupf::unwatched)?.element()?)
+}
+
+/// A warning with its code, on a line.
+pub fn line(warning: &Warning) -> String {
+    format!("{}: {}", warning.code(), warning.text(&FieldNames::CASE))
 }
 
 impl Contact {

@@ -322,11 +322,12 @@ pub unsafe extern "C" fn schlupf_element_message(
     size: usize,
 ) -> usize {
     // SAFETY: that of this function.
-    unsafe { put_text_of(element, Held::message, message, size) }
+    unsafe { put_text_of(element, Held::message, Trouble::to_string, (message, size)) }
 }
 
-/// Copies what the method of an element neglects, whatever the inputs are: a line for each warning,
-/// which begins with its code; empty where there is none. Otherwise like `schlupf_element_message`.
+/// Copies what the method of an element neglects at the load of its case: a line for each warning,
+/// which begins with its code; empty where there is none, or no element. Otherwise like
+/// `schlupf_element_message`.
 ///
 /// # Safety
 /// `warnings` is null or has room for `size` bytes.
@@ -337,22 +338,23 @@ pub unsafe extern "C" fn schlupf_element_warnings(
     size: usize,
 ) -> usize {
     // SAFETY: that of this function.
-    unsafe { put_text_of(element, Held::warnings, warnings, size) }
+    unsafe { put_text_of(element, Held::warnings, |_| String::new(), (warnings, size)) }
 }
 
-/// Copies a text of an element, or why there is none; returns the bytes of the whole text.
+/// Copies a text of an element, or one of what is wrong with that; returns the bytes of the whole
+/// text.
 ///
 /// # Safety
 /// `place` is null or has room for `size` bytes.
 unsafe fn put_text_of(
     element: Element,
     text: fn(&Held) -> String,
-    place: *mut c_char,
-    size: usize,
+    otherwise: fn(&Trouble) -> String,
+    (place, size): (*mut c_char, usize),
 ) -> usize {
     let work = || {
         let text = table::with(element, |held| text(held));
-        text.unwrap_or_else(|status| Trouble::Status(status).to_string())
+        text.unwrap_or_else(|status| otherwise(&Trouble::Status(status)))
     };
     let text = catch_unwind(work).unwrap_or_default();
     // SAFETY: that of this function.

@@ -302,17 +302,18 @@ impl CaseFile {
         read(text).or_else(|_| read(&Self::text_for_damage(text, name)?))
     }
 
-    /// Refuses overrides of what does not count for damage by states that are known.
+    /// Refuses overrides of what does not count for damage by states that are solved already, or
+    /// by another case.
     ///
     /// # Errors
     /// The first field of that kind.
     pub fn refuse_for_damage(&self, assignments: &[String]) -> Result<(), CaseError> {
         let path = |assignment: &String| Some(fields::find(assignment.split_once('=')?.0.trim())?);
         let mut given = assignments.iter().filter_map(path);
-        let Some(Field { path, .. }) = given.find(|field| !is_for_damage(field)) else {
-            return Ok(());
-        };
-        let message = format!("{path} would be ignored: the states of the table are solved");
+        let counts =
+            |field: &Field| is_for_damage(field) && field.path != field!("kinematics.speed");
+        let Some(Field { path, .. }) = given.find(|field| !counts(field)) else { return Ok(()) };
+        let message = format!("{path} would be ignored: the states are those of the run");
         Err(self.settings.error(*path, message))
     }
 

@@ -3,7 +3,7 @@
 use std::ffi::{CStr, CString, c_char};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use schlupf_case::FieldNames;
+use crate::held::line;
 
 use super::instance::{Failure, Instance, State, error};
 
@@ -59,7 +59,7 @@ pub fn instantiate(log: Log, make: impl FnOnce() -> Result<Instance, String>) ->
     match made.unwrap_or_else(|_| Err(INTERNAL.to_owned())) {
         Ok(instance) => {
             for warning in instance.warnings() {
-                log.tell(Status::Warning, &warning.text(&FieldNames::CASE));
+                log.tell(Status::Warning, &line(warning));
             }
             Box::into_raw(Box::new(Component { instance, log }))
         }

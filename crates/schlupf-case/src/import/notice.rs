@@ -33,9 +33,9 @@ messages! {
         friction limit".to_owned();
 
     /// FaStrip is replaced by what it approximates.
-    "no-strips" NoStrips {} field!("solver.method").as_str(), |subject, words| "FaStrip (M = 5 to 7) \
-        approximates elastic half-spaces, which are solved here: its own forces differ by some per \
-        cent of the friction limit".to_owned();
+    "no-strips" NoStrips {} field!("solver.method").as_str(), |subject, words| "FaStrip (M = 5 to 7) is \
+        an approximation of elastic half-spaces, whose equations are solved here: its own force in \
+        CONTACT's example differs by 3 % of the friction limit".to_owned();
 
     /// Influences on a curved surface follow its turn.
     "bent-half-spaces" BentHalfSpaces {} field!("normal.method").as_str(), |subject, words| "D = 4: the \

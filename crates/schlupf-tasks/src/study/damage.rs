@@ -107,13 +107,12 @@ fn plan(path: &Path, of: &Given) -> Result<Plan, StudyError> {
     };
     let case = match (&study, &of_table) {
         (Some(study), _) if of.is_default => study.case_file().clone(),
-        (None, Some(table)) if of.is_default => {
-            let case = table.with(option, assignments)?;
-            case.refuse_for_damage(assignments)?;
-            case
-        }
+        (None, Some(table)) if of.is_default => table.with(option, assignments)?,
         _ => of.case.clone(),
     };
+    if !(of.is_default && is_study) {
+        case.refuse_for_damage(assignments)?;
+    }
     let laws = case.damage_laws()?;
     let is_of_table = of_table.is_some();
     Ok(Plan { path: path.to_owned(), study, case, laws, is_of_table })

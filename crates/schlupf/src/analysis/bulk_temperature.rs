@@ -153,8 +153,8 @@ impl Balance<'_> {
     fn at(&mut self, temperature: f64) -> Result<BulkTemperature, Error> {
         self.problem.interface.wheel.bulk_temperature = temperature;
         let progress = Progress::count(Stage::BulkTemperature, self.iterations);
-        let solution = self.solver.solve(&self.problem, &within(self.watch, progress))?;
         self.iterations += 1;
+        let solution = self.solver.solve(&self.problem, &within(self.watch, progress))?;
         let known = solution.power.and_then(|power| Some((power.into_wheel, power.exchanged?)));
         let Some((frictional_heat, conduction)) = known else {
             let (purpose, method) = (MethodPurpose::BulkTemperature, solution.method.name());
@@ -190,8 +190,7 @@ impl Balance<'_> {
         Ok(summary::chill(&self.problem, &Patch::new(&normal, grid), wheel_speed))
     }
 
-    /// A temperature at which the wheel loses more heat than it receives with the friction of a
-    /// cold wheel; below the one at which friction vanishes.
+    /// A temperature at which the wheel loses more heat than a cold one receives; below the one at which friction vanishes.
     fn hottest(&self, cold: &BulkTemperature) -> Result<f64, Error> {
         let weight = self.problem.interface.conduction(&self.motion).wheel_weight();
         let through = (1.0 - weight) * self.chill()?;
@@ -205,18 +204,30 @@ impl Balance<'_> {
         Ok((given / (air + through)).min(vanishing - 1e-6 * (vanishing - rail).abs()))
     }
 
+    /// The balance at a temperature, or nearer to another one where friction carries the forces that
+    /// are prescribed.
+    fn towards(&mut self, from: f64, mut to: f64) -> Result<BulkTemperature, Error> {
+        loop {
+            match self.at(to) {
+                Err(Error::Force { .. }) if self.iterations < ITERATIONS => to = 0.5 * (from + to),
+                found => return found,
+            }
+        }
+    }
+
     /// A temperature with a surplus and one without, from a guess of the latter. Where friction
-    /// rises with temperature, the wheel becomes hotter than with the friction of a cold one.
+    /// rises with temperature, or falls under a force that stays, the wheel becomes hotter than
+    /// with the friction of a cold one.
     fn bracket(
         &mut self,
         mut low: BulkTemperature,
         guess: f64,
     ) -> Result<(BulkTemperature, BulkTemperature), Error> {
-        let mut high = self.at(guess)?;
+        let mut high = self.towards(low.temperature, guess)?;
         while high.surplus() > 0.0 && self.iterations < ITERATIONS {
             let next = high.temperature + 2.0 * (high.temperature - low.temperature);
             low = high;
-            high = self.at(next)?;
+            high = self.towards(low.temperature, next)?;
         }
         Ok((low, high))
     }

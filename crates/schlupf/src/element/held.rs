@@ -103,7 +103,7 @@ impl Element {
         }
     }
 
-    /// What its method neglects, whatever the inputs are.
+    /// What its method neglects at the load of its problem.
     ///
     /// ```
     /// use schlupf::element::{Element, Settings};

@@ -229,7 +229,7 @@ fn carlson_f(y: f64, z: f64) -> f64 {
 
 /// ∫ (a cos²φ + b sin²φ)/√(cos²φ + k² sin²φ) dφ from 0 to π/2 for k > 0, by Landen's
 /// transformation (R. Bulirsch, Numerical calculation of elliptic integrals and elliptic functions
-/// III, Numerische Mathematik 13 (1969)); every step squares the error.
+/// III, Numerische Mathematik 13 (1969)); near its end every step squares the error.
 fn elliptic(mut k: f64, [mut a, mut b]: [f64; 2]) -> f64 {
     let (mut mean, mut sum, mut product) = (1.0, 1.0, k);
     loop {
@@ -238,8 +238,8 @@ fn elliptic(mut k: f64, [mut a, mut b]: [f64; 2]) -> f64 {
         sum += part;
         let before = mean;
         mean += k;
-        // What is not a number ends it, too.
-        if (before - k).abs() <= 1e-8 * before || !k.is_finite() {
+        // What is not positive ends it, too.
+        if (before - k).abs() <= 1e-8 * before || !(k > 0.0 && k.is_finite()) {
             return FRAC_PI_2 * (b + a * mean) / (mean * (mean + sum));
         }
         k = 2.0 * product.sqrt();

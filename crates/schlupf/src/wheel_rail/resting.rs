@@ -39,7 +39,7 @@ pub fn resting_roll(
     resting_roll_near(0.0, RIGID, pairs, place, depths)
 }
 
-/// The same, from an angle nearby to within another one, in rad.
+/// The same, from an angle nearby until it changes by less than a tolerance, both in rad.
 fn resting_roll_near(
     mut roll: f64,
     tolerance: f64,

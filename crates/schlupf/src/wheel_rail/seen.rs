@@ -95,9 +95,10 @@ impl Across {
             if two.y <= one.y || two.y < start {
                 continue;
             }
-            // The first position from there on; to round up is a call on many processors.
+            // To round up is a call of a function on many processors.
             let from = ((one.y - start) / self.step).max(0.0);
-            let first = from as usize + usize::from(from > from as usize as f64);
+            let whole = from as usize;
+            let first = whole + usize::from(from > whole as f64);
             for (k, place) in found.iter_mut().enumerate().skip(first) {
                 let y = self.at(k);
                 if y > two.y {

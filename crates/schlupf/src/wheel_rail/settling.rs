@@ -70,7 +70,7 @@ pub(super) struct Settled {
     pub rounds: usize,
 }
 
-/// Fewest cells along or across on which friction is first estimated.
+/// Fewest cells, in the direction with fewer of them, on which friction is first estimated.
 const FEWEST_CELLS: usize = 8;
 
 /// Accuracy of that estimate, dimensionless.
@@ -108,8 +108,8 @@ impl WheelOnRail {
     ) -> Result<Found, Error> {
         let Options { cells_x, cells_y, .. } = *tangential.options;
         // As wide for their length as those asked for.
-        let fewest = FEWEST_CELLS as f64 / cells_x.min(cells_y) as f64;
-        let fewer = |count: usize| (fewest.clamp(0.5, 1.0) * count as f64).ceil() as usize;
+        let share = (FEWEST_CELLS as f64 / cells_x.min(cells_y) as f64).clamp(0.5, 1.0);
+        let fewer = |count: usize| (share * count as f64).ceil() as usize;
         let coarse = Options {
             cells_x: fewer(cells_x),
             cells_y: fewer(cells_y),

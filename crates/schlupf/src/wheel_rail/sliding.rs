@@ -174,18 +174,20 @@ impl Sliding<'_> {
         Moving::new(bodies, (&pressed.plane, pressed.approach), motion)
     }
 
-    /// The vertical velocity (in m/s) at which the vertical force stays what it is: contacts push
-    /// each other aside by their stiffness, which is in proportion to force over approach.
+    /// The vertical velocity (in m/s) at which surfaces that change along the way leave the sum of
+    /// the vertical forces what it is: contacts are springs of a stiffness in proportion to force
+    /// over approach.
     fn following(&self, motion: Motion) -> f64 {
-        let level = Motion { vertical_velocity: 0.0, ..motion };
+        let Motion { speed, angular_velocity, curve_radius, .. } = motion;
+        let along = Motion { curve_radius, ..Motion::straight(speed, angular_velocity) };
         let mut sums = [0.0; 2];
         for contact in self.lowered.contacts.iter().filter(|contact| contact.approach > 0.0) {
             let normal = contact.plane.normal();
-            let vertical = contact.force / contact.approach * normal[2];
-            let parting = dot(self.moving_by(contact, &level).velocity([0.0; 3]), normal);
-            sums = [sums[0] + vertical * parting, sums[1] + vertical * normal[2]];
+            let stiffness = contact.force / contact.approach * normal[2];
+            let opening = dot(self.moving_by(contact, &along).velocity([0.0; 3]), normal);
+            sums = [sums[0] + stiffness * opening, sums[1] + stiffness * normal[2]];
         }
-        if sums[1] > 0.0 { -sums[0] / sums[1] } else { motion.vertical_velocity }
+        if sums[1] > 0.0 { -sums[0] / sums[1] } else { 0.0 }
     }
 
     /// How much of the motion of its rows a contact takes.

@@ -61,7 +61,7 @@ pub struct WheelOnRail {
     /// How it moves.
     pub motion: Motion,
     /// Whether a wheel under a force follows surfaces that change along the way: its vertical
-    /// velocity is then that at which its contacts stay pressed, in place of that of its motion.
+    /// velocity is then that with which they raise and lower it, in place of that of its motion.
     pub follows: bool,
     /// What turns it: with a force the angular velocity of its motion is found, and that given is
     /// not used.

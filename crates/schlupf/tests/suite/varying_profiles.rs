@@ -224,6 +224,14 @@ fn a_wheel_that_climbs_slides_no_further_across() {
     };
     let ([level, spin], motion) = yawed(cone(RADIUS).into(), rail(0.0), None);
     assert!((level.abs() / 2e-3 - 1.0).abs() < 0.02 && spin.abs() > 0.1, "{level} {spin}");
+    // Equal slices are the prism, also where the wheelset moves across.
+    let moving = |rail: Surface| {
+        let mut posed = on(cone(RADIUS).into(), rail, Support::Force(40e3));
+        (posed.motion.lateral_velocity, posed.motion.roll_rate) = (0.05, 0.1);
+        solve(&posed).contacts[0].solution.kinematics.creepage_y
+    };
+    let plain = curve(|y| crown(y) + SLOPE * y, WIDTH, Quantity::RailProfile);
+    close("moving", moving(rail(0.0)), moving(plain.into()), 1e-6);
     let climbing = 0.02;
     let pitched = |pitch| Surface::around(Arc::clone(&around), pitch);
     for (wheel, rise, velocity) in [

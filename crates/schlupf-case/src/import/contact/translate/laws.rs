@@ -68,24 +68,6 @@ pub fn method(
 ) {
     let material = control.material;
     match material.whole() {
-        0 | 4..=7 => {
-            if material.is(4) {
-                third_body(case, elastic);
-            }
-            if material.value > 4.0 {
-                fastrip(case, material, elastic);
-            }
-            case.document.text(field!("elasticity.model"), "half-space");
-            case.document.text(field!("contact_law.model"), "coulomb");
-            if control.bound.is(3) {
-                case.refuse(
-                    control.bound,
-                    "a parabolic pressure on the half-space is not available",
-                    "B = 0 or 2 is that of Hertz; with M = 3 B = 3 is available",
-                );
-            }
-        }
-        3 => fastsim(case, control, elastic),
         1 => match wheel.filter(|_| control.tangential.is(3)) {
             Some(wheel) => viscoelastic(case, (control, elastic), wheel),
             None => case.refuse(
@@ -99,7 +81,23 @@ pub fn method(
             "FASTSIM with a flexibility FLX that is given is not available",
             "M = 3 finds the flexibilities from Kalker's coefficients",
         ),
-        _ => case.refuse(material, "must be 0 to 7", ""),
+        3 => fastsim(case, control, elastic),
+        of_half_spaces => {
+            match of_half_spaces {
+                0 => {}
+                4 => third_body(case, elastic),
+                _ => fastrip(case, material, elastic),
+            }
+            case.document.text(field!("elasticity.model"), "half-space");
+            case.document.text(field!("contact_law.model"), "coulomb");
+            if control.bound.is(3) {
+                case.refuse(
+                    control.bound,
+                    "a parabolic pressure on the half-space is not available",
+                    "B = 0 or 2 is that of Hertz; with M = 3 B = 3 is available",
+                );
+            }
+        }
     }
     bound(case, control);
     if control.damping.value >= 2.0 {

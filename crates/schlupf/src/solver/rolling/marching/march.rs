@@ -393,9 +393,9 @@ impl<'a> March<'a> {
                     slip_speed,
                 };
                 let passage = Passage::of(patch, strip, k);
-                let cell = (cell.pressure_where_covered(), compliance);
+                let bounding = (cell.pressure_where_covered(), compliance);
                 self.now.friction[k] =
-                    point.coefficient(self.problem, &self.now, &passage, &arrivals[k], cell);
+                    point.coefficient(self.problem, &self.now, &passage, &arrivals[k], bounding);
             }
         }
     }

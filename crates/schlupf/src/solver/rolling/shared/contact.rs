@@ -315,17 +315,16 @@ impl DiscreteContact {
         settings::rigidity() * self.bristles * self.normal.peak_pressure
     }
 
-    /// Largest displacement where all of the patch has a traction of one, in m/Pa: others of at
-    /// most one displace no cell further.
+    /// Largest displacement where all of the patch has a traction of one, in m/Pa: about the most
+    /// that tractions of at most one cause.
     pub fn patch_compliance(&mut self) -> f64 {
-        let mut largest = 0.0_f64;
-        let mut displacement = vec![0.0; 2 * self.patch.len()];
-        for direction in [[1.0, 0.0], [0.0, 1.0]] {
+        let in_direction = |direction: [f64; 2]| {
             let traction = direction.repeat(self.patch.len());
-            self.product(&traction).at_cells(&mut displacement);
-            largest = displacement.iter().fold(largest, |most, u| most.max(u.abs()));
-        }
-        largest
+            let made = self.product(&traction);
+            let VectorField { x, y, .. } = made.field();
+            x.iter().chain(y).fold(0.0_f64, |most, u| most.max(u.abs()))
+        };
+        [[1.0, 0.0], [0.0, 1.0]].map(in_direction).into_iter().fold(0.0, f64::max)
     }
 
     /// Ratio of displacement to traction of that cell, in m/Pa; zero for rigid bodies.
