@@ -916,7 +916,8 @@ class WheelsetFields(TypedDict, total=False):
     lateral_velocity: Number | None
     """lateral velocity of the middle of the axle (m/s); default: 0 m/s."""
     vertical_velocity: Number | None
-    """vertical velocity of the middle of the axle (m/s); default: 0 m/s."""
+    """vertical velocity of the middle of the axle (m/s); default: 0 m/s; under normal.load on
+    slices that with which the wheel follows them."""
     yaw_rate: Number | None
     """angular velocity about the vertical axis (rad/s); default: 0 rad/s."""
     roll_rate: Number | None
@@ -950,8 +951,9 @@ class Wheelset(Section, path="wheelset"):
     of normal.load (m)."""
     lateral_velocity: Entry[float, Number | None] = Entry()
     """lateral velocity of the middle of the axle (m/s); default: 0 m/s."""
-    vertical_velocity: Entry[float, Number | None] = Entry()
-    """vertical velocity of the middle of the axle (m/s); default: 0 m/s."""
+    vertical_velocity: Entry[float | None, Number | None] = Entry()
+    """vertical velocity of the middle of the axle (m/s); default: 0 m/s; under normal.load on
+    slices that with which the wheel follows them."""
     yaw_rate: Entry[float, Number | None] = Entry()
     """angular velocity about the vertical axis (rad/s); default: 0 rad/s."""
     roll_rate: Entry[float, Number | None] = Entry()

@@ -239,8 +239,9 @@ SchlupfStatus schlupf_element_forget(SchlupfElement element);
 size_t schlupf_element_message(SchlupfElement element, char *message, size_t size);
 
 /**
- * Copies what the method of an element neglects, whatever the inputs are: a line for each warning,
- * which begins with its code; empty where there is none. Otherwise like `schlupf_element_message`.
+ * Copies what the method of an element neglects at the load of its case: a line for each warning,
+ * which begins with its code; empty where there is none, or no element. Otherwise like
+ * `schlupf_element_message`.
  *
  * `warnings` is null or has room for `size` bytes.
  */
