@@ -224,8 +224,8 @@ fn the_speed_over_time_is_read() {
     assert_eq!((history.creepage_x, history.load), (None, None));
 }
 
-/// The rolling radius counts for damage and heat per revolution, too, and so does the radius that is
-/// its default; not on two profiles, whose nominal radius it is.
+/// The rolling radius counts for damage and heat per revolution, too, as does that which is its
+/// default; not on two profiles, whose nominal radius it is.
 #[test]
 fn a_rolling_radius_is_noticed_on_two_profiles_only() {
     let text = "[kinematics]\nwheel_radius = \"0.4 m\"";

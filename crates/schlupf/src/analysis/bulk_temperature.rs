@@ -190,7 +190,8 @@ impl Balance<'_> {
         Ok(summary::chill(&self.problem, &Patch::new(&normal, grid), wheel_speed))
     }
 
-    /// A temperature at which the wheel loses more heat than a cold one receives; below the one at which friction vanishes.
+    /// A temperature at which the wheel loses more heat than a cold one receives; below the one at
+    /// which friction vanishes.
     fn hottest(&self, cold: &BulkTemperature) -> Result<f64, Error> {
         let weight = self.problem.interface.conduction(&self.motion).wheel_weight();
         let through = (1.0 - weight) * self.chill()?;
@@ -204,8 +205,8 @@ impl Balance<'_> {
         Ok((given / (air + through)).min(vanishing - 1e-6 * (vanishing - rail).abs()))
     }
 
-    /// The balance at a temperature, or nearer to another one where friction carries the forces that
-    /// are prescribed.
+    /// The balance at a temperature, or nearer to another one, where friction carries prescribed
+    /// forces.
     fn towards(&mut self, from: f64, mut to: f64) -> Result<BulkTemperature, Error> {
         loop {
             match self.at(to) {
