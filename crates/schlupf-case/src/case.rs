@@ -308,7 +308,7 @@ impl CaseFile {
     /// # Errors
     /// The first field of that kind.
     pub fn refuse_for_damage(&self, assignments: &[String]) -> Result<(), CaseError> {
-        let path = |assignment: &String| Some(fields::find(assignment.split_once('=')?.0.trim())?);
+        let path = |assignment: &String| fields::find(assignment.split_once('=')?.0.trim());
         let mut given = assignments.iter().filter_map(path);
         let counts =
             |field: &Field| is_for_damage(field) && field.path != field!("kinematics.speed");
