@@ -302,16 +302,22 @@ impl CaseFile {
         read(text).or_else(|_| read(&Self::text_for_damage(text, name)?))
     }
 
-    /// Refuses overrides of what does not count for damage by states that are solved already, or
-    /// by another case.
+    /// Refuses overrides that do not count for damage: of a run whose states are to be solved with
+    /// them those of what `varies` in it, of another one all but the laws.
     ///
     /// # Errors
     /// The first field of that kind.
-    pub fn refuse_for_damage(&self, assignments: &[String]) -> Result<(), CaseError> {
-        let path = |assignment: &String| fields::find(assignment.split_once('=')?.0.trim());
-        let mut given = assignments.iter().filter_map(path);
-        let counts =
-            |field: &Field| is_for_damage(field) && field.path != field!("kinematics.speed");
+    pub fn refuse_for_damage(
+        &self,
+        assignments: &[String],
+        varies: Option<&[FieldPath]>,
+    ) -> Result<(), CaseError> {
+        let field = |assignment: &String| fields::find(assignment.split_once('=')?.0.trim());
+        let counts = |field: &Field| match varies {
+            Some(varies) => !varies.contains(&field.path),
+            None => is_for_damage(field) && field.path != field!("kinematics.speed"),
+        };
+        let mut given = assignments.iter().filter_map(field);
         let Some(Field { path, .. }) = given.find(|field| !counts(field)) else { return Ok(()) };
         let message = format!("{path} would be ignored: the states are those of the run");
         Err(self.settings.error(*path, message))

@@ -184,8 +184,8 @@ fn illegal_numbers_are_named() {
         ("[kinematics]\nspin = \"1e999 1/m\"", "kinematics.spin", &["too large"]),
         ("[wheel]\nyoung_modulus = \"0 GPa\"", "wheel.young_modulus", &["between"]),
         ("[rail]\npoisson_ratio = 0.6", "rail.poisson_ratio", &["between 0 and 0.5", "0.6"]),
-        ("[rail]\nradius_y = \"0 mm\"", "rail.radius_y", &["other than 0"]),
-        ("[rail]\nradius_y = \"nan\"", "rail.radius_y", &["other than 0", "nan"]),
+        ("[rail]\nradius_y = \"0 mm\"", "rail.radius_y", &["in magnitude"]),
+        ("[rail]\nradius_y = \"nan\"", "rail.radius_y", &["in magnitude", "nan"]),
         (
             "[rail]\nbulk_temperature = \"-1 K\"",
             "rail.bulk_temperature",

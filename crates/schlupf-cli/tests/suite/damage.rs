@@ -164,6 +164,12 @@ fn overrides_count_for_states_that_are_not_solved_yet() {
     let written = document(&bench, &["study.toml"]);
     assert_eq!(overridden["energy"], written["energy"]);
     assert_ne!(overridden["energy"], document(&bench, &["table.csv"])["energy"]);
+    let refused = damage(&bench, &["study.toml", "--set", "normal.load=20 kN"]);
+    assert!(
+        refused.stderr.contains("normal.load would be ignored: the states"),
+        "{}",
+        refused.stderr
+    );
     for of in [&["table.csv"][..], &["table.csv", "case.toml"], &["study.toml", "case.toml"]] {
         for set in ["normal.load=20 kN", "kinematics.speed=5 m/s"] {
             let refused = damage(&bench, &[of, &["--set", set]].concat());

@@ -110,9 +110,11 @@ fn plan(path: &Path, of: &Given) -> Result<Plan, StudyError> {
         (None, Some(table)) if of.is_default => table.with(option, assignments)?,
         _ => of.case.clone(),
     };
-    if !(of.is_default && is_study) {
-        case.refuse_for_damage(assignments)?;
-    }
+    let varies = study.as_ref().filter(|_| of.is_default).map(|study| {
+        let varied = study.design.varied().iter();
+        varied.map(|varied| varied.field.path).collect::<Vec<_>>()
+    });
+    case.refuse_for_damage(assignments, varies.as_deref())?;
     let laws = case.damage_laws()?;
     let is_of_table = of_table.is_some();
     Ok(Plan { path: path.to_owned(), study, case, laws, is_of_table })
