@@ -63,7 +63,7 @@ pub fn sweep(arguments: &Sweep) -> Result<u8, Failure> {
     let progress = Progress::start();
     check(&arguments.output)?;
     progress.stage("reading the study");
-    let study = Study::from_path(&arguments.study)?;
+    let study = Study::from_path(&arguments.study, None)?;
     let input =
         |path: &PathBuf| Input { what: "the study".to_owned(), path: path.clone(), except: None };
     let inputs: Vec<Input> = study.inputs().iter().map(input).collect();

@@ -49,7 +49,7 @@ impl Study {
     /// Of a file.
     #[new]
     fn new(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
-        let study = py.detach(|| schlupf_tasks::study::Study::from_path(&path));
+        let study = py.detach(|| schlupf_tasks::study::Study::from_path(&path, None));
         Ok(Self { study: study.map_err(|error| raised(py, error))? })
     }
 

@@ -84,7 +84,7 @@ fn solved(kind: &Kind, cells: usize, states: usize, threads: usize) -> Taken {
     write("case.toml", &format!("{case}\ngrid.cells_x = {cells}\ngrid.cells_y = {cells}\n"));
     let sample = format!("[sample]\nmethod = \"sobol\"\ncount = {states}\n");
     write("study.toml", &format!("case = \"case.toml\"\n{sample}{RANGES}"));
-    let study = Study::from_path(&folder.path().join("study.toml")).unwrap();
+    let study = Study::from_path(&folder.path().join("study.toml"), None).unwrap();
     let table = folder.path().join("table.parquet");
     let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     let (start, before) = (Instant::now(), processor_time());
@@ -110,7 +110,7 @@ fn crossing() -> String {
     );
     let path = folder.path().join("study.toml");
     fs::write(&path, text).unwrap();
-    let study = Study::from_path(&path).unwrap();
+    let study = Study::from_path(&path, None).unwrap();
     let table = folder.path().join("table.parquet");
     let start = Instant::now();
     let report = run(&study, [1, 1], &table, &unwatched).unwrap();

@@ -27,7 +27,7 @@ fn sweep(folder: &Path, batches: usize) -> usize {
     fs::write(folder.join("case.toml"), "solver.method = \"polach\"\nheat.model = \"none\"\n")
         .unwrap();
     fs::write(folder.join("study.toml"), text).unwrap();
-    let study = Study::from_path(&folder.join("study.toml")).unwrap();
+    let study = Study::from_path(&folder.join("study.toml"), None).unwrap();
     let table = folder.join(format!("{batches}.parquet"));
     let report = run(&study, [1, 1], &table, &unwatched).unwrap();
     assert_eq!((report.rows, report.failed), (batches * BATCH, 0));

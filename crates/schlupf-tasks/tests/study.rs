@@ -37,7 +37,7 @@ impl Bench {
     }
 
     fn study(&self) -> Result<Study, StudyError> {
-        Study::from_path(&self.path("study.toml"))
+        Study::from_path(&self.path("study.toml"), None)
     }
 
     fn run(&self, shard: [usize; 2], output: &str) -> Result<Report, StudyError> {

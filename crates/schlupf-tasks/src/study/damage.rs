@@ -86,10 +86,10 @@ struct Plan {
 fn plan(path: &Path, of: &Given) -> Result<Plan, StudyError> {
     let (option, assignments) = of.overrides;
     let is_study = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
-    let mut study = if is_study { Some(Study::from_path(path)?) } else { None };
+    let mut study = if is_study { Some(Study::from_path(path, None)?) } else { None };
     if let Some(own) = study.as_mut().filter(|_| of.is_default && !assignments.is_empty()) {
         let case = own.case_file().with(option, assignments)?;
-        *own = Study::from_path_with(path, Some(&case))?;
+        *own = Study::from_path(path, Some(&case))?;
     }
     let of_table = if let Some(study) = &study {
         let of = |name: &str| {

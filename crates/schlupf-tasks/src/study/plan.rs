@@ -59,16 +59,12 @@ impl Study {
         &self.digest
     }
 
-    /// Reads a study file; relative paths in it start in its folder.
+    /// Reads a study file; relative paths in it start in its folder, `case` stands in place of the
+    /// one that it names.
     ///
     /// # Errors
     /// A file that cannot be read, or in which something is wrong.
-    pub fn from_path(path: &Path) -> Result<Self, StudyError> {
-        Self::from_path_with(path, None)
-    }
-
-    /// The same with another case, if there is one, in place of that which it names.
-    pub(crate) fn from_path_with(path: &Path, case: Option<&CaseFile>) -> Result<Self, StudyError> {
+    pub fn from_path(path: &Path, case: Option<&CaseFile>) -> Result<Self, StudyError> {
         let bytes = File::open(path).and_then(read_case);
         let bytes = bytes.map_err(|cause| StudyError::file(path, cause))?;
         let name = path.display().to_string();

@@ -58,7 +58,7 @@ impl FrictionPoint {
         let flow = layer.pass(friction * pressure, arrived.plastic_displacement, [slip; 2]);
         let found = flow.bound / pressure;
         // The slip is that of the step before. A bound that grows takes some of it up, as shear of
-        // the layer and of the bodies: all of it at most as much as where all of the patch does.
+        // the layer and of the bodies, at most what it takes where it grows all over the patch.
         // Without this a layer that hardens steeply would go up and down with each step.
         let share = (1.0 + layer.hardening() * compliance).recip();
         if flow.yields[0] && self.friction > 0.0 {
